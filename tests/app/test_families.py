@@ -13,11 +13,11 @@ SEEDS = range(4) if NIGHTLY else range(1, 2)
 
 
 class Families(ProgramTest):
-    def assert_right(self, family, seeds=SEEDS):
+    def assert_right(self, family, seeds=SEEDS, form="bare"):
         for seed in seeds:
             with self.subTest(family=family, seed=seed):
                 folder = self.path("%s%d" % (family, seed))
-                self.assertIn(" ok ", run(PROGRAM, family, seed, "bare", keep=folder))
+                self.assertIn(" ok ", run(PROGRAM, family, seed, form, keep=folder))
                 self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "project.yaml"))
 
     def test_grids_that_end_before_the_sides_of_the_model(self):
@@ -35,7 +35,13 @@ class Families(ProgramTest):
         self.assert_right("conjugate", (5,))
 
     def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
+        """In the second one horizons ended at a piece of a fault that was cut off later."""
         self.assert_right("network")
+        self.assert_right("network", (0,))
+
+    def test_networks_with_throw_are_as_quick(self):
+        """Blocks that were continued each across all others had no mesh in 110 CPU s."""
+        self.assert_right("network", (10,), "careful")
 
     def test_a_fault_that_dies_out(self):
         """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""

@@ -137,8 +137,12 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
 
 /// Horizons whose faults with throw were found from data that none of these crosses: they are given block by block, and
 /// there is no throw to restore.
-std::vector<Index> given_by_block(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
+std::vector<Index> given_by_block(std::vector<TriangulatedSurface> surfaces, const ModelRules& rules) {
   std::vector<Index> rows;
+  std::vector<std::string> notes, warnings;  // told where the surfaces are built
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault && rules.of(s).extend != Extend::none && rules.box)
+      extend_to_box(surfaces[s], rules.of(s).extend, *rules.box, {notes, warnings});
   for (Index s = 0; s < surfaces.size(); ++s) {
     const SurfaceRules rule = rules.of(s);
     if (!rule.throw_auto || rule.throw_at.empty()) continue;

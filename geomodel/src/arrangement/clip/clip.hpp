@@ -66,8 +66,8 @@ void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, 
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
 
 /// Removes the parts of continued surfaces that walls cut off from what was given (ArrangementOptions::ends_at), before
-/// merging can join them with what lies beside them beyond the wall. Faults lose nothing here: those that lie in each
-/// other to rounding are brought together first. But what they will lose is no wall.
+/// merging can join them with what lies beside them beyond the wall. Faults lose nothing here: those that coincide
+/// to rounding are merged first. But what they will lose is no wall.
 void end_continuations(ClipContext context, const ArrangementOptions& options);
 
 /// Removes pieces of wells marked `outside`, with a warning that gives their length.

@@ -122,9 +122,8 @@ std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
   return parts;
 }
 
-/// Walls of continued horizons that are whole in the arrangement: faults that overshoot the ones on which they end are
-/// cut in the soup, and what ends at them is cut there, too. So are continued faults: those that lie in each other to
-/// rounding are brought together first.
+/// The walls at which continued surfaces end that are whole in the arrangement: faults that overshoot the ones on which
+/// they end are cut in the soup, and what ends at them is cut there, too.
 std::vector<std::vector<Index>> walls_of_continuations(const PreparedModel& model) {
   const BuiltRows& rows = model.built_rows;
   std::vector<std::vector<Index>> walls = rows.continued_to;

@@ -3,233 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
 #include <set>
 
-#include "common/union_find.hpp"
-#include "naming/sheets.hpp"
 #include "naming/sums.hpp"
-#include "rules/continuation/border_chains.hpp"
-#include "rules/planar/planar_fill.hpp"
+#include "rules/continuation/horizon_division.hpp"
+#include "rules/continuation/sheet_border.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-using MapEdge = std::pair<VertexIndex, VertexIndex>;
-
-/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
-constexpr double steepest_slope = 3;
 /// Places of the grid are apart by this share of the radius, so that a disc that fits into a gap covers some of them.
 constexpr double step_of_radius = 0.5;
 /// More places of a grid than this take seconds: the distance is a tiny share of the model then.
 constexpr double most_places = 1e6;
-
-/// The triangles of a horizon with their blocks and neighbours.
-class Division {
- public:
-  Division(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
-           const std::map<MapEdge, BorderState>& states)
-      : horizon_(horizon), row_(row), framework_(framework), cutters_(cutters) {
-    for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
-    const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
-    for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
-    std::map<MapEdge, bool> crosses;
-    for (Index t = 0; t < triangles_.size(); ++t)
-      for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_[std::minmax(a, b)].push_back(t); });
-    for (const auto& [edge, _] : at_edge_) crosses[edge] = is_parted(edge.first, edge.second);
-    for (Index t = 0; t < triangles_.size(); ++t) {
-      bool is_crossing = false;
-      for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { is_crossing |= crosses.at(std::minmax(a, b)); });
-      crosses_.push_back(is_crossing);
-      block_.push_back(is_crossing ? no_index : block_of(t));
-    }
-  }
-
-  const std::vector<Triangle>& triangles() const { return triangles_; }
-  /// Of an edge at which the horizon ends, over the first of equal points; nothing where it goes on.
-  std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const {
-    const auto at = states_.find(std::minmax(a, b));
-    return at == states_.end() ? std::nullopt : std::optional(at->second);
-  }
-
-  /// Triangles of the block, those that hang together with them outside of the model, and those next to these that
-  /// cross a wall.
-  std::vector<Index> sheet_of(Index block) const {
-    std::vector<Index> sheet;
-    std::vector<bool> taken(triangles_.size(), false);
-    for (Index t = 0; t < triangles_.size(); ++t)
-      if (block_[t] == block) {
-        sheet.push_back(t);
-        taken[t] = true;
-      }
-    for (std::size_t k = 0; k < sheet.size(); ++k) {
-      if (crosses_[sheet[k]]) continue;
-      for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
-        for (const Index other : at_edge_.at(std::minmax(a, b)))
-          if (!taken[other] && block_[other] == no_index) {
-            taken[other] = true;
-            sheet.push_back(other);
-          }
-      });
-    }
-    return sheet;
-  }
-
- private:
-  template <class F>
-  void for_each_edge_of(Index t, F&& visit) const {
-    for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
-  }
-  bool is_parted(VertexIndex a, VertexIndex b) const {
-    const Vec3 &p = horizon_.points[a], &q = horizon_.points[b];
-    return cutters_.first_surface(p, q, row_) || cutters_.first_surface(q, p, row_);
-  }
-  /// By the first of some places of the triangle that lies in the model.
-  Index block_of(Index t) const {
-    const Vec3 &a = horizon_.points[triangles_[t][0]], &b = horizon_.points[triangles_[t][1]],
-               &c = horizon_.points[triangles_[t][2]];
-    const Vec3 centre = (1.0 / 3) * (a + b + c);
-    for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
-      if (const Index block = framework_.block_at(p); block != no_index) return block;
-    return no_index;
-  }
-
-  const TriangulatedSurface& horizon_;
-  Index row_;
-  const BlockFramework& framework_;
-  const Walls& cutters_;
-  std::map<MapEdge, BorderState> states_;  ///< of the horizon's border
-  std::vector<Triangle> triangles_;        ///< over the first of equal points
-  std::map<MapEdge, std::vector<Index>> at_edge_;
-  std::vector<bool> crosses_;
-  std::vector<Index> block_;
-};
-
-/// The border of a sheet, and the heights at which it is continued.
-class SheetBorder {
- public:
-  SheetBorder(const TriangulatedSurface& horizon, const Division& division, const std::vector<Triangle>& sheet,
-              double within)
-      : horizon_(horizon), within_(within) {
-    std::map<MapEdge, std::pair<int, const Triangle*>> uses;
-    CompensatedSum up;
-    for (const Triangle& t : sheet) {
-      const Vec3 n = normal(t);
-      up.add(n.z);
-      for (std::size_t i = 0; i < 3; ++i) {
-        auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
-        ++use.first;
-        use.second = &t;
-      }
-    }
-    faces_up_ = up.value() >= 0;
-    std::map<VertexIndex, Index> index;
-    const auto row = [&](VertexIndex v) {
-      const auto [at, is_new] = index.emplace(v, static_cast<Index>(points_.size()));
-      if (is_new) {
-        points_.push_back(horizon.points[v]);
-        rows_.push_back(v);
-      }
-      return at->second;
-    };
-    for (const auto& [edge, use] : uses) {
-      if (use.first != 1) continue;
-      const Index a = row(edge.first), b = row(edge.second);
-      constraints_.emplace_back(std::min(a, b), std::max(a, b));
-      const std::optional<BorderState> state = division.border_state(edge.first, edge.second);
-      if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
-      const Vec3 n = normal(*use.second);
-      const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
-      edges_.push_back({points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z},
-                        state == BorderState::met_wall});
-    }
-  }
-
-  const std::vector<Vec3>& points() const { return points_; }
-  VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
-  const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
-  /// Whether the horizon stops short of a wall at an edge of points a < b.
-  bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
-  bool faces_up() const { return faces_up_; }
-
-  struct Place {
-    Vec3 at;            ///< with the height that the border has there
-    double distance;    ///< from the border in the map
-    Vec2 slope;         ///< of the border where it is nearest
-    bool has_met_wall;  ///< the border has there
-  };
-  Place continued_at(const Vec2& p) const {
-    double least = std::numeric_limits<double>::infinity(), z = 0;
-    Vec2 slope{0, 0};
-    bool has_met_wall = false;
-    for (const Edge& e : edges_) {
-      const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
-      const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-      const Vec3 foot = e.a + t * (e.b - e.a);
-      const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
-      if (!(d < least)) continue;
-      least = d;
-      has_met_wall = e.has_met_wall;
-      slope = d > within_ ? Vec2{0, 0} : e.slope;
-      const double share = d > within_ ? within_ / d : 1;
-      z = foot.z + share * (e.slope.x * x + e.slope.y * y);
-    }
-    return {{p.x, p.y, z}, least, slope, has_met_wall};
-  }
-
-  /// Per triangle, whether it is kept, lies outside of the sheet, and hangs together, through those kept, with a place
-  /// where the horizon stops short of a wall: where the sheet ends because the horizon goes on beyond a wall there is
-  /// nothing to continue.
-  std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const {
-    const std::set<std::pair<Index, Index>> constraints(constraints_.begin(), constraints_.end());
-    std::map<std::pair<Index, Index>, Index> at_edge;
-    UnionFind joined(all.size());
-    const auto for_each_edge_of = [&](Index t, auto&& visit) {
-      if (!is_kept[t]) return;
-      for (std::size_t i = 0; i < 3; ++i)
-        visit(std::pair<Index, Index>(std::minmax(all[t].vertices[i], all[t].vertices[(i + 1) % 3])));
-    };
-    for (Index t = 0; t < all.size(); ++t)
-      for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
-        if (constraints.contains(e)) return;
-        const auto [at, is_new] = at_edge.emplace(e, t);
-        if (!is_new) joined.unite(at->second, t);
-      });
-    std::set<Index> begin;
-    for (Index t = 0; t < all.size(); ++t)
-      if (all[t].depth % 2 == 0)
-        for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
-          if (is_end_.contains(e)) begin.insert(joined.find(t));
-        });
-    std::vector<bool> is_beside(all.size());
-    for (Index t = 0; t < all.size(); ++t) is_beside[t] = is_kept[t] && begin.contains(joined.find(t));
-    return is_beside;
-  }
-
- private:
-  struct Edge {
-    Vec3 a, b;
-    Vec2 slope;
-    bool has_met_wall;
-  };
-
-  Vec3 normal(const Triangle& t) const {
-    const std::vector<Vec3>& p = horizon_.points;
-    return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
-  }
-
-  const TriangulatedSurface& horizon_;
-  double within_;
-  std::vector<Vec3> points_;
-  std::vector<VertexIndex> rows_;
-  std::vector<std::pair<Index, Index>> constraints_;
-  std::set<std::pair<Index, Index>> is_end_;
-  std::vector<Edge> edges_;
-  bool faces_up_ = true;
-};
 
 /// What is continued, and in what; all outlive its use.
 struct Setting {
@@ -238,7 +27,7 @@ struct Setting {
   const BlockFramework& framework;
   const Walls& walls;
   double within;
-  const Division& division;
+  const HorizonDivision& division;
   bool fills_blocks;
 };
 
@@ -403,7 +192,7 @@ class Continuation {
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting) {
   const auto& [framework, cutters, walls, box, within, fills_blocks, is_left_out] = setting;
   const auto states = border_states(horizon, row, walls, box, fills_blocks ? norm(box.max - box.min) : within);
-  const Division division(horizon, row, framework, cutters, states);
+  const HorizonDivision division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
   for (Index b = 0; b < framework.n_blocks(); ++b) {
