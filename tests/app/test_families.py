@@ -43,6 +43,11 @@ class Families(ProgramTest):
         """Blocks that were continued each across all others had no mesh in 110 CPU s."""
         self.assert_right("network", (10,), "careful")
 
+    def test_faulted_blocks_under_an_unconformity(self):
+        """Faults end at it in teeth, and in the second model a horizon is eroded in one block."""
+        for form in ("bare", "careful"):
+            self.assert_right("unconformity", (2, 3), form)
+
     def test_a_fault_that_dies_out(self):
         """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
         self.assert_right("dying_fault")

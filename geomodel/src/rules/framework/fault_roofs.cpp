@@ -2,6 +2,7 @@
 #include "rules/framework/fault_roofs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <optional>
 #include <ranges>
@@ -14,45 +15,49 @@
 namespace geomesh::geomodel {
 namespace {
 
-using Run = std::vector<Vec3>;
-
 bool is_inside(const Box3& box, const Vec3& p) {
   return p.x > box.min.x && p.y > box.min.y && p.z > box.min.z && p.x < box.max.x && p.y < box.max.y && p.z < box.max.z;
 }
 
-/// Runs of the border in the model, each from where it enters to where it leaves.
-std::vector<Run> runs_inside(const TriangulatedSurface& fault, const Box3& box) {
-  std::vector<Run> runs;
-  for (std::vector<VertexIndex> loop : border_loops(border_edges(fault)).loops) {
-    const auto outside = std::ranges::find_if(loop, [&](VertexIndex v) { return !is_inside(box, fault.points[v]); });
-    if (outside != loop.end()) std::rotate(loop.begin(), outside, loop.end());
-    Run run;
-    for (const VertexIndex v : loop) {
-      if (is_inside(box, fault.points[v])) {
-        run.push_back(fault.points[v]);
-      } else if (!run.empty()) {
-        runs.push_back(std::move(run));
-        run.clear();
-      }
-    }
-    if (!run.empty()) runs.push_back(std::move(run));
-  }
-  return runs;
+/// The ends of border edges, with the place along strike first and the height last.
+using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
+
+/// Whether an edge passes over a place.
+bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
+  const auto& [a, b] = edge;
+  if (std::min(a[0], b[0]) >= place[0] || std::max(a[0], b[0]) <= place[0]) return false;
+  return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// How a run lies beside a horizon.
+/// Border vertices in the model that no border edge passes over, as seen along the fault.
+std::vector<Vec3> upper_border(const TriangulatedSurface& fault, const Box3& box) {
+  const Frame frame = frame_of(fault);
+  const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
+  const std::vector<BorderEdge> border = border_edges(fault);
+  std::vector<SeenAlongStrike> edges;
+  for (const BorderEdge& e : border) edges.push_back({seen(fault.points[e.a]), seen(fault.points[e.b])});
+  std::vector<Vec3> upper;
+  for (const BorderEdge& e : border) {
+    const Vec3& p = fault.points[e.a];
+    if (is_inside(box, p) && std::ranges::none_of(edges, [&](const auto& edge) { return is_over(edge, seen(p)); }))
+      upper.push_back(p);
+  }
+  return upper;
+}
+
+/// How places lie beside a horizon.
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
-  bool any_above = false;
+  bool any_below = false;
 };
-Beside beside(const Run& run, const SurfaceDistance& horizon) {
+Beside beside(const std::vector<Vec3>& places, const SurfaceDistance& horizon) {
   Beside found;
-  for (const Vec3& p : run) {
+  for (const Vec3& p : places) {
     const Vec3 q = horizon.closest(p);
     const double d = norm(p - q);
     found.nearest = std::min(found.nearest, d);
     found.farthest = std::max(found.farthest, d);
-    found.any_above = found.any_above || p.z >= q.z;
+    found.any_below = found.any_below || p.z < q.z;
   }
   return found;
 }
@@ -73,24 +78,21 @@ class Horizons {
     }
   }
 
-  /// Those at which a fault with these runs ends.
-  std::vector<Index> roofs_of(const std::vector<Run>& runs) const {
+  /// Those at which a fault with this upper border ends.
+  std::vector<Index> roofs_of(const std::vector<Vec3>& border) const {
     std::vector<Index> rows;
-    for (const Run& run : runs) {
-      std::optional<Index> best;
-      double farthest = within_;
-      for (const Horizon& h : horizons_) {
-        if (std::ranges::none_of(run, [&](const Vec3& p) { return is_inside(h.near, p); })) continue;
-        const Beside found = beside(run, h.distance);
-        if (h.erodes && found.nearest <= within_) rows.push_back(h.row);
-        if (h.erodes || !found.any_above || found.farthest > farthest) continue;
-        farthest = found.farthest;
-        best = h.row;
-      }
-      if (best) rows.push_back(*best);
+    std::optional<Index> best;
+    double farthest = within_;
+    for (const Horizon& h : horizons_) {
+      if (std::ranges::none_of(border, [&](const Vec3& p) { return is_inside(h.near, p); })) continue;
+      const Beside found = beside(border, h.distance);
+      if (h.erodes && found.nearest <= within_) rows.push_back(h.row);
+      if (h.erodes || !found.any_below || found.farthest > farthest) continue;
+      farthest = found.farthest;
+      best = h.row;
     }
+    if (best) rows.push_back(*best);
     std::ranges::sort(rows);
-    rows.erase(std::ranges::unique(rows).begin(), rows.end());
     return rows;
   }
 
@@ -117,10 +119,10 @@ std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedS
     if (surfaces[s].kind != SurfaceKind::fault || surfaces[s].triangles.empty() || !rule.continues ||
         rule.extend != Extend::none || !rule.stop_at.empty())
       continue;
-    const std::vector<Run> runs = runs_inside(surfaces[s], rules.continuation.bounds);
-    if (runs.empty()) continue;
+    const std::vector<Vec3> border = upper_border(surfaces[s], rules.continuation.bounds);
+    if (border.empty()) continue;
     if (!horizons) horizons.emplace(surfaces, rules);
-    for (const Index h : horizons->roofs_of(runs)) roofs.emplace_back(s, h);
+    for (const Index h : horizons->roofs_of(border)) roofs.emplace_back(s, h);
   }
   return roofs;
 }
