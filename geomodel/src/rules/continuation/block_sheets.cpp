@@ -31,6 +31,34 @@ struct Setting {
   bool fills_blocks;
 };
 
+/// Where a horizon ends in the open: discs in the map that meet no wall.
+class OpenPlaces {
+ public:
+  OpenPlaces(const Walls& walls, Index row, double radius) : walls_(walls), row_(row), radius_(radius) {}
+
+  /// The disc about a place of the horizon, unless it meets a wall, along the sheet in four directions of the map. A
+  /// wall that holds the place counts.
+  void add(const Vec3& centre, const Vec2& slope) {
+    constexpr int n_lines = 4;
+    for (int k = 0; k < n_lines; ++k) {
+      const double angle = std::numbers::pi * k / n_lines;
+      const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
+      const Vec3 way{x, y, slope.x * x + slope.y * y};
+      if (walls_.first_hit(centre - way, centre + way, row_)) return;
+    }
+    centres_.push_back(centre);
+  }
+  bool holds(const Vec3& p) const {
+    return std::ranges::any_of(centres_, [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < radius_; });
+  }
+
+ private:
+  const Walls& walls_;
+  Index row_;
+  double radius_;
+  std::vector<Vec3> centres_;
+};
+
 /// The continuation of one sheet.
 class Continuation {
  public:
@@ -43,7 +71,8 @@ class Continuation {
         points_(border_.points()),
         distance_(points_.size(), 0),
         slope_(points_.size(), Vec2{0, 0}),
-        n_border_(points_.size()) {
+        n_border_(points_.size()),
+        open_(setting.walls, setting.row, radius_) {
     for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
     if (!has_few_places()) return;
     add_grid();
@@ -99,27 +128,10 @@ class Continuation {
       }
   }
 
-  /// Whether a wall is within the radius of a place, looking along the sheet in four directions of the map. A wall that
-  /// holds the place counts.
-  bool has_wall_near(std::size_t v) const {
-    constexpr int n_lines = 4;
-    for (int k = 0; k < n_lines; ++k) {
-      const double angle = std::numbers::pi * k / n_lines;
-      const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
-      const Vec3 &p = points_[v], way{x, y, slope_[v].x * x + slope_[v].y * y};
-      if (s_.walls.first_hit(p - way, p + way, s_.row)) return true;
-    }
-    return false;
-  }
-
   void find_open_places() {
     if (s_.fills_blocks) return;
     for (std::size_t v = n_border_; v < points_.size(); ++v)
-      if (in_block_[v] && distance_[v] > radius_ && !has_wall_near(v)) open_.push_back(points_[v]);
-  }
-  bool is_open(const Vec3& p) const {
-    return std::any_of(open_.begin(), open_.end(),
-                       [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < radius_; });
+      if (in_block_[v] && distance_[v] > radius_) open_.add(points_[v], slope_[v]);
   }
 
   /// Whether the triangle fills some of the block that is not open. Adds the walls that it runs through.
@@ -127,7 +139,7 @@ class Continuation {
     bool reaches_in = false;
     for (const Index v : t) {
       if (!in_block_[v]) continue;
-      if (is_open(points_[v])) return false;
+      if (open_.holds(points_[v])) return false;
       reaches_in = true;
     }
     std::set<Index> crossed;
@@ -183,7 +195,7 @@ class Continuation {
   std::vector<Vec2> slope_;
   std::vector<bool> in_block_;  ///< and to be filled: not where the border has met its wall
   std::size_t n_border_;
-  std::vector<Vec3> open_;
+  OpenPlaces open_;
   std::map<Index, VertexIndex> added_;
 };
 
