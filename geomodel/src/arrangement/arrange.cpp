@@ -276,6 +276,7 @@ class Arrangement {
     const ClipContext clip{arranged, surfaces_, result_, options_.tolerance};
     if (options_.box) clip_to_box(clip, *options_.box, polylines_);
     if (!options_.box && bounds_) clip_to_volume(clip, ingested_.complex, ingested_, polylines_, points_);
+    end_continuations(clip, options_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
     return take(round_to_doubles(arranged, ingested_.complex,

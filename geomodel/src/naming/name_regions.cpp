@@ -167,6 +167,19 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
   }
 }
 
+/// Where faces leave several units between an unconformity and a horizon below it, the unit is the one that was laid
+/// down on that horizon: the others were eroded.
+void judge_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
+                                const Column& column, std::vector<UnitVerdict>& verdicts) {
+  for (UnitVerdict& verdict : verdicts) {
+    if (verdict.kind != UnitVerdict::Kind::incomplete || verdict.first_possible == 0) continue;
+    const std::string& above = surfaces[column.horizons[verdict.first_possible - 1]].name;
+    const bool has_horizon_below = verdict.last_possible < column.horizons.size();
+    if (has_horizon_below && std::ranges::find(rules.unconformities, above) != rules.unconformities.end())
+      verdict.first = verdict.last = verdict.last_possible;
+  }
+}
+
 /// Rows of components in the order of their regions' ids.
 std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
   std::vector<std::size_t> order(labels.size());
@@ -312,6 +325,7 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
     named.verdicts.push_back(judge_unit(contacts, column));
   if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
+  if (column.given()) judge_below_unconformities(rules, surfaces, column, named.verdicts);
   if (column.given()) judge_by_heights(mesh, rules, column, named.verdicts);
   std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;

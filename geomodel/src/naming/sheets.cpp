@@ -69,18 +69,6 @@ double map_area(const TriangulatedSurface& surface, Index t) {
 
 }  // namespace
 
-std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points) {
-  std::vector<VertexIndex> order(points.size()), merged(points.size());
-  std::iota(order.begin(), order.end(), VertexIndex{0});
-  std::sort(order.begin(), order.end(), [&](VertexIndex i, VertexIndex j) {
-    const int c = compare_lexicographic(points[i], points[j]);
-    return c != 0 ? c < 0 : i < j;
-  });
-  for (std::size_t k = 0; k < order.size(); ++k)
-    merged[order[k]] = k > 0 && points[order[k]] == points[order[k - 1]] ? merged[order[k - 1]] : order[k];
-  return merged;
-}
-
 bool is_closed(const TriangulatedSurface& surface) {
   if (surface.triangles.empty()) return false;
   bool closed = true;

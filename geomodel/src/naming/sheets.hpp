@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/equal_points.hpp"
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
-
-/// Rows of the first point with equal coordinates, per point. O(n log n).
-std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points);
 
 /// True where every edge (equal coordinates merged) is run through as often in one direction as in the other: then
 /// winding numbers are defined for every point off the surface. An empty surface is not closed.

@@ -7,9 +7,11 @@
 #include "rules/blocks/build_blocks.hpp"
 #include "rules/column_order.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
+#include "rules/continuation/walls.hpp"
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
+#include "rules/framework/up_to_walls.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 
@@ -40,6 +42,8 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
         continue;
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
+      if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
+        part.resize(fault.triangles.size(), 0);  // it goes with what parts blocks
     }
 }
 
@@ -63,8 +67,25 @@ std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
   return kept;
 }
 
-BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
-                             const RunContext& context) {
+namespace {
+
+/// The stack is settled by what lies in the blocks: continuations go on beyond walls, over what is given there.
+bool settle(BuiltSurfaces& built, const ModelRules& rules) {
+  const bool any =
+      std::any_of(built.continued.begin(), built.continued.end(), [](const ContinuedSurface& c) { return c.area > 0; });
+  if (!any || !asks_for_settling(rules.stack)) return settle_stack(built, rules);
+  const std::vector<TriangulatedSurface> given = built.surfaces;
+  std::vector<TriangulatedSurface> cut = horizons_up_to_walls(built, rules);
+  for (Index s = 0; s < cut.size(); ++s)
+    if (!cut[s].triangles.empty()) built.surfaces[s] = cut[s];
+  const bool settled = settle_stack(built, rules);
+  for (Index s = 0; s < cut.size(); ++s)
+    if (!cut[s].triangles.empty() && !built.rows.part_of_triangle[s].empty()) built.surfaces[s] = given[s];
+  return settled;
+}
+
+BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
+                    const std::vector<Index>& fill_blocks, const RunContext& context) {
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
@@ -107,11 +128,54 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
     }
   }
   pass_on();
-  continue_horizons(built, rules, log);
+  continue_horizons(built, rules, fill_blocks, log);
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
-  if (!settle_stack(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
+  if (!settle(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);
   return built;
+}
+
+/// Horizons whose faults with throw were found from data that none of these crosses: they are given block by block, and
+/// there is no throw to restore.
+std::vector<Index> given_by_block(std::vector<TriangulatedSurface> surfaces, const ModelRules& rules) {
+  std::vector<Index> rows;
+  std::vector<std::string> notes, warnings;  // told where the surfaces are built
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault && rules.of(s).extend != Extend::none && rules.box)
+      extend_to_box(surfaces[s], rules.of(s).extend, *rules.box, {notes, warnings});
+  for (Index s = 0; s < surfaces.size(); ++s) {
+    const SurfaceRules rule = rules.of(s);
+    if (!rule.throw_auto || rule.throw_at.empty()) continue;
+    std::vector<Index> faults;
+    for (const std::string& name : rule.throw_at)
+      faults.push_back(static_cast<Index>(throw_fault(surfaces, surfaces[s], name)));
+    const Walls walls(surfaces, faults, {});
+    const std::vector<Vec3>& p = surfaces[s].points;
+    const auto is_crossed = [&](const Triangle& t) {
+      return walls.first_surface(p[t[0]], p[t[1]], s) || walls.first_surface(p[t[1]], p[t[2]], s) ||
+             walls.first_surface(p[t[2]], p[t[0]], s);
+    };
+    if (std::ranges::none_of(surfaces[s].triangles, is_crossed)) rows.push_back(s);
+  }
+  return rows;
+}
+
+}  // namespace
+
+BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
+                             const RunContext& context) {
+  const std::vector<Index> by_block = given_by_block(surfaces, rules);
+  if (by_block.empty() || asks_for_settling(rules.stack)) {
+    BuiltSurfaces built = build(surfaces, rules, {}, context);
+    if (by_block.empty() || built.stack.settled) return built;
+  }
+  ModelRules without_throw = rules;
+  for (const Index s : by_block) {
+    without_throw.surfaces[s].throw_at.clear();
+    without_throw.surfaces[s].throw_auto = false;
+    without_throw.surfaces[s].extend = Extend::none;
+  }
+  return build(surfaces, without_throw, by_block, context);
 }
 
 }  // namespace geomesh::geomodel

@@ -10,11 +10,13 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/blocks/part_blocks.hpp"
-#include "rules/continuation/end_at_walls.hpp"
+#include "rules/framework/end_at_walls.hpp"
+#include "rules/framework/end_on_faults.hpp"
+#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/overshoots.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/pieces.hpp"
-#include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
 
@@ -237,80 +239,15 @@ void order_horizons(Trimming& work) {
       }
 }
 
-using Contacts = std::vector<EdgeEnds>;
-
-/// Whether a piece reaches further than `limit` from the edges where it meets other surfaces than box sides.
-bool piece_reaches_beyond(const PolygonSoup& soup, const Piece& piece, const Contacts& contacts, double limit) {
-  return std::ranges::any_of(piece.facets, [&](Index f) {
-    const Triangle& t = soup.facets[f];
-    return reaches_beyond({soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]}, contacts, limit);
-  });
-}
-
-/// Edges where a piece of surface s meets other surfaces than box sides.
-Contacts contacts_of(const Trimming& work, const Piece& piece, Index s) {
-  Contacts contacts;
-  for_each_edge(work.working.uses, [&](std::span<const EdgeUse> edge) {
-    bool mine = false, other = false;
-    for (const EdgeUse& u : edge) {
-      mine = mine || std::binary_search(piece.facets.begin(), piece.facets.end(), u.facet);
-      other = other || std::any_of(work.working.origins[u.facet].begin(), work.working.origins[u.facet].end(),
-                                   [&](const auto& o) {
-                                     return o.surface != s && work.surfaces[o.surface].kind != SurfaceKind::box;
-                                   });
-    }
-    const auto& points = work.working.soup.points;
-    if (mine && other) contacts.push_back({points[edge[0].a], points[edge[0].b]});
-  });
-  return contacts;
-}
-
-/// Whether another surface ends on the piece, and on nothing else: it would end in the open without it.
-bool something_ends_on(const Trimming& work, const Piece& piece, Index s) {
-  bool found = false;
-  for_each_edge(work.working.uses, [&](std::span<const EdgeUse> edge) {
-    if (found) return;
-    bool mine = false, is_held = false;
-    std::map<Index, int> others;  // facets left of other surfaces
-    for (const EdgeUse& u : edge) {
-      const bool of_piece = std::binary_search(piece.facets.begin(), piece.facets.end(), u.facet);
-      mine = mine || of_piece;
-      for (const PolygonSoup::Origin& o : work.working.origins[u.facet]) {
-        if (o.surface != s) ++others[o.surface];
-        is_held = is_held || (o.surface == s && !of_piece);
-      }
-    }
-    found = mine && !is_held && others.size() == 1 && others.begin()->second == 1;
-  });
-  return found;
-}
-
-/// Pieces of horizons and faults that hang on another surface by one side, end freely and reach no further than
-/// trim_overshoot. One on which alone another surface ends stays.
+/// trim_overshoot: of horizons and faults, against all other surfaces.
 void trim_overshoots(Trimming& work) {
   for (Index s = 0; s < work.surfaces.size(); ++s) {
     if (work.surfaces[s].kind != SurfaceKind::horizon && work.surfaces[s].kind != SurfaceKind::fault) continue;
     std::vector<Index> cutters;
     for (Index c = 0; c < work.surfaces.size(); ++c)
       if (c != s && work.surfaces[c].kind != SurfaceKind::box) cutters.push_back(c);
-    const std::vector<Piece> pieces = pieces_of(work.working, s, cutters, nullptr);
-    double largest = 0, area = 0;
-    for (const Piece& piece : pieces) largest = std::max(largest, piece.area);
-    std::size_t n = 0;
-    Vec3 place;
-    for (const Piece& piece : pieces) {
-      if (piece.free_border == 0 || piece.contact == 0 || piece.area == largest) continue;
-      if (piece_reaches_beyond(work.working.soup, piece, contacts_of(work, piece, s), work.rules.trim_overshoot) ||
-          something_ends_on(work, piece, s))
-        continue;
-      place = work.working.centre(piece.largest);
-      area += work.remove(piece, s);
-      ++n;
-    }
-    if (n > 0)
-      work.notes.push_back("surface " + work.surfaces[s].name + ": " + std::to_string(n) +
-                           " overshooting pieces removed (area " + to_text(area) + ", one near " + to_text(place) +
-                           ")");
+    work.removed[s] +=
+        remove_overshoots(work.working, s, cutters, work.rules.trim_overshoot, work.surfaces[s].name, work.notes);
   }
 }
 
@@ -326,13 +263,14 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
-  for (const bool are_faults : {true, false})  // what ends at a fault ends at what is left of it
-    for (Index s = 0; s < built.part_of_triangle.size(); ++s)
-      if (!built.part_of_triangle[s].empty() && (surfaces[s].kind == SurfaceKind::fault) == are_faults)
-        work.removed[s] += end_at_walls(work.working, surfaces, built, s);
+  end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
+  for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at what is left of the faults
+    if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
+      work.removed[s] += end_at_walls(work.working, surfaces, built, s);
   for (Index s = 0; s < work.n_given(); ++s)
     if (!is_end(s)) part_blocks(parting, s);
   remove_continuations(parting);
+  end_at_roofs(work.working, surfaces, built, rules.continuation.within_of_faults, work.removed, work.notes);
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);

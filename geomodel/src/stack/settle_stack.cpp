@@ -364,10 +364,13 @@ void thin_out_others(BuiltSurfaces& built, const ModelRules& rules, const Stack&
 
 }  // namespace
 
+bool asks_for_settling(const StackRules& rules) {
+  return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
+}
+
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules) {
   const StackRules& asked = rules.stack;
-  if (asked.rule == StackRule::keep || !(asked.tolerance > 0) || !(asked.size > 0) || asked.outline.empty())
-    return false;
+  if (!asks_for_settling(asked)) return false;
   const Stack stack = find_stack(built, rules);
   const bool settled = settle_column_of(built, rules, stack);
   thin_out_others(built, rules, stack);

@@ -16,5 +16,7 @@ namespace geomesh::geomodel {
 /// horizons in the wrong order without a rule, or that cross at less than 2 degrees; units thinner than a least
 /// thickness that was given; more than four times the triangles that the size asks for.
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules);
+/// False where it is left as given whatever it is.
+bool asks_for_settling(const StackRules& rules);
 
 }  // namespace geomesh::geomodel

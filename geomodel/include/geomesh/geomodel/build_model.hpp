@@ -85,9 +85,10 @@ struct NamingRules {
   bool fault_blocks = false;
   /// Pieces of one unit of the column in one fault block are one region, whether they touch or not.
   bool join_pieces = false;
-  std::string topography{};  ///< a horizon: what lies above it is left out of the mesh
-  std::string floor{};       ///< a horizon: what lies below it is left out of the mesh
-  double min_volume = 0;     ///< smaller regions are reported; merged with the neighbour across most area where asked
+  std::string topography{};                   ///< a horizon: what lies above it is left out of the mesh
+  std::string floor{};                        ///< a horizon: what lies below it is left out of the mesh
+  std::vector<std::string> unconformities{};  ///< horizons that cut what is older
+  double min_volume = 0;  ///< smaller regions are reported; merged with the neighbour across most area where asked
   bool merge_small = false;
   std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions
   std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value

@@ -128,8 +128,13 @@ struct BuiltRows {
   std::vector<std::vector<Index>> part_of_triangle;
   /// Per surface: rows of the surfaces at which its continuations end, ascending.
   std::vector<std::vector<Index>> continued_to;
+  /// Rows of the faults that run a little beyond faults on which they end, ascending.
+  std::vector<Index> overshooting;
+  /// Rows of faults, each with that of a horizon at which it ends (an unconformity), ascending.
+  std::vector<std::pair<Index, Index>> roofs;
   bool any_continued() const {
-    return std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
+    return !overshooting.empty() || !roofs.empty() ||
+           std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
                        [](const auto& part) { return !part.empty(); });
   }
 

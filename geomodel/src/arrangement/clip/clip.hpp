@@ -37,16 +37,16 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
-/// Facet f loses the origins that `remove` accepts. If none is left the facet is removed (keep[f] = 0).
+/// Facet f with which[f] loses the origins that `remove(f, origin)` accepts. Where none is left the facet is removed.
 template <typename Remove>
-void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove&& remove) {
+void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, Remove&& remove) {
   std::vector<Triangle> facets;
   std::vector<std::uint8_t> changed;
   OriginLists origins;
   for (std::size_t f = 0; f < arranged.facets.size(); ++f) {
     std::vector<Origin> left;
     for (const Origin& o : arranged.origins.of(f))
-      if (!which[f] || !remove(o)) left.push_back(o);
+      if (!which[f] || !remove(static_cast<Index>(f), o)) left.push_back(o);
     if (left.empty()) continue;
     Triangle t = arranged.facets[f];
     if (left.front().reversed) {
@@ -64,6 +64,11 @@ void remove_origins(Arranged& arranged, std::vector<std::uint8_t>& which, Remove
 
 /// Facets marked `outside` lose all origins; their area is counted as clipped by the box.
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
+
+/// Removes the parts of continued surfaces that walls cut off from what was given (ArrangementOptions::ends_at), before
+/// merging can join them with what lies beside them beyond the wall. Faults lose nothing here: those that coincide
+/// to rounding are merged first. But what they will lose is no wall.
+void end_continuations(ClipContext context, const ArrangementOptions& options);
 
 /// Removes pieces of wells marked `outside`, with a warning that gives their length.
 void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside,

@@ -65,7 +65,7 @@ void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside) {
     for (const Origin& o : arranged.origins.of(f))
       context.result.area_clipped_by_box[o.surface] += facet_area(arranged, f);
   }
-  remove_origins(arranged, outside, [](const Origin&) { return true; });
+  remove_origins(arranged, outside, [](Index, const Origin&) { return true; });
 }
 
 double facet_area(const Arranged& arranged, std::size_t f) {

@@ -42,7 +42,7 @@ class BodyCutter {
       inner[f] = is_inner[component[f]];
       if (inner[f]) removed += facet_area(arranged_, f);
     }
-    remove_origins(arranged_, inner, [&](const Origin& o) { return o.surface == shape.surface; });
+    remove_origins(arranged_, inner, [&](Index, const Origin& o) { return o.surface == shape.surface; });
     if (removed == 0) return;
     std::ostringstream text;
     text << "body " << context_.surfaces[shape.surface].name
@@ -75,7 +75,7 @@ class BodyCutter {
     }
     report_cuts();
     if (context_.tolerance > 0) note_lost(inside, [&](std::size_t f) { return body_of[component[f]]; });
-    remove_origins(arranged_, inside, [this](const Origin& o) { return is_cut(o.surface); });
+    remove_origins(arranged_, inside, [this](Index, const Origin& o) { return is_cut(o.surface); });
   }
 
   const Displacement& lost() const { return lost_; }

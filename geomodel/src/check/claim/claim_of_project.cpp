@@ -161,6 +161,8 @@ Claim claim_of_project(const std::filesystem::path& file) {
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
     claim.trims.back().continuation |= !built.rows.part_of_triangle[row].empty();
+    if (std::binary_search(built.rows.overshooting.begin(), built.rows.overshooting.end(), row))
+      claim.trims.back().near_faults = rules.continuation.within_of_faults;
     claim.trims.back().partings = partings_of(built, built.rows.parted_at[row]);
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),

@@ -65,10 +65,10 @@ bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above, Heights hei
   return beyond;
 }
 
-bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance) const {
+bool TakenByRules::is_near_another(Index surface, const Vec3& p, double distance, bool faults_alone) const {
   for (Index other = 0; other < claim_.surfaces.size(); ++other) {
-    if (other == surface) continue;
     const TriangulatedSurface& s = claim_.surfaces[other];
+    if (other == surface || (faults_alone && s.kind != SurfaceKind::fault)) continue;
     bool near = false;
     trees_[other].query(inflated(box_of(p, p, p), distance), [&](Index t) {
       const Triangle& v = s.triangles[t];
@@ -107,7 +107,8 @@ bool TakenByRules::may_be_away_but_for_throw(Index surface, Index triangle, cons
   const TrimRules& trim = claim_.trims[surface];
   if (trim.continuation && triangle >= trim.n_given_triangles) return true;
   return is_beyond_cutters(surface, p, Heights::of_all_blocks) ||
-         (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_));
+         (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_, false)) ||
+         (trim.near_faults > 0 && is_near_another(surface, p, trim.near_faults + room_, true));
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -33,7 +33,7 @@ class TakenByRules {
   bool is_beyond_cutters(Index surface, const Vec3& p, Heights heights) const;
   bool is_beyond(Index other, const Vec3& p, bool above, Heights heights) const;
   bool is_fault_between(const Vec3& p, double z) const;
-  bool is_near_another(Index surface, const Vec3& p, double distance) const;
+  bool is_near_another(Index surface, const Vec3& p, double distance, bool faults_alone) const;
 
   const Claim& claim_;
   double room_;

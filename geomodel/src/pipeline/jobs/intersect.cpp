@@ -122,6 +122,20 @@ std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
   return parts;
 }
 
+/// The walls at which continued surfaces end that are whole in the arrangement: faults that overshoot the ones on which
+/// they end are cut in the soup, and what ends at them is cut there, too.
+std::vector<std::vector<Index>> walls_of_continuations(const PreparedModel& model) {
+  const BuiltRows& rows = model.built_rows;
+  std::vector<std::vector<Index>> walls = rows.continued_to;
+  for (std::size_t s = 0; s < walls.size(); ++s) {
+    if (rows.part_of_triangle[s].empty()) walls[s].clear();
+    std::erase_if(walls[s], [&](Index wall) {
+      return std::binary_search(rows.overshooting.begin(), rows.overshooting.end(), wall);
+    });
+  }
+  return walls;
+}
+
 /// Settled horizons share surfaces where that is wanted: nothing to warn of.
 void drop_spots_of_stack(PreparedModel& model) {
   const auto is_settled = [&](Index s) {
@@ -182,6 +196,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   StageScope stage(context, "intersect");
   ArrangementOptions with_parts = options;
   with_parts.parts = parts_that_may_go(model);
+  with_parts.ends_at = walls_of_continuations(model);
   model.arrangement = arrange_merging_near(model, wells, with_parts, context);
   drop_spots_of_blocks(model);
   drop_spots_of_stack(model);

@@ -78,7 +78,8 @@ class SidedApron {
         faces_up_(faces_up(surface, chain, setting.frame)) {}
 
   Apron make() {
-    if (grid_.triangles().empty()) return {};
+    apron_.crosses_itself = grid_.crosses_itself();
+    if (grid_.triangles().empty()) return std::move(apron_);
     find_sides();
     copy_triangles();
     return std::move(apron_);

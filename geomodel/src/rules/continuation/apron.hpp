@@ -15,6 +15,7 @@ struct Apron {
   std::vector<Triangle> triangles;  ///< oriented as the surface's triangle at the border
   std::vector<Index> side;          ///< per triangle, from 0: which of the sides of walls it continues
   std::vector<Index> walls;         ///< surfaces that it runs through, ascending
+  bool crosses_itself = false;      ///< the chain in the plane, so nothing was made
 };
 
 /// Where an apron is made: the plane in which it has one height at a place (the map for horizons, the mean plane for

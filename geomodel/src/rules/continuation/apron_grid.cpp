@@ -32,7 +32,9 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
   }
   n_border_ = static_cast<Index>(nodes_.size());
   add_grid();
-  if (nodes_.size() > n_border_ && find_triangles()) leave_out_open();
+  if (nodes_.size() == n_border_) return;
+  crosses_itself_ = !find_triangles();
+  if (!crosses_itself_) leave_out_open();
 }
 
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {

@@ -31,6 +31,7 @@ class ApronGrid {
 
   const std::vector<ApronNode>& nodes() const { return nodes_; }
   const std::vector<Corners>& triangles() const { return triangles_; }  ///< none where the border stays open
+  bool crosses_itself() const { return crosses_itself_; }               ///< the chain, in the plane
   Index n_border() const { return n_border_; }
   const ChainInPlane& chain() const { return chain_; }
   const std::set<Index>& hidden_by() const { return crossed_; }  ///< surfaces that hide nodes from the border
@@ -56,6 +57,7 @@ class ApronGrid {
   std::vector<ApronNode> nodes_;
   std::vector<Corners> triangles_;
   std::set<Index> crossed_;
+  bool crosses_itself_ = false;
 };
 
 }  // namespace geomesh::geomodel

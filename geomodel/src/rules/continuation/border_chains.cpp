@@ -21,6 +21,7 @@ struct LoopEdge {
   Index triangle;
   double length;
   bool goes_on = true;              ///< false where the surface has met its wall
+  bool is_beyond = false;           ///< its middle lies outside of the model
   bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
   std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
 };
@@ -167,10 +168,9 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
   }
 }
 
-}  // namespace
-
-std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
-                                             const Box3& box, double within) {
+/// The border's loops with the wall before each edge. Edges of triangles that are `done` go on to none.
+std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                                    const Box3& box, double within, const std::vector<bool>& done) {
   const std::vector<BorderEdge> edges = border_edges(surface);
   std::map<std::pair<VertexIndex, VertexIndex>, Index> triangle_at;
   for (const BorderEdge& e : edges) triangle_at[{e.a, e.b}] = e.triangle;
@@ -178,29 +178,55 @@ std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface,
   double largest = 0;  // coordinate
   for (std::size_t i = 0; i < 3; ++i) largest = std::max({largest, std::abs(box.min[i]), std::abs(box.max[i])});
   const double rounding = 1024 * std::numeric_limits<double>::epsilon() * largest;
-  std::vector<BorderChain> chains;
+  std::vector<std::vector<LoopEdge>> loops;
   for (const std::vector<VertexIndex>& vertices : border_loops(edges).loops) {
-    std::vector<LoopEdge> loop;
+    std::vector<LoopEdge>& loop = loops.emplace_back();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const VertexIndex a = vertices[k], b = vertices[(k + 1) % vertices.size()];
       LoopEdge e{a, b, triangle_at.at({a, b}), norm(surface.points[b] - surface.points[a])};
       const Vec3 middle = 0.5 * (surface.points[a] + surface.points[b]);
+      if (e.triangle < done.size() && done[e.triangle]) {
+        e.goes_on = false;
+        loop.push_back(e);
+        continue;
+      }
       e.goes_on = !(cut_off.holds(a) && cut_off.holds(b));
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
         e.hit = wall_before(surface, e, row, walls, within, rounding);
       if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
-      const bool is_beyond = !is_within(box, middle, 0);
-      if (is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
+      e.is_beyond = !is_within(box, middle, 0);
+      if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};
         e.counts = false;
       }
       loop.push_back(e);
     }
     close_short_runs(loop, within);
-    cut_loop(surface, std::move(loop), chains);
   }
+  return loops;
+}
+
+}  // namespace
+
+std::map<std::pair<VertexIndex, VertexIndex>, BorderState> border_states(const TriangulatedSurface& surface, Index row,
+                                                                         const Walls& walls, const Box3& box,
+                                                                         double within) {
+  std::map<std::pair<VertexIndex, VertexIndex>, BorderState> states;
+  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
+    for (const LoopEdge& e : loop)
+      states[{e.a, e.b}] = !e.goes_on || e.is_beyond ? BorderState::met_wall
+                           : e.hit                   ? BorderState::before_wall
+                                                     : BorderState::open;
+  return states;
+}
+
+std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                             const Box3& box, double within, const std::vector<bool>& done) {
+  std::vector<BorderChain> chains;
+  for (std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, done))
+    cut_loop(surface, std::move(loop), chains);
   return chains;
 }
 

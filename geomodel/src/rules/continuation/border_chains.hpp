@@ -4,12 +4,25 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "rules/continuation/walls.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
+
+enum class BorderState {
+  open,         ///< no wall is near
+  before_wall,  ///< the surface stops short of a wall
+  met_wall,     ///< a wall cuts the edge off from the surface, or the surface ends on it
+};
+/// Per border edge, in the direction of its triangle over the first of equal points. What is near is as
+/// chains_before_walls has it. O(edges) searches.
+std::map<std::pair<VertexIndex, VertexIndex>, BorderState> border_states(const TriangulatedSurface& surface, Index row,
+                                                                         const Walls& walls, const Box3& box,
+                                                                         double within);
 
 /// A run of border edges with walls before them.
 struct BorderChain {
@@ -27,9 +40,9 @@ struct BorderChain {
 /// Chains of the border whose edges have a wall within `within`, straight ahead or half to the left or right in the
 /// surface's own plane. An edge without a wall between two that have one belongs to the chain as far as no more than
 /// `within` of the border is without. Edges outside of the model belong to a chain that passes them, and so
-/// do edges that a wall cuts off from their own triangle. A chain has an edge in the model that goes on. O(edges)
-/// searches.
+/// do edges that a wall cuts off from their own triangle. A chain has an edge in the model that goes on. Edges of
+/// triangles that are `done` belong to none; rows beyond these are not. O(edges) searches.
 std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
-                                             const Box3& box, double within);
+                                             const Box3& box, double within, const std::vector<bool>& done = {});
 
 }  // namespace geomesh::geomodel

@@ -24,6 +24,14 @@ double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area2 > 0 ? u * v * w / (2 * area2) : std::numeric_limits<double>::infinity();
 }
 
+/// The side of an obtuse triangle beyond which its circumcentre lies: from that corner to the next.
+std::optional<std::size_t> side_before_centre(const std::array<Vec2, 3>& t) {
+  const auto length = [&](std::size_t i) { return std::hypot(t[(i + 1) % 3].x - t[i].x, t[(i + 1) % 3].y - t[i].y); };
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::hypot(length((i + 1) % 3), length((i + 2) % 3)) < length(i)) return i;
+  return std::nullopt;
+}
+
 /// Where the way from p to q meets the triangle, its border included.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Sign from = orient3d(a, b, c, p), to = orient3d(a, b, c, q);
@@ -37,10 +45,11 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const 
   return p + (d / (d - e)) * (q - p);
 }
 
-/// The border of a part of the surface in the map, and the gaps in its triangulation.
+/// The border of a part of the surface as seen that way, and the gaps in its triangulation.
 class Gaps {
  public:
-  Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges) : surface_(surface) {
+  Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame)
+      : surface_(surface), frame_(frame) {
     std::map<VertexIndex, Index> index;
     const auto row = [&](VertexIndex v) {
       const auto [at, is_new] = index.emplace(v, static_cast<Index>(rows_.size()));
@@ -57,16 +66,22 @@ class Gaps {
     }
   }
 
-  /// False where the border crosses itself in the map.
+  /// False where the border crosses itself.
   bool find(double within, const Box3& box) {
     std::vector<Vec2> places;
-    for (const Vec3& p : points_) places.push_back({p.x, p.y});
+    for (const Vec3& p : points_) places.push_back(in_frame(p));
     const auto all = triangulate_plane(places, constraints_);
     if (!all) return false;
     gaps_.clear();
     for (const PlanarTriangle& t : *all) {
       const auto& v = t.vertices;
-      if (t.depth % 2 != 0 || circumradius(places[v[0]], places[v[1]], places[v[2]]) > within) continue;
+      const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
+      if (t.depth % 2 != 0) continue;
+      if (circumradius(corners[0], corners[1], corners[2]) > within) {
+        // A disc has room here, but where its centre lies beyond a border, which has the surface.
+        const auto side = side_before_centre(corners);
+        if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
+      }
       Box3 own;
       for (const Index i : v) own.add(points_[i]);
       const bool is_in_box = own.max.x > box.min.x && own.min.x < box.max.x && own.max.y > box.min.y &&
@@ -77,7 +92,7 @@ class Gaps {
   }
 
   /// Adds the places where tips end in the gaps. False where there are none.
-  bool add_tips(const std::vector<TriangulatedSurface>& tips) {
+  bool add_tips(const std::vector<FaultTip>& tips) {
     std::vector<Box3> boxes;
     for (const Corners& t : gaps_) {
       Box3& box = boxes.emplace_back();
@@ -86,30 +101,33 @@ class Gaps {
     if (boxes.empty()) return false;
     const arrangement::BoxTree tree(boxes);
     std::vector<Vec3> found;
-    for (const TriangulatedSurface& wall : tips)
-      for (const BorderEdge& e : border_edges(wall)) {
-        Box3 way;
-        way.add(wall.points[e.a]);
-        way.add(wall.points[e.b]);
-        tree.boxes_meeting(way, [&](Index k) {
-          const Corners& t = gaps_[k];
-          const auto p = piercing(wall.points[e.a], wall.points[e.b], points_[t[0]], points_[t[1]], points_[t[2]]);
-          if (p && !is_on_border(t, *p)) found.push_back(*p);
-        });
-      }
+    for (const FaultTip& tip : tips) {
+      Box3 way;
+      for (const Vec3& p : tip.ends) way.add(p);
+      tree.boxes_meeting(way, [&](Index k) {
+        const Corners& t = gaps_[k];
+        const auto p = piercing(tip.ends[0], tip.ends[1], points_[t[0]], points_[t[1]], points_[t[2]]);
+        if (p && !is_on_border(t, *p)) found.push_back(*p);
+      });
+    }
     std::sort(found.begin(), found.end(), [](const Vec3& a, const Vec3& b) { return compare_lexicographic(a, b) < 0; });
-    const auto same_place = [](const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; };
+    const auto same_place = [&](const Vec3& a, const Vec3& b) {
+      const Vec2 p = in_frame(a), q = in_frame(b);
+      return p.x == q.x && p.y == q.y;
+    };
     found.erase(std::unique(found.begin(), found.end(), same_place), found.end());
     points_.insert(points_.end(), found.begin(), found.end());
     return !found.empty();
   }
 
-  void append(TriangulatedSurface& to, const Walls& walls, Bridged& bridged) const {
+  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts,
+              Bridged& bridged) const {
     std::vector<VertexIndex> row(points_.size(), no_vertex);
     std::copy(rows_.begin(), rows_.end(), row.begin());
     double largest = 0;
     for (const Corners& t : gaps_) {
-      if (crosses_wall(t, walls)) continue;
+      const Vec3 centre = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
+      if (!counts(centre) || crosses_wall(t, walls)) continue;
       Triangle own;
       for (std::size_t i = 0; i < 3; ++i) {
         if (row[t[i]] == no_vertex) {
@@ -123,7 +141,7 @@ class Gaps {
       to.triangles.push_back(own);
       ++bridged.n_triangles;
       bridged.area += area;
-      if (area > largest) bridged.place = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
+      if (area > largest) bridged.place = centre;
       largest = std::max(largest, area);
     }
   }
@@ -131,13 +149,13 @@ class Gaps {
   void set_faces_up(bool up) { faces_up_ = up; }
 
  private:
-  /// Whether a place in a gap triangle lies on one of its sides that is part of the border, seen in the map.
+  /// Whether a place in a gap triangle lies on one of its sides that is part of the border, as seen.
   bool is_on_border(const Corners& t, const Vec3& p) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
-      const Vec3 &from = points_[a], &to = points_[b];
-      if (orient2d({from.x, from.y}, {to.x, to.y}, {p.x, p.y}) != Sign::zero) continue;
-      if ((p.x == from.x && p.y == from.y) || (p.x == to.x && p.y == to.y)) return true;
+      const Vec2 from = in_frame(points_[a]), to = in_frame(points_[b]), place = in_frame(p);
+      if (orient2d(from, to, place) != Sign::zero) continue;
+      if ((place.x == from.x && place.y == from.y) || (place.x == to.x && place.y == to.y)) return true;
       if (is_border_.contains({std::min(a, b), std::max(a, b)})) return true;
     }
     return false;
@@ -157,7 +175,13 @@ class Gaps {
     return !std::includes(run_across.begin(), run_across.end(), parting.begin(), parting.end());
   }
 
+  Vec2 in_frame(const Vec3& p) const {
+    const Vec3 q = frame_.to_frame(p);
+    return {q.x, q.y};
+  }
+
   const TriangulatedSurface& surface_;
+  Frame frame_;
   std::vector<VertexIndex> rows_;
   std::vector<Vec3> points_;  ///< those of the border, then tips
   std::vector<std::pair<Index, Index>> constraints_;
@@ -166,38 +190,49 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// What gaps are filled between, and what was.
-struct Filling {
-  const Walls& walls;
-  const std::vector<TriangulatedSurface>& tips;
-  const Box3& box;
-  double within;
-  Bridged bridged{};
-};
-
-/// False where the edges cross each other in the map.
-bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, Filling& filling) {
-  Gaps gaps(surface, edges);
-  gaps.set_faces_up(faces_up(surface, Frame{}));
-  if (!gaps.find(filling.within, filling.box)) return false;
-  if (gaps.add_tips(filling.tips) && !gaps.find(filling.within, filling.box)) return false;
-  gaps.append(surface, filling.walls, filling.bridged);
+/// False where the edges cross each other as seen that way.
+bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
+            const GapSetting& setting, Bridged& bridged) {
+  Gaps gaps(surface, edges, frame);
+  gaps.set_faces_up(faces_up(surface, frame));
+  if (!gaps.find(setting.within, setting.box)) return false;
+  if (gaps.add_tips(setting.tips) && !gaps.find(setting.within, setting.box)) return false;
+  gaps.append(surface, setting.walls, setting.counts, bridged);
   return true;
 }
 
 }  // namespace
 
-Bridged bridge_gaps(TriangulatedSurface& surface, const Walls& walls, const std::vector<TriangulatedSurface>& tips,
-                    const Box3& box, double within) {
-  Filling filling{walls, tips, box, within};
+std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips) {
+  Box3 box;
+  for (const Vec3& p : surface.points) box.add(p);
+  std::map<Index, Vec3> normals;
+  for (const FaultTip& tip : tips) {
+    if (std::max(tip.ends[0].z, tip.ends[1].z) < box.min.z || std::min(tip.ends[0].z, tip.ends[1].z) > box.max.z)
+      continue;
+    const auto [at, is_new] = normals.emplace(tip.fault, tip.normal);
+    if (!is_new) at->second = at->second + (dot(at->second, tip.normal) < 0 ? -1.0 : 1.0) * tip.normal;
+  }
+  std::vector<Frame> frames{frame_of(surface)};
+  for (const auto& [_, n] : normals) {
+    const Vec3 up_dip{-n.x * n.z, -n.y * n.z, n.x * n.x + n.y * n.y};
+    if (up_dip.z > 0) frames.push_back(frame_of_normal(box.min, up_dip));
+  }
+  return frames;
+}
+
+Bridged bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
+  Bridged bridged;
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty() || bridge(surface, edges, filling)) return filling.bridged;
+  if (edges.empty()) return bridged;
+  for (const Frame& frame : setting.frames)
+    if (bridge(surface, edges, frame, setting, bridged)) return bridged;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, filling);
-  return filling.bridged;
+  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting, bridged);
+  return bridged;
 }
 
 }  // namespace geomesh::geomodel

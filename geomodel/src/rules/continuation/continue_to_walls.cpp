@@ -5,8 +5,12 @@
 #include <set>
 
 #include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
 #include "rules/continuation/apron.hpp"
+#include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/bridges.hpp"
+#include "rules/framework/end_on_faults.hpp"
+#include "rules/framework/fault_roofs.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
@@ -22,33 +26,38 @@ class Continuing {
     ledger_.name = surface().name;
   }
 
-  void fill_gaps(const Walls& without_horizons, const std::vector<TriangulatedSurface>& tips) {
-    const Bridged bridged = bridge_gaps(surface(), without_horizons, tips, rules_.bounds, within_);
-    ledger_.n_filled = bridged.n_triangles;
-    ledger_.area_filled = bridged.area;
-    ledger_.place_filled = bridged.place;
+  /// A fault: in its mean plane.
+  void go_on() {
+    begin();
+    add_aprons({}, {frame_of(surface())});
+    finish();
   }
 
-  void go_on() {
-    const std::size_t first = surface().triangles.size();
-    const ApronSetting setting{frame_of(surface()), within_, rules_.bounds};
-    const std::vector<BorderChain> chains = chains_before_walls(surface(), row_, walls_, rules_.bounds, within_);
-    std::vector<Apron> aprons;
-    for (const BorderChain& chain : chains) aprons.push_back(make_apron(surface(), row_, chain, walls_, setting));
-    std::vector<Index> part(first, given_part);
-    Index n_parts = 1;
-    std::set<Index> ends_on;
-    for (std::size_t k = 0; k < aprons.size(); ++k) {
-      if (aprons[k].triangles.empty()) continue;
-      append(aprons[k], first_points_);
-      for (const Index side : aprons[k].side) part.push_back(n_parts + side);
-      n_parts = 1 + *std::max_element(part.begin(), part.end());
-      book(chains[k], aprons[k], ends_on);
+  /// A horizon: block by block, and where that does not do, along its border.
+  void go_on_in(const BlockSetting& setting, const std::vector<FaultTip>& tips) {
+    begin();
+    DividedHorizon divided = continue_in_blocks(surface(), row_, setting);
+    if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
+      const std::vector<Frame> frames = frames_along(surface(), tips);
+      const auto counts = [&](const Vec3& p) {
+        const Index block = setting.framework.block_at(p);
+        return block == no_index || !divided.block_is_continued[block];
+      };
+      const Bridged bridged = bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
+      ledger_.n_filled = bridged.n_triangles;
+      ledger_.area_filled = bridged.area;
+      ledger_.place_filled = bridged.place;
+      part_.resize(surface().triangles.size(), given_part);
+      add_aprons(divided.is_continued, frames);
     }
-    ledger_.area = area_from(surface(), first);
-    if (ends_on.empty() && ledger_.area == 0) return;
-    built_.rows.part_of_triangle[row_] = std::move(part);
-    built_.rows.continued_to[row_].assign(ends_on.begin(), ends_on.end());
+    for (BlockExtension& made : divided.extensions) {
+      append({std::move(made.added), std::move(made.triangles), {}, {}}, n_given_points_);
+      part_.resize(surface().triangles.size(), next_part());
+      const std::vector<Index> before = made.walls;
+      std::erase(made.walls, Walls::side_of_volume);
+      book({made.length, made.farthest, made.place, before, made.walls});
+    }
+    finish();
   }
 
   void tell(const BuildLog& log) {
@@ -66,9 +75,48 @@ class Continuing {
  private:
   TriangulatedSurface& surface() { return built_.surfaces[row_]; }
 
-  void append(const Apron& apron, std::size_t& first_points) {
+  void begin() {
+    n_given_points_ = surface().points.size();
+    part_.assign(surface().triangles.size(), given_part);
+  }
+
+  Index next_part() const { return 1 + *std::max_element(part_.begin(), part_.end()); }
+
+  void add_aprons(const std::vector<bool>& done, const std::vector<Frame>& frames) {
+    const std::size_t n_points = surface().points.size();
+    const std::vector<BorderChain> chains = chains_before_walls(surface(), row_, walls_, rules_.bounds, within_, done);
+    std::vector<Apron> aprons;
+    for (const BorderChain& chain : chains) aprons.push_back(apron_of(chain, frames));
+    for (std::size_t k = 0; k < aprons.size(); ++k) {
+      if (aprons[k].triangles.empty()) continue;
+      append(aprons[k], n_points);
+      const Index n_parts = next_part();
+      for (const Index side : aprons[k].side) part_.push_back(n_parts + side);
+      book({chains[k].length, chains[k].farthest, chains[k].place, chains[k].walls, aprons[k].walls});
+    }
+  }
+
+  /// In the first frame in which the chain does not cross itself.
+  Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
+    for (const Frame& frame : frames) {
+      Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
+      if (!apron.crosses_itself) return apron;
+    }
+    return {};
+  }
+
+  void finish() {
+    ledger_.area = area_from(surface(), static_cast<std::size_t>(std::find_if(part_.begin(), part_.end(),
+                                                                              [](Index p) { return p != given_part; }) -
+                                                                 part_.begin()));
+    if (ends_on_.empty() && ledger_.area == 0) return;
+    built_.rows.part_of_triangle[row_] = std::move(part_);
+    built_.rows.continued_to[row_].assign(ends_on_.begin(), ends_on_.end());
+  }
+
+  /// Rows of the apron's own points begin at `first_points`.
+  void append(const Apron& apron, std::size_t first_points) {
     TriangulatedSurface& s = surface();
-    if (first_points == 0) first_points = s.points.size();
     const auto shift = static_cast<VertexIndex>(s.points.size() - first_points);
     s.points.insert(s.points.end(), apron.added.begin(), apron.added.end());
     for (Triangle t : apron.triangles) {
@@ -78,14 +126,21 @@ class Continuing {
     }
   }
 
-  void book(const BorderChain& chain, const Apron& apron, std::set<Index>& ends_on) {
-    ledger_.length += chain.length;
-    if (chain.farthest >= ledger_.farthest) ledger_.farthest = chain.farthest, ledger_.place = chain.place;
+  /// One run of border, or the border in one block.
+  struct Run {
+    double length, farthest;
+    Vec3 place;
+    std::vector<Index> before;   ///< walls that the border has before it
+    std::vector<Index> through;  ///< walls that the continuation runs through
+  };
+  void book(const Run& run) {
+    ledger_.length += run.length;
+    if (run.farthest >= ledger_.farthest) ledger_.farthest = run.farthest, ledger_.place = run.place;
     std::set<std::string> names;
-    for (const Index wall : chain.walls) names.insert(name_of(wall));
-    for (const Index wall : apron.walls) {
+    for (const Index wall : run.before) names.insert(name_of(wall));
+    for (const Index wall : run.through) {
       names.insert(name_of(wall));
-      ends_on.insert(wall);
+      ends_on_.insert(wall);
     }
     for (const std::string& name : names)
       if ((", " + ledger_.walls + ",").find(", " + name + ",") == std::string::npos)
@@ -101,7 +156,9 @@ class Continuing {
   const Walls& walls_;
   const ContinuationRules& rules_;
   double within_;
-  std::size_t first_points_ = 0;
+  std::size_t n_given_points_ = 0;
+  std::vector<Index> part_;  ///< BuiltRows::part_of_triangle
+  std::set<Index> ends_on_;
   ContinuedSurface ledger_;
 };
 
@@ -112,11 +169,11 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
   return rows;
 }
 
-/// A fault across which a horizon has throw is continued by that rule, to part the horizon's blocks.
-bool parts_a_horizon(const ModelRules& rules, const std::string& fault) {
-  return std::any_of(rules.surfaces.begin(), rules.surfaces.end(), [&](const SurfaceRules& rule) {
-    return std::find(rule.throw_at.begin(), rule.throw_at.end(), fault) != rule.throw_at.end();
-  });
+void continue_fault_to(BuiltSurfaces& built, Index row, const Walls& walls, const ModelRules& rules,
+                       const BuildLog& log) {
+  Continuing fault(built, row, walls, rules.continuation, rules.continuation.within_of_faults);
+  fault.go_on();
+  fault.tell(log);
 }
 
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
@@ -125,37 +182,107 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
          !rule.throw_at.empty();
 }
 
+/// Horizons continued in the blocks of one framework.
+class HorizonContinuation {
+ public:
+  /// `built`: what bounds the blocks; it outlives this, and gets BuiltRows::overshooting.
+  HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
+      : rules_(rules),
+        fill_blocks_(fill_blocks),
+        roofs_(horizons_of(built.rows.roofs)),
+        ended_(ended_faults(built, rules)),
+        framework_(built, rules),
+        cutters_(ended_.surfaces, with_roofs(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})), {}),
+        walls_(ended_.surfaces, rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
+               rules.continuation.sides) {}
+
+  void run(BuiltSurfaces& built, const std::vector<Index>& rows, const BuildLog& log) const {
+    const ContinuationRules& how = rules_.continuation;
+    for (const Index row : rows) {
+      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
+      const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
+      horizon.go_on_in({framework_, cutters_, walls_, how.bounds, how.within_of_horizons, fills_blocks,
+                        left_out(built.surfaces, row)},
+                       ended_.tips);
+      horizon.tell(log);
+    }
+  }
+
+ private:
+  std::vector<Index> with_roofs(std::vector<Index> rows) const {
+    rows.insert(rows.end(), roofs_.begin(), roofs_.end());
+    std::ranges::sort(rows);
+    return rows;
+  }
+
+  /// Blocks above a roof that is younger than the horizon, and below one that is older.
+  std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
+    const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
+    std::vector<bool> blocks(framework_.n_blocks(), false);
+    for (const Index roof : roofs_) {
+      if (position(row) == rules_.column.end() || position(roof) == rules_.column.end()) continue;
+      const int side = position(roof) < position(row) ? 1 : -1;
+      for (Index b = 0; b < framework_.n_blocks(); ++b)
+        if (framework_.side_of_roof(b, roof) == side) blocks[b] = true;
+    }
+    return blocks;
+  }
+
+  const ModelRules& rules_;
+  const std::vector<Index>& fill_blocks_;
+  std::vector<Index> roofs_;
+  EndedFaults ended_;
+  BlockFramework framework_;
+  Walls cutters_, walls_;
+};
+
 }  // namespace
 
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log) {
   const ContinuationRules& how = rules.continuation;
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
-  const Walls walls(built.surfaces, faults, how.sides);
+  const std::vector<TriangulatedSurface> given = built.surfaces;
+  const Walls walls(given, faults, how.sides);
+  built.rows.roofs = fault_roofs(given, rules);
   for (const Index row : faults) {
-    if (keeps_border(built, rules, row) || parts_a_horizon(rules, built.surfaces[row].name)) continue;
-    Continuing fault(built, row, walls, how, how.within_of_faults);
-    fault.go_on();
-    fault.tell(log);
+    std::vector<Index> own;
+    for (const auto& [fault, roof] : built.rows.roofs)
+      if (fault == row) own.push_back(roof);
+    const bool by_default = ends_by_default(given, rules, row);
+    if (!by_default && own.empty()) continue;
+    if (own.empty()) {
+      continue_fault_to(built, row, walls, rules, log);
+    } else {
+      if (by_default) own.insert(own.end(), faults.begin(), faults.end());
+      continue_fault_to(built, row, Walls(given, own, by_default ? how.sides : std::vector<TriangulatedSurface>{}),
+                        rules, log);
+    }
   }
 }
 
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log) {
-  const ContinuationRules& how = rules.continuation;
-  if (!(how.within_of_horizons > 0)) return;
-  const std::vector<Index> cutters = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body});
-  const std::vector<Index> all = rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon});
-  std::vector<TriangulatedSurface> tips;
-  for (const Index row : cutters)
-    if (built.surfaces[row].kind == SurfaceKind::fault) tips.push_back(built.surfaces[row]);
-  const Walls explained(built.surfaces, cutters, {}), walls(built.surfaces, all, how.sides);
-  for (const Index row : all) {
-    if (built.surfaces[row].kind != SurfaceKind::horizon || keeps_border(built, rules, row)) continue;
-    Continuing horizon(built, row, walls, how, how.within_of_horizons);
-    horizon.fill_gaps(explained, tips);
-    horizon.go_on();
-    horizon.tell(log);
+void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
+                       const BuildLog& log) {
+  if (!(rules.continuation.within_of_horizons > 0)) return;
+  std::vector<Index> left;
+  for (const Index row : rows_of(built.surfaces, {SurfaceKind::horizon}))
+    if (!keeps_border(built, rules, row)) left.push_back(row);
+  if (left.empty()) return;
+  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
+  std::vector<Index> first;  // these become walls of the blocks below
+  for (const Index row : left)
+    if (std::ranges::binary_search(roofs, row)) first.push_back(row);
+  std::erase_if(left, [&](Index row) { return std::ranges::binary_search(roofs, row); });
+  if (!first.empty()) {
+    BuiltSurfaces above = built;
+    for (const auto& [fault, _] : built.rows.roofs) above.surfaces[fault].triangles.clear();
+    above.rows.roofs.clear();
+    HorizonContinuation(above, rules, fill_blocks).run(built, first, log);
   }
+  BuiltSurfaces walls = built;
+  HorizonContinuation continuation(walls, rules, fill_blocks);
+  built.rows.overshooting = walls.rows.overshooting;
+  continuation.run(built, left, log);
 }
 
 }  // namespace geomesh::geomodel

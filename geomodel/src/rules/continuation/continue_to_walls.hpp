@@ -14,7 +14,8 @@ namespace geomesh::geomodel {
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
 /// Horizons without `extend` and without throw, up to ContinuationRules::within_of_horizons. Gaps in them that no
-/// fault or body explains are filled first.
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
+/// fault or body explains are filled first. Horizons of these rows fill each block in which they have data.
+void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
+                       const BuildLog& log);
 
 }  // namespace geomesh::geomodel

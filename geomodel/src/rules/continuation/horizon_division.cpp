@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/horizon_division.hpp"
+
+#include <algorithm>
+
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+
+HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
+                                 const Walls& cutters, const std::map<MapEdge, BorderState>& states)
+    : horizon_(horizon), framework_(framework) {
+  for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
+  const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
+  for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
+  for (Index t = 0; t < triangles_.size(); ++t)
+    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_[std::minmax(a, b)].push_back(t); });
+  std::map<MapEdge, bool> is_cut;
+  for (const auto& [edge, _] : at_edge_) {
+    const Vec3 &p = horizon.points[edge.first], &q = horizon.points[edge.second];
+    is_cut[edge] = cutters.first_surface(p, q, row) || cutters.first_surface(q, p, row);
+  }
+  for (Index t = 0; t < triangles_.size(); ++t) {
+    bool crosses = false;
+    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { crosses |= is_cut.at(std::minmax(a, b)); });
+    crosses_.push_back(crosses);
+    block_.push_back(crosses ? no_index : block_of(t));
+  }
+}
+
+std::optional<BorderState> HorizonDivision::border_state(VertexIndex a, VertexIndex b) const {
+  const auto at = states_.find(std::minmax(a, b));
+  return at == states_.end() ? std::nullopt : std::optional(at->second);
+}
+
+std::vector<Index> HorizonDivision::sheet_of(Index block) const {
+  std::vector<Index> sheet;
+  std::vector<bool> taken(triangles_.size(), false);
+  for (Index t = 0; t < triangles_.size(); ++t)
+    if (block_[t] == block) {
+      sheet.push_back(t);
+      taken[t] = true;
+    }
+  for (std::size_t k = 0; k < sheet.size(); ++k) {
+    const bool crosses = crosses_[sheet[k]];
+    for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
+      for (const Index other : at_edge_.at(std::minmax(a, b))) {
+        if (taken[other] || block_[other] != no_index) continue;
+        if (crosses && !(crosses_[other] && framework_.overlaps(block, corners(other)))) continue;
+        taken[other] = true;
+        sheet.push_back(other);
+      }
+    });
+  }
+  return sheet;
+}
+
+/// By the first of some places of the triangle that lies in the model.
+Index HorizonDivision::block_of(Index t) const {
+  const auto [a, b, c] = corners(t);
+  const Vec3 centre = (1.0 / 3) * (a + b + c);
+  for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
+    if (const Index block = framework_.block_at(p); block != no_index) return block;
+  return no_index;
+}
+
+}  // namespace geomesh::geomodel

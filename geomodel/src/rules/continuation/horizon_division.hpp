@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Which triangles of a horizon lie in which fault block.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rules/continuation/border_chains.hpp"
+#include "rules/continuation/walls.hpp"
+#include "rules/framework/block_framework.hpp"
+
+namespace geomesh::geomodel {
+
+using MapEdge = std::pair<VertexIndex, VertexIndex>;
+
+/// The triangles of a horizon with their blocks and neighbours. A triangle with an edge that a wall cuts belongs to no
+/// block. Refers to the horizon and the framework, which outlive it.
+class HorizonDivision {
+ public:
+  /// `cutters`: faults and bodies. `states`: of the horizon's border.
+  HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
+                  const std::map<MapEdge, BorderState>& states);
+
+  const std::vector<Triangle>& triangles() const { return triangles_; }  ///< over the first of equal points
+  /// The state of an edge at which the horizon ends; nothing where it goes on.
+  std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
+  /// Triangles of the block, those that hang together with them outside of the model, those next to these that cross a
+  /// wall, and those that hang together with these, cross a wall and reach into the block: in a narrow block all do.
+  std::vector<Index> sheet_of(Index block) const;
+
+ private:
+  template <class F>
+  void for_each_edge_of(Index t, F&& visit) const {
+    for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
+  }
+  Index block_of(Index t) const;
+  std::array<Vec3, 3> corners(Index t) const {
+    const auto& [a, b, c] = triangles_[t];
+    return {horizon_.points[a], horizon_.points[b], horizon_.points[c]};
+  }
+
+  const TriangulatedSurface& horizon_;
+  const BlockFramework& framework_;
+  std::map<MapEdge, BorderState> states_;
+  std::vector<Triangle> triangles_;
+  std::map<MapEdge, std::vector<Index>> at_edge_;
+  std::vector<bool> crosses_;
+  std::vector<Index> block_;
+};
+
+}  // namespace geomesh::geomodel

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/sheet_border.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "common/union_find.hpp"
+#include "naming/sheets.hpp"
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
+constexpr double steepest_slope = 3;
+
+Vec3 normal(const TriangulatedSurface& s, const Triangle& t) {
+  return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
+}
+
+}  // namespace
+
+SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division,
+                         const std::vector<Triangle>& sheet, double within)
+    : within_(within) {
+  std::map<MapEdge, std::pair<int, const Triangle*>> uses;
+  CompensatedSum up;
+  for (const Triangle& t : sheet) {
+    const Vec3 n = normal(horizon, t);
+    up.add(n.z);
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
+      ++use.first;
+      use.second = &t;
+    }
+  }
+  faces_up_ = up.value() >= 0;
+  std::map<VertexIndex, Index> index;
+  const auto row = [&](VertexIndex v) {
+    const auto [at, is_new] = index.emplace(v, static_cast<Index>(points_.size()));
+    if (is_new) {
+      points_.push_back(horizon.points[v]);
+      rows_.push_back(v);
+    }
+    return at->second;
+  };
+  for (const auto& [edge, use] : uses) {
+    if (use.first != 1) continue;
+    const Index a = row(edge.first), b = row(edge.second);
+    constraints_.emplace_back(std::min(a, b), std::max(a, b));
+    const std::optional<BorderState> state = division.border_state(edge.first, edge.second);
+    if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
+    const Vec3 n = normal(horizon, *use.second);
+    const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
+    edges_.push_back(
+        {points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
+  }
+}
+
+SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
+  double least = std::numeric_limits<double>::infinity(), z = 0;
+  Vec2 slope{0, 0};
+  bool has_met_wall = false;
+  for (const Edge& e : edges_) {
+    const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
+    const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+    const Vec3 foot = e.a + t * (e.b - e.a);
+    const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
+    if (!(d < least)) continue;
+    least = d;
+    has_met_wall = e.has_met_wall;
+    slope = d > within_ ? Vec2{0, 0} : e.slope;
+    const double share = d > within_ ? within_ / d : 1;
+    z = foot.z + share * (e.slope.x * x + e.slope.y * y);
+  }
+  return {{p.x, p.y, z}, least, slope, has_met_wall};
+}
+
+std::vector<bool> SheetBorder::beside_border(const std::vector<PlanarTriangle>& all,
+                                             const std::vector<bool>& is_kept) const {
+  const std::set<std::pair<Index, Index>> constraints(constraints_.begin(), constraints_.end());
+  std::map<std::pair<Index, Index>, Index> at_edge;
+  UnionFind joined(all.size());
+  const auto for_each_edge_of = [&](Index t, auto&& visit) {
+    if (!is_kept[t]) return;
+    for (std::size_t i = 0; i < 3; ++i)
+      visit(std::pair<Index, Index>(std::minmax(all[t].vertices[i], all[t].vertices[(i + 1) % 3])));
+  };
+  for (Index t = 0; t < all.size(); ++t)
+    for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
+      if (constraints.contains(e)) return;
+      const auto [at, is_new] = at_edge.emplace(e, t);
+      if (!is_new) joined.unite(at->second, t);
+    });
+  std::set<Index> begin;
+  for (Index t = 0; t < all.size(); ++t)
+    if (all[t].depth % 2 == 0)
+      for_each_edge_of(t, [&](const std::pair<Index, Index>& e) {
+        if (is_end_.contains(e)) begin.insert(joined.find(t));
+      });
+  std::vector<bool> is_beside(all.size());
+  for (Index t = 0; t < all.size(); ++t) is_beside[t] = is_kept[t] && begin.contains(joined.find(t));
+  return is_beside;
+}
+
+}  // namespace geomesh::geomodel

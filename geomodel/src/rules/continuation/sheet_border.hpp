@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The border of what a horizon has in a block, and the heights at which it is continued.
+#pragma once
+
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "rules/continuation/horizon_division.hpp"
+#include "rules/planar/planar_fill.hpp"
+
+namespace geomesh::geomodel {
+
+/// The border edges of a sheet in the map, over points of its own. Refers to nothing.
+class SheetBorder {
+ public:
+  /// `sheet`: triangles over the horizon's points. `within`: up to where slopes are continued, in m.
+  SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division, const std::vector<Triangle>& sheet,
+              double within);
+
+  const std::vector<Vec3>& points() const { return points_; }
+  VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
+  const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
+  /// Whether the horizon stops short of a wall at an edge of points a < b.
+  bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
+  bool faces_up() const { return faces_up_; }
+
+  struct Place {
+    Vec3 at;            ///< with the height that the border has there
+    double distance;    ///< from the border in the map
+    Vec2 slope;         ///< of the border where it is nearest; none beyond `within`
+    bool has_met_wall;  ///< the border has there
+  };
+  /// O(n) in the edges.
+  Place continued_at(const Vec2& p) const;
+
+  /// Per triangle, whether it is kept, lies outside of the sheet, and hangs together, through those kept, with a place
+  /// where the horizon stops short of a wall: where the sheet ends because the horizon goes on beyond a wall there is
+  /// nothing to continue. O(n log n).
+  std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const;
+
+ private:
+  struct Edge {
+    Vec3 a, b;
+    Vec2 slope;
+    bool has_met_wall;
+  };
+
+  double within_;
+  std::vector<Vec3> points_;
+  std::vector<VertexIndex> rows_;
+  std::vector<std::pair<Index, Index>> constraints_;
+  std::set<std::pair<Index, Index>> is_end_;
+  std::vector<Edge> edges_;
+  bool faces_up_ = true;
+};
+
+}  // namespace geomesh::geomodel

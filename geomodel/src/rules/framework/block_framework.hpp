@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The fault blocks of a model: what faults, bodies and the sides of the model divide its volume into.
+#pragma once
+
+#include <map>
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "arrangement/search/bvh.hpp"
+#include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
+
+namespace geomesh::geomodel {
+
+/// Faults, bodies and the horizons at which faults end are intersected with the sides of the model and tetrahedralized;
+/// a block is a component of that mesh, so every place lies in one block, exactly, but for the walls themselves. A
+/// fault that ends inside leaves one block round its tip.
+///
+/// Invariants: the tetrahedra fill the model's volume and do not overlap (tetrahedralize validates its result); a wall
+/// lies on faces of the mesh alone.
+class BlockFramework {
+ public:
+  /// Of the built faults and bodies, cut where end_faults cuts them. Expects ContinuationRules::sides. Throws as
+  /// arrange and tetrahedralize do.
+  BlockFramework(const BuiltSurfaces& built, const ModelRules& rules);
+
+  Index n_blocks() const { return static_cast<Index>(has_tip_.size()); }
+  /// The block that holds p, no_index outside of the model. On a wall the block of a tetrahedron that touches it.
+  /// O(log n) for tetrahedra of like size.
+  Index block_at(const Vec3& p) const;
+  /// Whether some of the triangle lies in the block. Decided by clipping in doubles: a triangle that reaches in by no
+  /// more than rounding may be told either way. O(log n + k) for the k tetrahedra near the triangle.
+  bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
+  /// Whether a wall ends inside the block, so that both of its sides belong to it.
+  bool has_tip(Index block) const { return has_tip_[block]; }
+  /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::roofs), -1 on the lower one,
+  /// 0 where it does not touch the horizon.
+  int side_of_roof(Index block, Index horizon) const;
+  const Box3& bounds(Index block) const { return bounds_[block]; }
+
+ private:
+  std::vector<Vec3> points_;
+  std::vector<Tetrahedron> tetrahedra_;
+  std::vector<Index> block_;  ///< per tetrahedron
+  std::vector<bool> has_tip_;
+  std::map<std::pair<Index, Index>, double>
+      side_;  ///< by block and roof: area above the roof less area below, in the map
+  std::vector<Box3> bounds_;
+  std::unique_ptr<arrangement::BoxTree> tree_;
+};
+
+}  // namespace geomesh::geomodel

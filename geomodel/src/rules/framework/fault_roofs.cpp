@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/framework/fault_roofs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <ranges>
+
+#include "geomesh/core/surface_distance.hpp"
+#include "naming/sums.hpp"
+#include "rules/framework/overshoots.hpp"
+#include "rules/planar/borders.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+bool is_inside(const Box3& box, const Vec3& p) {
+  return p.x > box.min.x && p.y > box.min.y && p.z > box.min.z && p.x < box.max.x && p.y < box.max.y && p.z < box.max.z;
+}
+
+/// The ends of border edges, with the place along strike first and the height last.
+using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
+
+/// Whether an edge passes over a place.
+bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
+  const auto& [a, b] = edge;
+  if (std::min(a[0], b[0]) >= place[0] || std::max(a[0], b[0]) <= place[0]) return false;
+  return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
+}
+
+/// Border vertices in the model that no border edge passes over, as seen along the fault.
+std::vector<Vec3> upper_border(const TriangulatedSurface& fault, const Box3& box) {
+  const Frame frame = frame_of(fault);
+  const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
+  const std::vector<BorderEdge> border = border_edges(fault);
+  std::vector<SeenAlongStrike> edges;
+  for (const BorderEdge& e : border) edges.push_back({seen(fault.points[e.a]), seen(fault.points[e.b])});
+  std::vector<Vec3> upper;
+  for (const BorderEdge& e : border) {
+    const Vec3& p = fault.points[e.a];
+    if (is_inside(box, p) && std::ranges::none_of(edges, [&](const auto& edge) { return is_over(edge, seen(p)); }))
+      upper.push_back(p);
+  }
+  return upper;
+}
+
+/// How places lie beside a horizon.
+struct Beside {
+  double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
+  bool any_below = false;
+};
+Beside beside(const std::vector<Vec3>& places, const SurfaceDistance& horizon) {
+  Beside found;
+  for (const Vec3& p : places) {
+    const Vec3 q = horizon.closest(p);
+    const double d = norm(p - q);
+    found.nearest = std::min(found.nearest, d);
+    found.farthest = std::max(found.farthest, d);
+    found.any_below = found.any_below || p.z < q.z;
+  }
+  return found;
+}
+
+/// The horizons that a fault may end at.
+class Horizons {
+ public:
+  Horizons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
+      : within_(rules.continuation.within_of_faults) {
+    for (Index s = 0; s < surfaces.size(); ++s) {
+      if (surfaces[s].kind != SurfaceKind::horizon || surfaces[s].triangles.empty()) continue;
+      if (std::ranges::find(rules.column, surfaces[s].name) == rules.column.end()) continue;
+      Box3 box;
+      for (const Vec3& p : surfaces[s].points) box.add(p);
+      for (std::size_t i = 0; i < 3; ++i) box.min[i] -= within_, box.max[i] += within_;
+      horizons_.push_back(
+          {s, rules.of(s).base == BaseRule::erode, box, SurfaceDistance(surfaces[s].points, surfaces[s].triangles)});
+    }
+  }
+
+  /// Those at which a fault with this upper border ends.
+  std::vector<Index> roofs_of(const std::vector<Vec3>& border) const {
+    std::vector<Index> rows;
+    std::optional<Index> best;
+    double farthest = within_;
+    for (const Horizon& h : horizons_) {
+      if (std::ranges::none_of(border, [&](const Vec3& p) { return is_inside(h.near, p); })) continue;
+      const Beside found = beside(border, h.distance);
+      if (h.erodes && found.nearest <= within_) rows.push_back(h.row);
+      if (h.erodes || !found.any_below || found.farthest > farthest) continue;
+      farthest = found.farthest;
+      best = h.row;
+    }
+    if (best) rows.push_back(*best);
+    std::ranges::sort(rows);
+    return rows;
+  }
+
+ private:
+  struct Horizon {
+    Index row;
+    bool erodes;
+    Box3 near;
+    SurfaceDistance distance;
+  };
+  double within_;
+  std::vector<Horizon> horizons_;
+};
+
+}  // namespace
+
+std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedSurface>& surfaces,
+                                                 const ModelRules& rules) {
+  std::vector<std::pair<Index, Index>> roofs;
+  if (!(rules.continuation.within_of_faults > 0)) return roofs;
+  std::optional<Horizons> horizons;
+  for (Index s = 0; s < surfaces.size(); ++s) {
+    const SurfaceRules rule = rules.of(s);
+    if (surfaces[s].kind != SurfaceKind::fault || surfaces[s].triangles.empty() || !rule.continues ||
+        rule.extend != Extend::none || !rule.stop_at.empty())
+      continue;
+    const std::vector<Vec3> border = upper_border(surfaces[s], rules.continuation.bounds);
+    if (border.empty()) continue;
+    if (!horizons) horizons.emplace(surfaces, rules);
+    for (const Index h : horizons->roofs_of(border)) roofs.emplace_back(s, h);
+  }
+  return roofs;
+}
+
+std::vector<Index> horizons_of(const std::vector<std::pair<Index, Index>>& roofs) {
+  std::vector<Index> rows;
+  for (const auto& [_, horizon] : roofs) rows.push_back(horizon);
+  std::ranges::sort(rows);
+  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  return rows;
+}
+
+void end_at_roofs(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                  double within, std::vector<double>& area, std::vector<std::string>& notes) {
+  for (const auto& [fault, horizon] : built.roofs)
+    area[fault] += remove_overshoots(working, fault, {horizon}, within, surfaces[fault].name, notes);
+}
+
+}  // namespace geomesh::geomodel

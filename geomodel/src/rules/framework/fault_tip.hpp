@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Where faults end inside the model.
+#pragma once
+
+#include "geomesh/core/geometry.hpp"
+#include "rules/planar/reach.hpp"
+
+namespace geomesh::geomodel {
+
+/// An edge of a fault's border that lies on no other fault.
+struct FaultTip {
+  EdgeEnds ends;
+  Vec3 normal;  ///< of the fault's facet there, of any length
+  Index fault;  ///< row of the surfaces
+};
+
+}  // namespace geomesh::geomodel

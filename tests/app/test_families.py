@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Models of the families whose unit is known at each place, as a new user gives them: at most one point in a thousand lies in the wrong unit.
+tests/families/measure.py runs more of them."""
+import os
+import sys
+
+from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+
+sys.path.insert(0, os.path.join(SOURCE, "tests", "families"))
+from measure import run  # noqa: E402
+
+SEEDS = range(4) if NIGHTLY else range(1, 2)
+
+
+class Families(ProgramTest):
+    def assert_right(self, family, seeds=SEEDS, form="bare"):
+        for seed in seeds:
+            with self.subTest(family=family, seed=seed):
+                folder = self.path("%s%d" % (family, seed))
+                self.assertIn(" ok ", run(PROGRAM, family, seed, form, keep=folder))
+                self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "project.yaml"))
+
+    def test_grids_that_end_before_the_sides_of_the_model(self):
+        self.assert_right("short_grids")
+
+    def test_salt_with_horizons_that_end_before_it(self):
+        self.assert_right("salt_gaps")
+
+    def test_thrusts_that_repeat_horizons(self):
+        self.assert_right("thrust")
+
+    def test_faults_that_cross_and_meet_each_other(self):
+        """Sheets of two blocks lie at one height in the last one: beyond the fault between them they were merged, which left a hole."""
+        self.assert_right("conjugate")
+        self.assert_right("conjugate", (5,))
+
+    def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
+        """In the second one horizons ended at a piece of a fault that was cut off later."""
+        self.assert_right("network")
+        self.assert_right("network", (0,))
+
+    def test_networks_with_throw_are_as_quick(self):
+        """Blocks that were continued each across all others had no mesh in 110 CPU s."""
+        self.assert_right("network", (10,), "careful")
+
+    def test_faulted_blocks_under_an_unconformity(self):
+        """Faults end at it in teeth, and in the second model a horizon is eroded in one block."""
+        for form in ("bare", "careful"):
+            self.assert_right("unconformity", (2, 3), form)
+
+    def test_a_fault_that_dies_out(self):
+        """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
+        self.assert_right("dying_fault")
+        self.assert_right("dying_fault", (2,))
+
+
+if __name__ == "__main__":
+    main()
