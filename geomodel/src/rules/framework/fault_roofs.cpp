@@ -91,7 +91,7 @@ class Horizons {
       farthest = found.farthest;
       best = h.row;
     }
-    if (best) rows.push_back(*best);
+    if (best && rows.empty()) rows.push_back(*best);
     std::ranges::sort(rows);
     return rows;
   }

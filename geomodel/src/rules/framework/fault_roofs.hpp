@@ -9,8 +9,8 @@
 namespace geomesh::geomodel {
 
 /// Pairs of faults and horizons, as BuiltRows::roofs has them. A fault without an extent of its own ends at a horizon
-/// that erodes where some of its upper border in the model is within ContinuationRules::within_of_faults of it; at any
-/// other one where all of it is, and not all of that above. Of several such horizons the nearest counts.
+/// that erodes where some of its upper border in the model is within ContinuationRules::within_of_faults of it. Without
+/// such a horizon, it ends at the nearest one of which all of it is within that distance, and not all above.
 /// O(n^2) for n border vertices of a fault, and a search for each of these and each horizon near it.
 std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedSurface>& surfaces,
                                                  const ModelRules& rules);
