@@ -264,7 +264,7 @@ class GridFinder {
     NetcdfGrids found;
     for (const Variable& v : file_.variables()) {
       const std::size_t n_axes = v.axes().size();
-      if (!v.is_number() || n_axes < 2) continue;
+      if (!v.is_number() || n_axes < 2 || v.size() == 0) continue;
       if (n_axes > 2) {
         found.others.push_back(v.path + " (" + std::to_string(n_axes) + " axes)");
       } else if (axis_of(file_, v) != Axis::none) {

@@ -3,8 +3,9 @@
 no memory taken. tests/fuzz/damaged_inputs.py makes more of them."""
 import os
 import sys
+import unittest
 
-from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import BAD_INPUT, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 import damaged_inputs  # noqa: E402
@@ -27,7 +28,20 @@ class DamagedInputs(ProgramTest):
                 folder = self.path("whole_" + name)
                 damaged_inputs.written(name, folder)
                 self.write(os.path.join(folder, "project.yaml"), project % file)
-                self.assertEqual(damaged_inputs.run(("info", file), folder, PROGRAM, SLOWNESS == 1)[0], 0)
+                for arguments in (("info", file), ("project.yaml", "-o", "out")):
+                    status, _, _, printed = damaged_inputs.run(arguments, folder, PROGRAM, SLOWNESS == 1)
+                    self.assertEqual(status, 0, printed)
+
+    @unittest.skipUnless(damaged_inputs.netCDF4, "skipped: no netCDF4")
+    def test_a_grid_without_records_is_refused(self):
+        """It ended with a segmentation fault."""
+        with damaged_inputs.netCDF4.Dataset(self.path("no_records.nc"), "w", format="NETCDF3_CLASSIC") as data:
+            data.createDimension("x", 5)
+            data.createDimension("y", None)
+            data.createVariable("x", "f8", ("x",))[:] = range(5)
+            data.createVariable("y", "f8", ("y",))
+            data.createVariable("z", "f8", ("y", "x"))
+        self.assertIn("no_records.nc", self.run_program("info", "no_records.nc", status=BAD_INPUT))
 
     def test_damaged_files_are_read_or_refused_with_their_name(self):
         seen = set()
