@@ -214,6 +214,9 @@ std::string system_of_text(const std::string& text) {
   return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
 }
 
+/// Whether it can stand for a code: EPSG uses up to six digits, and a damaged one may be no number.
+bool is_code(double number) { return number >= 1 && number < 1e6; }
+
 /// The system is described by the variable that the attribute `grid_mapping` names. Returns its EPSG code, or its name.
 std::string system_of(const File& file, const Variable& v) {
   const std::string mapping = file.text(v, "grid_mapping");
@@ -222,7 +225,7 @@ std::string system_of(const File& file, const Variable& v) {
     if (m.name != mapping) continue;
     std::string code = lower(file.text(m, "epsg_code"));
     if (code.empty())
-      if (const auto number = file.numbers(m.group, m.id, "epsg_code"); !number.empty())
+      if (const auto number = file.numbers(m.group, m.id, "epsg_code"); !number.empty() && is_code(number[0]))
         code = std::to_string(static_cast<long long>(number[0]));
     if (!code.empty()) return code.starts_with("epsg:") ? code : "epsg:" + code;
     for (const char* key : {"crs_wkt", "spatial_ref"})
@@ -261,7 +264,7 @@ class GridFinder {
     NetcdfGrids found;
     for (const Variable& v : file_.variables()) {
       const std::size_t n_axes = v.axes().size();
-      if (!v.is_number() || n_axes < 2) continue;
+      if (!v.is_number() || n_axes < 2 || v.size() == 0) continue;
       if (n_axes > 2) {
         found.others.push_back(v.path + " (" + std::to_string(n_axes) + " axes)");
       } else if (axis_of(file_, v) != Axis::none) {
