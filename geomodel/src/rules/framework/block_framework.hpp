@@ -3,8 +3,8 @@
 /// The fault blocks of a model: what faults, bodies and the sides of the model divide its volume into.
 #pragma once
 
-#include <map>
 #include <array>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
