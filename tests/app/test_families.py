@@ -44,8 +44,9 @@ class Families(ProgramTest):
         self.assert_right("network", (10,), "careful")
 
     def test_faulted_blocks_under_an_unconformity(self):
-        """Faults end at it in teeth."""
-        self.assert_right("unconformity", (2,))
+        """Faults end at it in teeth. In the second model a horizon is eroded in one block, which the region below the unconformity must tell."""
+        for form in ("bare", "careful"):
+            self.assert_right("unconformity", (2, 3), form)
 
     def test_a_fault_that_dies_out(self):
         """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""

@@ -167,8 +167,8 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
   }
 }
 
-/// Where faces leave several units between an unconformity and a horizon below it, the unit is the one that was laid
-/// down on that horizon: the others were eroded.
+/// If the faces of a region leave several units between an unconformity and a horizon below it, the region is the unit
+/// that was laid down on that horizon, because the others were eroded.
 void judge_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
                                 const Column& column, std::vector<UnitVerdict>& verdicts) {
   for (UnitVerdict& verdict : verdicts) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rules before the arrangement, in order, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
+#include <map>
 
 #include "geomesh/core/error.hpp"
 #include "naming/sheets.hpp"
@@ -137,23 +138,32 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
 
 /// Horizons whose faults with throw were found from data that none of these crosses: they are given block by block, and
 /// there is no throw to restore.
-std::vector<Index> given_by_block(std::vector<TriangulatedSurface> surfaces, const ModelRules& rules) {
+std::vector<Index> given_by_block(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
+  std::map<Index, TriangulatedSurface> faults;  // as they are built, up to their ends
+  std::vector<std::string> notes, warnings;     // told where the surfaces are built
+  const auto fault_of = [&](Index row) -> const TriangulatedSurface& {
+    const auto [at, is_new] = faults.emplace(row, TriangulatedSurface{});
+    if (!is_new) return at->second;
+    at->second = surfaces[row];
+    if (rules.of(row).extend != Extend::none && rules.box)
+      extend_to_box(at->second, rules.of(row).extend, *rules.box, {notes, warnings});
+    return at->second;
+  };
   std::vector<Index> rows;
-  std::vector<std::string> notes, warnings;  // told where the surfaces are built
-  for (Index s = 0; s < surfaces.size(); ++s)
-    if (surfaces[s].kind == SurfaceKind::fault && rules.of(s).extend != Extend::none && rules.box)
-      extend_to_box(surfaces[s], rules.of(s).extend, *rules.box, {notes, warnings});
   for (Index s = 0; s < surfaces.size(); ++s) {
     const SurfaceRules rule = rules.of(s);
     if (!rule.throw_auto || rule.throw_at.empty()) continue;
-    std::vector<Index> faults;
-    for (const std::string& name : rule.throw_at)
-      faults.push_back(static_cast<Index>(throw_fault(surfaces, surfaces[s], name)));
-    const Walls walls(surfaces, faults, {});
+    std::vector<TriangulatedSurface> own;
+    std::vector<Index> all;
+    for (const std::string& name : rule.throw_at) {
+      all.push_back(static_cast<Index>(own.size()));
+      own.push_back(fault_of(static_cast<Index>(throw_fault(surfaces, surfaces[s], name))));
+    }
+    const Walls walls(own, all, {});
     const std::vector<Vec3>& p = surfaces[s].points;
     const auto is_crossed = [&](const Triangle& t) {
-      return walls.first_surface(p[t[0]], p[t[1]], s) || walls.first_surface(p[t[1]], p[t[2]], s) ||
-             walls.first_surface(p[t[2]], p[t[0]], s);
+      return walls.first_surface(p[t[0]], p[t[1]], no_index) || walls.first_surface(p[t[1]], p[t[2]], no_index) ||
+             walls.first_surface(p[t[2]], p[t[0]], no_index);
     };
     if (std::ranges::none_of(surfaces[s].triangles, is_crossed)) rows.push_back(s);
   }

@@ -12,7 +12,7 @@
 #include "rules/blocks/part_blocks.hpp"
 #include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/end_on_faults.hpp"
-#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/fault_truncations.hpp"
 #include "rules/framework/overshoots.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/height_vote.hpp"
@@ -270,7 +270,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   for (Index s = 0; s < work.n_given(); ++s)
     if (!is_end(s)) part_blocks(parting, s);
   remove_continuations(parting);
-  end_at_roofs(work.working, surfaces, built, rules.continuation.within_of_faults, work.removed, work.notes);
+  truncate_faults(work.working, surfaces, built, rules.continuation.within_of_faults, work.removed, work.notes);
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);

@@ -9,6 +9,7 @@
 #include "naming/sums.hpp"
 #include "rules/framework/block_framework.hpp"
 #include "rules/framework/end_on_faults.hpp"
+#include "rules/framework/fault_truncations.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -124,4 +125,85 @@ TEST_CASE("The line on which a fault ends on another one is no tip") {
   for (const FaultTip& tip : ended_faults(built, rules_of_box()).tips)
     for (const Vec3& p : tip.ends)
       CHECK((p.x < 0 || p.x > side || p.y < 0 || p.y > side || p.z < 0 || p.z > side || p.x > 5 + p.z / 10 + 0.1));
+}
+
+namespace {
+
+/// A horizon at one height beyond all sides of the model.
+TriangulatedSurface flat_horizon(const std::string& name, double z) {
+  TriangulatedSurface s =
+      rectangle(name, {Vec3{-1, -1, z}, {side + 1, -1, z}, {side + 1, side + 1, z}, {-1, side + 1, z}});
+  s.kind = SurfaceKind::horizon;
+  return s;
+}
+
+/// The plane x = 5 to beyond the model, but for its upper border, which runs from one height to another in the model.
+TriangulatedSurface fault_up_to(double z_at_south, double z_at_north) {
+  return rectangle("f", {Vec3{5, -1, -1}, {5, side + 1, -1}, {5, side + 1, z_at_north}, {5, -1, z_at_south}});
+}
+
+/// The horizons that truncate a fault with the rules given; `young` at z = 7 lies over `old` at z = 3.
+std::vector<std::string> truncating(TriangulatedSurface fault, BaseRule of_young) {
+  // Its upper border gets vertices in the model, where it is looked at.
+  fault.points.push_back(0.5 * (fault.points[2] + fault.points[3]));
+  fault.triangles = {{0, 1, 4}, {1, 2, 4}, {0, 4, 3}};
+  const std::vector<TriangulatedSurface> surfaces{flat_horizon("young", 7), flat_horizon("old", 3), std::move(fault)};
+  ModelRules rules = rules_of_box();
+  rules.column = {"a", "young", "b", "old", "c"};
+  rules.surfaces.resize(3);
+  rules.surfaces[0].base = of_young;
+  std::vector<std::string> names;
+  for (const auto& [row, horizon] : fault_truncations(surfaces, rules)) {
+    CHECK(row == 2);
+    names.push_back(surfaces[horizon].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("A triangle overlaps the blocks in which its places lie, and no others") {
+  BuiltSurfaces built = built_of({leaning_fault(), branch(0.3)});
+  const ModelRules rules = rules_of_box();
+  ended_faults(built, rules);
+  const BlockFramework framework(built, rules);
+  std::mt19937 chance(11);
+  std::uniform_real_distribution<double> along(-2, side + 2), share(0, 1);
+  for (int k = 0; k < 300; ++k) {
+    const auto place = [&] { return Vec3{along(chance), along(chance), along(chance)}; };
+    const Vec3 a = place(), b = a + 0.3 * (place() - a), c = a + 0.3 * (place() - a);
+    std::set<Index> seen;
+    for (int i = 0; i < 2000; ++i) {
+      double u = share(chance), v = share(chance);
+      if (u + v > 1) u = 1 - u, v = 1 - v;
+      if (const Index block = framework.block_at(a + u * (b - a) + v * (c - a)); block != no_index) seen.insert(block);
+    }
+    for (const Index block : seen) CHECK(framework.overlaps(block, {a, b, c}));
+    // What is told and was not seen reaches in by little: the blocks that are told are those about the triangle.
+    if (seen.empty()) continue;
+    Index n_told = 0;
+    for (Index block = 0; block < framework.n_blocks(); ++block) n_told += framework.overlaps(block, {a, b, c});
+    CHECK(n_told <= seen.size() + 1);
+  }
+}
+
+TEST_CASE("A horizon truncates faults that end along it, and one that erodes those that come near to it") {
+  using Names = std::vector<std::string>;
+  CHECK(truncating(fault_up_to(6.7, 7.2), BaseRule::conformable) == Names{"young"});
+  CHECK(truncating(fault_up_to(6.7, 6.8), BaseRule::conformable) == Names{"young"});
+  CHECK(truncating(fault_up_to(7.2, 7.4), BaseRule::conformable) == Names{});  // all above: it goes through
+  CHECK(truncating(fault_up_to(5, 5), BaseRule::conformable) == Names{});      // it dies out between them
+  CHECK(truncating(fault_up_to(5, 5), BaseRule::erode) == Names{});
+  CHECK(truncating(fault_up_to(side + 1, side + 1), BaseRule::erode) == Names{});  // its border is outside
+}
+
+TEST_CASE("A horizon that truncates faults divides blocks, which know on which side of it they lie") {
+  BuiltSurfaces built = built_of({flat_horizon("u", 7), fault_up_to(7.3, 7.3)});
+  built.rows.truncations = {{1, 0}};
+  const BlockFramework framework(built, rules_of_box());
+  require_blocks(framework, [](const Vec3& p) { return p.z > 7 ? 0 : p.x < 5 ? 1 : 2; });
+  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 9}), 0) == 1);
+  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 3}), 0) == -1);
+  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 0) == -1);
+  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 1) == 0);
 }

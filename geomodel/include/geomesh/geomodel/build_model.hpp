@@ -87,7 +87,7 @@ struct NamingRules {
   bool join_pieces = false;
   std::string topography{};                   ///< a horizon: what lies above it is left out of the mesh
   std::string floor{};                        ///< a horizon: what lies below it is left out of the mesh
-  std::vector<std::string> unconformities{};  ///< horizons that cut what is older
+  std::vector<std::string> unconformities{};  ///< horizons that cut what is older (names)
   double min_volume = 0;  ///< smaller regions are reported; merged with the neighbour across most area where asked
   bool merge_small = false;
   std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions

@@ -130,10 +130,10 @@ struct BuiltRows {
   std::vector<std::vector<Index>> continued_to;
   /// Rows of the faults that run a little beyond faults on which they end, ascending.
   std::vector<Index> overshooting;
-  /// Rows of faults, each with that of a horizon at which it ends (an unconformity), ascending.
-  std::vector<std::pair<Index, Index>> roofs;
+  /// Rows of faults, each with that of a horizon that truncates it (an unconformity), ascending.
+  std::vector<std::pair<Index, Index>> truncations;
   bool any_continued() const {
-    return !overshooting.empty() || !roofs.empty() ||
+    return !overshooting.empty() || !truncations.empty() ||
            std::any_of(part_of_triangle.begin(), part_of_triangle.end(),
                        [](const auto& part) { return !part.empty(); });
   }

@@ -25,6 +25,7 @@ struct ClaimedNames {
   std::map<std::string, std::map<std::string, double>> attributes;  ///< unit or region: attribute: value
   bool fault_blocks = false;                                        ///< units bear the number of their block
   bool merges_small = false;                                        ///< regions may hold several pieces
+  std::vector<std::string> unconformities;                          ///< horizons that cut what is older
   double min_volume = 0;  ///< m3; smaller pieces may have joined a region of another unit, where merges_small
 };
 

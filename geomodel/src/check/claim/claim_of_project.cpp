@@ -11,6 +11,7 @@
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "level_sets/level_surfaces.hpp"
+#include "rules/framework/fault_truncations.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -157,6 +158,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   for (const TriangulatedSurface& s : built.surfaces)
     claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());
   claim.surfaces = built.model_surfaces();
+  claim.names.unconformities = unconformities(built.surfaces, built.rows, rules);
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));

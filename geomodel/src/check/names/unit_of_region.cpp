@@ -36,8 +36,10 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
     for (Index row = 0; row < claim.surfaces.size(); ++row) {
       if (claim.surfaces[row].name != column[i]) continue;
       horizon_of_surface_[row] = static_cast<Index>(horizons_.size());
-      horizons_.push_back({row, upper_sides(claim.surfaces[row]), TriangleSet(triangles_of(claim.surfaces[row])),
-                           tree_over_triangles(claim.surfaces[row])});
+      const auto& cutting = claim.names.unconformities;
+      const bool is_unconformity = std::find(cutting.begin(), cutting.end(), column[i]) != cutting.end();
+      horizons_.push_back({row, is_unconformity, upper_sides(claim.surfaces[row]),
+                           TriangleSet(triangles_of(claim.surfaces[row])), tree_over_triangles(claim.surfaces[row])});
     }
   left_.resize(horizons_.size());
   add_faces(reach);
@@ -112,7 +114,8 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
     verdict.last = h + 1;
   }
   if (verdict.first == no_index && (has_over || has_under)) {
-    verdict.first = verdict.last = has_over ? first : last;
+    const bool is_eroded = has_over && has_under && horizons_[first - 1].is_unconformity;
+    verdict.first = verdict.last = has_over && !is_eroded ? first : last;
     verdict.open = true;
     verdict.first_possible = first;
     verdict.last_possible = last;

@@ -45,6 +45,7 @@ class UnitJudge {
   };
   struct Horizon {
     Index surface;
+    bool is_unconformity;
     std::vector<int> upper_side;
     TriangleSet triangles;
     BoxTree tree;  ///< over the surface's triangles

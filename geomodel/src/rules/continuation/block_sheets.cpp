@@ -20,7 +20,7 @@ constexpr double step_of_radius = 0.5;
 /// More places of a grid than this take seconds: the distance is a tiny share of the model then.
 constexpr double most_places = 1e6;
 
-/// What is continued, and in what; all outlive its use.
+/// The horizon that is continued, and what it is continued in. All of it is referred to and outlives its use.
 struct Setting {
   const TriangulatedSurface& horizon;
   Index row;
@@ -31,7 +31,7 @@ struct Setting {
   bool fills_blocks;
 };
 
-/// Where a horizon ends in the open: discs in the map that meet no wall.
+/// Discs in the map that meet no wall: a horizon that ends there ends in the open.
 class OpenPlaces {
  public:
   OpenPlaces(const Walls& walls, Index row, double radius) : walls_(walls), row_(row), radius_(radius) {}

@@ -2,6 +2,7 @@
 #include "rules/continuation/continue_to_walls.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "naming/region_facts.hpp"
@@ -10,7 +11,7 @@
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/bridges.hpp"
 #include "rules/framework/end_on_faults.hpp"
-#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/fault_truncations.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
@@ -169,13 +170,6 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
   return rows;
 }
 
-void continue_fault_to(BuiltSurfaces& built, Index row, const Walls& walls, const ModelRules& rules,
-                       const BuildLog& log) {
-  Continuing fault(built, row, walls, rules.continuation, rules.continuation.within_of_faults);
-  fault.go_on();
-  fault.tell(log);
-}
-
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
   const SurfaceRules& rule = rules.of(row);
   return built.surfaces[row].triangles.empty() || !rule.continues || rule.extend != Extend::none ||
@@ -185,14 +179,15 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
 /// Horizons continued in the blocks of one framework.
 class HorizonContinuation {
  public:
-  /// `built`: what bounds the blocks; it outlives this, and gets BuiltRows::overshooting.
+  /// `built`: what bounds the blocks, which are copied. It gets BuiltRows::overshooting.
   HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
       : rules_(rules),
         fill_blocks_(fill_blocks),
-        roofs_(horizons_of(built.rows.roofs)),
+        unconformities_(truncating_horizons(built.rows.truncations)),
         ended_(ended_faults(built, rules)),
         framework_(built, rules),
-        cutters_(ended_.surfaces, with_roofs(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})), {}),
+        cutters_(ended_.surfaces, with_unconformities(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})),
+                 {}),
         walls_(ended_.surfaces, rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
                rules.continuation.sides) {}
 
@@ -209,28 +204,28 @@ class HorizonContinuation {
   }
 
  private:
-  std::vector<Index> with_roofs(std::vector<Index> rows) const {
-    rows.insert(rows.end(), roofs_.begin(), roofs_.end());
+  std::vector<Index> with_unconformities(std::vector<Index> rows) const {
+    rows.insert(rows.end(), unconformities_.begin(), unconformities_.end());
     std::ranges::sort(rows);
     return rows;
   }
 
-  /// Blocks above a roof that is younger than the horizon, and below one that is older.
+  /// Blocks above an unconformity that is younger than the horizon, and below one that is older.
   std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
     const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
     std::vector<bool> blocks(framework_.n_blocks(), false);
-    for (const Index roof : roofs_) {
-      if (position(row) == rules_.column.end() || position(roof) == rules_.column.end()) continue;
-      const int side = position(roof) < position(row) ? 1 : -1;
+    for (const Index horizon : unconformities_) {
+      if (position(row) == rules_.column.end() || position(horizon) == rules_.column.end()) continue;
+      const int side = position(horizon) < position(row) ? 1 : -1;
       for (Index b = 0; b < framework_.n_blocks(); ++b)
-        if (framework_.side_of_roof(b, roof) == side) blocks[b] = true;
+        if (framework_.side_of_unconformity(b, horizon) == side) blocks[b] = true;
     }
     return blocks;
   }
 
   const ModelRules& rules_;
   const std::vector<Index>& fill_blocks_;
-  std::vector<Index> roofs_;
+  std::vector<Index> unconformities_;
   EndedFaults ended_;
   BlockFramework framework_;
   Walls cutters_, walls_;
@@ -242,22 +237,24 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   const ContinuationRules& how = rules.continuation;
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
-  const std::vector<TriangulatedSurface> given = built.surfaces;
-  const Walls walls(given, faults, how.sides);
-  built.rows.roofs = fault_roofs(given, rules);
+  built.rows.truncations = fault_truncations(built.surfaces, rules);
+  std::map<Index, Walls> walls_of;  // all are made before any fault is continued
+  const Walls walls(built.surfaces, faults, how.sides);
   for (const Index row : faults) {
     std::vector<Index> own;
-    for (const auto& [fault, roof] : built.rows.roofs)
-      if (fault == row) own.push_back(roof);
-    const bool by_default = ends_by_default(given, rules, row);
-    if (!by_default && own.empty()) continue;
-    if (own.empty()) {
-      continue_fault_to(built, row, walls, rules, log);
-    } else {
-      if (by_default) own.insert(own.end(), faults.begin(), faults.end());
-      continue_fault_to(built, row, Walls(given, own, by_default ? how.sides : std::vector<TriangulatedSurface>{}),
-                        rules, log);
-    }
+    for (const auto& [fault, horizon] : built.rows.truncations)
+      if (fault == row) own.push_back(horizon);
+    if (own.empty()) continue;
+    const bool by_default = ends_by_default(built.surfaces, rules, row);
+    if (by_default) own.insert(own.end(), faults.begin(), faults.end());
+    walls_of.emplace(row, Walls(built.surfaces, own, by_default ? how.sides : std::vector<TriangulatedSurface>{}));
+  }
+  for (const Index row : faults) {
+    const auto own = walls_of.find(row);
+    if (own == walls_of.end() && !ends_by_default(built.surfaces, rules, row)) continue;
+    Continuing fault(built, row, own == walls_of.end() ? walls : own->second, how, how.within_of_faults);
+    fault.go_on();
+    fault.tell(log);
   }
 }
 
@@ -268,20 +265,19 @@ void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std:
   for (const Index row : rows_of(built.surfaces, {SurfaceKind::horizon}))
     if (!keeps_border(built, rules, row)) left.push_back(row);
   if (left.empty()) return;
-  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
-  std::vector<Index> first;  // these become walls of the blocks below
-  for (const Index row : left)
-    if (std::ranges::binary_search(roofs, row)) first.push_back(row);
-  std::erase_if(left, [&](Index row) { return std::ranges::binary_search(roofs, row); });
+  const std::vector<Index> truncating = truncating_horizons(built.rows.truncations);
+  const auto middle = std::ranges::stable_partition(left, [&](Index row) {
+                        return std::ranges::binary_search(truncating, row);
+                      }).begin();
+  const std::vector<Index> first(left.begin(), middle);  // these become walls of the blocks below
+  left.erase(left.begin(), middle);
   if (!first.empty()) {
     BuiltSurfaces above = built;
-    for (const auto& [fault, _] : built.rows.roofs) above.surfaces[fault].triangles.clear();
-    above.rows.roofs.clear();
+    for (const auto& [fault, _] : built.rows.truncations) above.surfaces[fault].triangles.clear();
+    above.rows.truncations.clear();
     HorizonContinuation(above, rules, fill_blocks).run(built, first, log);
   }
-  BuiltSurfaces walls = built;
-  HorizonContinuation continuation(walls, rules, fill_blocks);
-  built.rows.overshooting = walls.rows.overshooting;
+  const HorizonContinuation continuation(built, rules, fill_blocks);
   continuation.run(built, left, log);
 }
 

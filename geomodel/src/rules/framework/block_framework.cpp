@@ -10,7 +10,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/framework/end_on_faults.hpp"
-#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/fault_truncations.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -56,23 +56,23 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   const ModelPlc plc = make_plc(soup, walls.surfaces, {});
   ConstrainedTetrahedralization mesh = tetrahedralize(plc.plc);
   has_tip_.assign(mesh.n_components, false);
-  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
-  const auto roofs_at = [&](Index facet) {
+  const std::vector<Index> unconformities = truncating_horizons(built.rows.truncations);
+  const auto unconformities_at = [&](Index facet) {
     std::vector<Index> at;
     const Index row = plc.facet_soup[plc.facet_soup_offsets[facet]];
     for (Index k = soup.origin_offsets[row]; k < soup.origin_offsets[row + 1]; ++k)
-      if (std::ranges::binary_search(roofs, soup.origins[k].surface)) at.push_back(soup.origins[k].surface);
+      if (std::ranges::binary_search(unconformities, soup.origins[k].surface)) at.push_back(soup.origins[k].surface);
     return at;
   };
   for (const auto& face : mesh.faces) {
     const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
     if (below == above && below != no_index) has_tip_[below] = true;
-    for (const Index roof : roofs_at(face.facet)) {
+    for (const Index horizon : unconformities_at(face.facet)) {
       const Vec3 &a = mesh.points[face.vertices[0]], &b = mesh.points[face.vertices[1]],
                  &c = mesh.points[face.vertices[2]];
       const double up = cross(b - a, c - a).z;
-      side_[{above, roof}] += up;
-      side_[{below, roof}] -= up;
+      side_[{above, horizon}] += up;
+      side_[{below, horizon}] -= up;
     }
   }
   points_ = std::move(mesh.points);
@@ -90,7 +90,7 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   tree_ = std::make_unique<arrangement::BoxTree>(boxes);
 }
 
-int BlockFramework::side_of_roof(Index block, Index horizon) const {
+int BlockFramework::side_of_unconformity(Index block, Index horizon) const {
   const auto at = side_.find({block, horizon});
   return at == side_.end() || at->second == 0 ? 0 : at->second > 0 ? 1 : -1;
 }

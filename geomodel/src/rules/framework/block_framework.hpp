@@ -36,9 +36,9 @@ class BlockFramework {
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
-  /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::roofs), -1 on the lower one,
-  /// 0 where it does not touch the horizon.
-  int side_of_roof(Index block, Index horizon) const;
+  /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::truncations), -1 on the
+  /// lower one, 0 where it does not touch the horizon.
+  int side_of_unconformity(Index block, Index horizon) const;
   const Box3& bounds(Index block) const { return bounds_[block]; }
 
  private:
@@ -47,7 +47,7 @@ class BlockFramework {
   std::vector<Index> block_;  ///< per tetrahedron
   std::vector<bool> has_tip_;
   std::map<std::pair<Index, Index>, double>
-      side_;  ///< by block and roof: area above the roof less area below, in the map
+      side_;  ///< by block and unconformity: area above it less area below, in the map
   std::vector<Box3> bounds_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "rules/framework/end_at_walls.hpp"
-#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/fault_truncations.hpp"
 #include "rules/framework/overshoots.hpp"
 
 namespace geomesh::geomodel {
@@ -65,14 +65,14 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
   const std::vector<Index> faults = faults_of(surfaces);
   for (const Index s : built.overshooting)
     taken.area[s] += remove_overshoots(working, s, without(faults, s), within, surfaces[s].name, taken.notes);
-  end_at_roofs(working, surfaces, built, within, taken.area, taken.notes);
+  truncate_faults(working, surfaces, built, within, taken.area, taken.notes);
 }
 
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds) {
   ArrangedWalls walls{built.surfaces, {}};
-  const std::vector<Index> roofs = horizons_of(built.rows.roofs);
+  const std::vector<Index> unconformities = truncating_horizons(built.rows.truncations);
   for (Index s = 0; s < walls.surfaces.size(); ++s)
-    if (!kinds.contains(walls.surfaces[s].kind) && !std::ranges::binary_search(roofs, s))
+    if (!kinds.contains(walls.surfaces[s].kind) && !std::ranges::binary_search(unconformities, s))
       walls.surfaces[s].triangles.clear();
   ArrangementOptions options;
   if (rules.continuation.sides.size() == 1)  // a box is one surface

@@ -21,7 +21,8 @@ struct TakenOff {
 };
 
 /// Removes what lies beyond the faults on which faults end: continuations (end_at_walls), and what
-/// BuiltRows::overshooting faults have beyond other faults, and faults beyond their roofs, up to `within` (m).
+/// BuiltRows::overshooting faults have beyond other faults, and faults beyond the unconformities that truncate them, up
+/// to `within` (m).
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                 double within, const TakenOff& taken);
 
@@ -30,7 +31,8 @@ struct ArrangedWalls {
   std::vector<TriangulatedSurface> surfaces;  ///< those built, without triangles where not asked for; then the sides
   PolygonSoup soup;
 };
-/// Of the kinds asked for, and the roofs of faults. Expects ContinuationRules::sides.
+/// Surfaces of the kinds asked for, and the unconformities that truncate faults, cut by each other and by the sides of
+/// the model. Expects ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
 /// Faults and what is left of their borders.

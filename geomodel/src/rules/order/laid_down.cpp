@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geomesh/core/error.hpp"
+#include "rules/framework/fault_truncations.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -83,10 +84,7 @@ UnitRange LaidDown::units_at(const Vec3& p) const {
 
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules) {
-  for (Index s = 0; s < surfaces.size(); ++s)
-    if (rules.of(s).base == BaseRule::erode ||
-        std::ranges::any_of(built.roofs, [&](const auto& roof) { return roof.second == s; }))
-      naming.unconformities.push_back(surfaces[s].name);
+  naming.unconformities = unconformities(surfaces, built, rules);
   if (rules.column.empty() || rules.column.size() / 2 > most_horizons) return naming;
   const auto laid_down = std::make_shared<std::optional<LaidDown>>();
   naming.units_at = [laid_down, &surfaces, &built, &rules](const Vec3& p) {

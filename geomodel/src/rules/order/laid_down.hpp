@@ -45,8 +45,8 @@ class LaidDown {
   Keepers keepers_;
 };
 
-/// The naming rules with LaidDown::units_at: nothing is told without a column, or with more than `most_horizons`.
-/// Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
+/// The naming rules with the model's unconformities and LaidDown::units_at, which tells nothing without a column, or
+/// with more than `most_horizons`. Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules);
 

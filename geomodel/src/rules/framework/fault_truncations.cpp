@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/framework/fault_roofs.hpp"
+#include "rules/framework/fault_truncations.hpp"
 
 #include <algorithm>
 #include <array>
@@ -78,8 +78,8 @@ class Horizons {
     }
   }
 
-  /// Those at which a fault with this upper border ends.
-  std::vector<Index> roofs_of(const std::vector<Vec3>& border) const {
+  /// The horizons that truncate a fault with this upper border.
+  std::vector<Index> truncating(const std::vector<Vec3>& border) const {
     std::vector<Index> rows;
     std::optional<Index> best;
     double farthest = within_;
@@ -109,10 +109,10 @@ class Horizons {
 
 }  // namespace
 
-std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedSurface>& surfaces,
-                                                 const ModelRules& rules) {
-  std::vector<std::pair<Index, Index>> roofs;
-  if (!(rules.continuation.within_of_faults > 0)) return roofs;
+std::vector<std::pair<Index, Index>> fault_truncations(const std::vector<TriangulatedSurface>& surfaces,
+                                                       const ModelRules& rules) {
+  std::vector<std::pair<Index, Index>> truncations;
+  if (!(rules.continuation.within_of_faults > 0)) return truncations;
   std::optional<Horizons> horizons;
   for (Index s = 0; s < surfaces.size(); ++s) {
     const SurfaceRules rule = rules.of(s);
@@ -122,22 +122,32 @@ std::vector<std::pair<Index, Index>> fault_roofs(const std::vector<TriangulatedS
     const std::vector<Vec3> border = upper_border(surfaces[s], rules.continuation.bounds);
     if (border.empty()) continue;
     if (!horizons) horizons.emplace(surfaces, rules);
-    for (const Index h : horizons->roofs_of(border)) roofs.emplace_back(s, h);
+    for (const Index h : horizons->truncating(border)) truncations.emplace_back(s, h);
   }
-  return roofs;
+  return truncations;
 }
 
-std::vector<Index> horizons_of(const std::vector<std::pair<Index, Index>>& roofs) {
+std::vector<Index> truncating_horizons(const std::vector<std::pair<Index, Index>>& truncations) {
   std::vector<Index> rows;
-  for (const auto& [_, horizon] : roofs) rows.push_back(horizon);
+  for (const auto& [_, horizon] : truncations) rows.push_back(horizon);
   std::ranges::sort(rows);
   rows.erase(std::ranges::unique(rows).begin(), rows.end());
   return rows;
 }
 
-void end_at_roofs(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
-                  double within, std::vector<double>& area, std::vector<std::string>& notes) {
-  for (const auto& [fault, horizon] : built.roofs)
+std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                                        const ModelRules& rules) {
+  const std::vector<Index> truncating = truncating_horizons(built.truncations);
+  std::vector<std::string> names;
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (rules.of(s).base == BaseRule::erode || std::ranges::binary_search(truncating, s))
+      names.push_back(surfaces[s].name);
+  return names;
+}
+
+void truncate_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                     double within, std::vector<double>& area, std::vector<std::string>& notes) {
+  for (const auto& [fault, horizon] : built.truncations)
     area[fault] += remove_overshoots(working, fault, {horizon}, within, surfaces[fault].name, notes);
 }
 
