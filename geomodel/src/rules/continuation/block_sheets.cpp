@@ -201,9 +201,9 @@ class Continuation {
 
 }  // namespace
 
-DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting) {
-  const auto& [framework, cutters, walls, box, within, fills_blocks, is_left_out] = setting;
-  const auto states = border_states(horizon, row, walls, box, fills_blocks ? norm(box.max - box.min) : within);
+DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
+                                  const BlockSetting& setting) {
+  const auto& [framework, cutters, walls, within, fills_blocks, is_left_out] = setting;
   const HorizonDivision division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "rules/continuation/border_chains.hpp"
 #include "rules/continuation/walls.hpp"
 #include "rules/framework/block_framework.hpp"
 
@@ -34,18 +35,19 @@ struct BlockSetting {
   const BlockFramework& framework;
   const Walls& cutters;  ///< faults and bodies
   const Walls& walls;    ///< horizons and the sides, too
-  const Box3& box;       ///< of the model
   double within = 0;     ///< m
   /// Places are filled however far from the data of their block they are.
   bool fills_blocks = false;
   std::vector<bool> is_left_out{};  ///< per block: the horizon has no place there; empty: none
 };
 
-/// Continues the horizon in each block. In the map, a place of the block is filled unless a disc of diameter
-/// `within` that meets neither what is given nor a wall covers it: gaps narrower than the distance are closed whatever
-/// their length, and where the horizon ends in the open its border stays open. What is filled hangs together with the
-/// border that it continues. Heights are those of the nearest place of the border, with its slope up to the distance.
-/// O(n log n) in the triangles, and the product of border edges and grid places in a block.
-DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BlockSetting& setting);
+/// Continues the horizon in each block, from the edges of its border that have walls before them. In the map, a place
+/// of the block is filled unless a disc of diameter `within` that meets neither what is given nor a wall covers it:
+/// gaps narrower than the distance are closed whatever their length, and where the horizon ends in the open its border
+/// stays open. What is filled hangs together with the border that it continues. Heights are those of the nearest place
+/// of the border, with its slope up to the distance. O(n log n) in the triangles, and the product of border edges and
+/// grid places in a block.
+DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
+                                  const BlockSetting& setting);
 
 }  // namespace geomesh::geomodel

@@ -210,10 +210,9 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
 
 }  // namespace
 
-std::map<std::pair<VertexIndex, VertexIndex>, BorderState> border_states(const TriangulatedSurface& surface, Index row,
-                                                                         const Walls& walls, const Box3& box,
-                                                                         double within) {
-  std::map<std::pair<VertexIndex, VertexIndex>, BorderState> states;
+BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
+                           double within) {
+  BorderStates states;
   for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
     for (const LoopEdge& e : loop)
       states[{e.a, e.b}] = !e.goes_on || e.is_beyond ? BorderState::met_wall

@@ -18,11 +18,12 @@ enum class BorderState {
   before_wall,  ///< the surface stops short of a wall
   met_wall,     ///< a wall cuts the edge off from the surface, or the surface ends on it
 };
-/// Per border edge, in the direction of its triangle over the first of equal points. What is near is as
-/// chains_before_walls has it. O(edges) searches.
-std::map<std::pair<VertexIndex, VertexIndex>, BorderState> border_states(const TriangulatedSurface& surface, Index row,
-                                                                         const Walls& walls, const Box3& box,
-                                                                         double within);
+using MapEdge = std::pair<VertexIndex, VertexIndex>;
+/// By border edge, in the direction of its triangle over the first of equal points.
+using BorderStates = std::map<MapEdge, BorderState>;
+/// What is near is as chains_before_walls has it. O(edges) searches.
+BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
+                           double within);
 
 /// A run of border edges with walls before them.
 struct BorderChain {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "naming/region_facts.hpp"
@@ -35,9 +36,9 @@ class Continuing {
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
-  void go_on_in(const BlockSetting& setting, const std::vector<FaultTip>& tips) {
+  void go_on_in(const BorderStates& states, const BlockSetting& setting, const std::vector<FaultTip>& tips) {
     begin();
-    DividedHorizon divided = continue_in_blocks(surface(), row_, setting);
+    DividedHorizon divided = continue_in_blocks(surface(), row_, states, setting);
     if (std::find(divided.is_continued.begin(), divided.is_continued.end(), false) != divided.is_continued.end()) {
       const std::vector<Frame> frames = frames_along(surface(), tips);
       const auto counts = [&](const Vec3& p) {
@@ -179,26 +180,32 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
 /// Horizons continued in the blocks of one framework.
 class HorizonContinuation {
  public:
-  /// `built`: what bounds the blocks, which are copied. It gets BuiltRows::overshooting.
+  /// `built`: what bounds the blocks; it outlives this, and gets BuiltRows::overshooting. Horizons that are continued
+  /// may be those of `built` itself, unless they bound blocks.
   HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
-      : rules_(rules),
+      : built_(built),
+        rules_(rules),
         fill_blocks_(fill_blocks),
         unconformities_(truncating_horizons(built.rows.truncations)),
         ended_(ended_faults(built, rules)),
-        framework_(built, rules),
         cutters_(ended_.surfaces, with_unconformities(rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body})),
                  {}),
         walls_(ended_.surfaces, rows_of(built.surfaces, {SurfaceKind::fault, SurfaceKind::body, SurfaceKind::horizon}),
                rules.continuation.sides) {}
 
-  void run(BuiltSurfaces& built, const std::vector<Index>& rows, const BuildLog& log) const {
+  void run(BuiltSurfaces& built, const std::vector<Index>& rows, const BuildLog& log) {
     const ContinuationRules& how = rules_.continuation;
     for (const Index row : rows) {
-      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
       const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
-      horizon.go_on_in({framework_, cutters_, walls_, how.bounds, how.within_of_horizons, fills_blocks,
-                        left_out(built.surfaces, row)},
-                       ended_.tips);
+      const double within = fills_blocks ? norm(how.bounds.max - how.bounds.min) : how.within_of_horizons;
+      const BorderStates states = border_states(built.surfaces[row], row, walls_, how.bounds, within);
+      const auto has_met_wall = [](const auto& edge) { return edge.second == BorderState::met_wall; };
+      if (std::ranges::all_of(states, has_met_wall)) continue;
+      if (!framework_) framework_.emplace(built_, rules_);
+      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
+      horizon.go_on_in(
+          states, {*framework_, cutters_, walls_, how.within_of_horizons, fills_blocks, left_out(built.surfaces, row)},
+          ended_.tips);
       horizon.tell(log);
     }
   }
@@ -213,21 +220,22 @@ class HorizonContinuation {
   /// Blocks above an unconformity that is younger than the horizon, and below one that is older.
   std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
     const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
-    std::vector<bool> blocks(framework_.n_blocks(), false);
+    std::vector<bool> blocks(framework_->n_blocks(), false);
     for (const Index horizon : unconformities_) {
       if (position(row) == rules_.column.end() || position(horizon) == rules_.column.end()) continue;
       const int side = position(horizon) < position(row) ? 1 : -1;
-      for (Index b = 0; b < framework_.n_blocks(); ++b)
-        if (framework_.side_of_unconformity(b, horizon) == side) blocks[b] = true;
+      for (Index b = 0; b < framework_->n_blocks(); ++b)
+        if (framework_->side_of_unconformity(b, horizon) == side) blocks[b] = true;
     }
     return blocks;
   }
 
+  const BuiltSurfaces& built_;
   const ModelRules& rules_;
   const std::vector<Index>& fill_blocks_;
   std::vector<Index> unconformities_;
   EndedFaults ended_;
-  BlockFramework framework_;
+  std::optional<BlockFramework> framework_;  ///< made when the first horizon needs it
   Walls cutters_, walls_;
 };
 
@@ -277,7 +285,7 @@ void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std:
     above.rows.truncations.clear();
     HorizonContinuation(above, rules, fill_blocks).run(built, first, log);
   }
-  const HorizonContinuation continuation(built, rules, fill_blocks);
+  HorizonContinuation continuation(built, rules, fill_blocks);
   continuation.run(built, left, log);
 }
 

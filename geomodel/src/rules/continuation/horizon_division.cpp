@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 
 HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                 const Walls& cutters, const std::map<MapEdge, BorderState>& states)
+                                 const Walls& cutters, const BorderStates& states)
     : horizon_(horizon), framework_(framework) {
   for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
   const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);

@@ -15,15 +15,13 @@
 
 namespace geomesh::geomodel {
 
-using MapEdge = std::pair<VertexIndex, VertexIndex>;
-
 /// The triangles of a horizon with their blocks and neighbours. A triangle with an edge that a wall cuts belongs to no
 /// block. Refers to the horizon and the framework, which outlive it.
 class HorizonDivision {
  public:
   /// `cutters`: faults and bodies. `states`: of the horizon's border.
   HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
-                  const std::map<MapEdge, BorderState>& states);
+                  const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< over the first of equal points
   /// The state of an edge at which the horizon ends; nothing where it goes on.
