@@ -190,6 +190,11 @@ void leave_out_unreached_faults(const std::vector<TriangulatedSurface>& surfaces
 BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
                              const RunContext& context = {});
 
+/// Names of the horizons that cut what is older: those that erode, and those that truncate faults.
+/// Cost: surfaces times the logarithm of the truncations.
+std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                                        const ModelRules& rules);
+
 struct TrimmedSoup {
   PolygonSoup soup;
   std::vector<double> area_removed;  ///< per surface

@@ -11,7 +11,6 @@
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"
 #include "level_sets/level_surfaces.hpp"
-#include "rules/framework/fault_truncations.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {

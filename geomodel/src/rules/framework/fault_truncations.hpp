@@ -23,10 +23,6 @@ std::vector<std::pair<Index, Index>> fault_truncations(const std::vector<Triangu
 /// The horizons among these, ascending.
 std::vector<Index> truncating_horizons(const std::vector<std::pair<Index, Index>>& truncations);
 
-/// Names of the horizons that cut what is older: those that erode, and those that truncate faults.
-std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
-                                        const ModelRules& rules);
-
 /// Takes off the soup what faults have beyond the horizons that truncate them, up to `within` (m). Adds the area to
 /// that of the surface, and tells it in the notes.
 void truncate_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,

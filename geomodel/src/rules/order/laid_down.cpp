@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "geomesh/core/error.hpp"
-#include "rules/framework/fault_truncations.hpp"
 
 namespace geomesh::geomodel {
 namespace {
