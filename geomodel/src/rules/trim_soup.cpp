@@ -247,7 +247,7 @@ void trim_overshoots(Trimming& work) {
     for (Index c = 0; c < work.surfaces.size(); ++c)
       if (c != s && work.surfaces[c].kind != SurfaceKind::box) cutters.push_back(c);
     work.removed[s] +=
-        remove_overshoots(work.working, s, cutters, work.rules.trim_overshoot, work.surfaces[s].name, work.notes);
+        remove_overshoots(work.working, {s, cutters, work.rules.trim_overshoot}, work.surfaces[s].name, work.notes);
   }
 }
 

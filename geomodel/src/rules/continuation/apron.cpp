@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rules/continuation/apron.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "common/union_find.hpp"
@@ -126,6 +127,15 @@ class SidedApron {
     return false;
   }
 
+  /// The side of the border vertex from which an edge of the border leads to v, if a wall on that edge cuts v off.
+  Index side_before(Index v) const {
+    if (v >= grid_.n_border()) return no_index;
+    const std::size_t n = grid_.chain().n_edges();
+    if (v < n && border_.cut_off[v] == 1) return side_[grid_.chain().end_of(v)];
+    const std::size_t before = v > 0 ? v - 1 : n - 1;
+    return grid_.chain().end_of(before) == v && border_.cut_off[before] == 2 ? side_[before] : no_index;
+  }
+
   void copy_triangles() {
     std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls by sides of triangles
     std::vector<const Corners*> unseen;
@@ -133,7 +143,11 @@ class SidedApron {
       const std::set<Index> sides = sides_of(t);
       if (sides.empty()) unseen.push_back(&t);
       if (sides.size() > 1 && runs_on(t)) {
-        add({row_of(t[0]), row_of(t[1]), row_of(t[2])}, *sides.begin());
+        const auto beyond = std::ranges::find_if(t, [&](Index v) { return sides.contains(side_before(v)); });
+        if (beyond != t.end())
+          copy(t, side_before(*beyond));
+        else
+          add({row_of(t[0]), row_of(t[1]), row_of(t[2])}, *sides.begin());
         continue;
       }
       for (const Index side : sides) {
@@ -180,6 +194,7 @@ class SidedApron {
   }
   /// A node at the place of another one with the height of a side; no_vertex where that side has no border near.
   VertexIndex twin_of(Index v, Index side) {
+    if (side_before(v) == side) return row_of(v);  // the border leads there
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;
@@ -201,7 +216,6 @@ class SidedApron {
   UnpartedEdges edges_;
   std::vector<Index> side_;  ///< per node: the first node of its side; no_index where nothing sees it
   std::set<std::pair<Index, Index>> parted_border_;
-  std::map<VertexIndex, std::set<VertexIndex>> ring_;    ///< neighbours of the surface's vertices, once asked for
   std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< by node and side (no_index: its own)
   std::map<Index, Index> number_of_side_;
   bool faces_up_;

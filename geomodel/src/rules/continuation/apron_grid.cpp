@@ -19,6 +19,7 @@ constexpr double room_at_border = 0.5;
 ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                      const ApronSetting& setting)
     : row_(row),
+      border_(chain),
       walls_(walls),
       frame_(setting.frame),
       within_(setting.within),
@@ -40,8 +41,17 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
+/// A place of the border that a wall cuts off from the surface sees nothing for it.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
-  const auto hit = walls_.first_surface(frame_.to_model(chain_.foot(at)), node.point, row_);
+  const std::uint8_t cut_off = border_.cut_off[at.edge];
+  if (cut_off == 3) return true;
+  const Vec3 foot = frame_.to_model(chain_.foot(at));
+  std::optional<Walls::Hit> hit;
+  if (cut_off != 0) {
+    const std::size_t kept = cut_off == 1 ? chain_.end_of(at.edge) : at.edge;
+    hit = walls_.first_surface(nodes_[kept].point, foot, row_);
+  }
+  if (!hit) hit = walls_.first_surface(foot, node.point, row_);
   if (hit) crossed_.insert(hit->surface);
   return hit.has_value();
 }

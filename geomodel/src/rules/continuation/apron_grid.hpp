@@ -47,6 +47,7 @@ class ApronGrid {
   void leave_out_open();
 
   Index row_;
+  const BorderChain& border_;
   const Walls& walls_;
   const Frame& frame_;
   double within_;

@@ -36,8 +36,8 @@ class OpenPlaces {
  public:
   OpenPlaces(const Walls& walls, Index row, double radius) : walls_(walls), row_(row), radius_(radius) {}
 
-  /// The disc about a place of the horizon, unless it meets a wall, along the sheet in four directions of the map. A
-  /// wall that holds the place counts.
+  /// The disc about a place of the horizon, unless it meets a wall, along the sheet in four directions of the map, or
+  /// the disc of twice its radius meets walls on opposite sides. A wall that holds the place counts.
   void add(const Vec3& centre, const Vec2& slope) {
     constexpr int n_lines = 4;
     for (int k = 0; k < n_lines; ++k) {
@@ -45,6 +45,8 @@ class OpenPlaces {
       const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
       const Vec3 way{x, y, slope.x * x + slope.y * y};
       if (walls_.first_hit(centre - way, centre + way, row_)) return;
+      if (walls_.first_hit(centre, centre + 2.0 * way, row_) && walls_.first_hit(centre, centre - 2.0 * way, row_))
+        return;
     }
     centres_.push_back(centre);
   }

@@ -21,6 +21,7 @@ struct LoopEdge {
   Index triangle;
   double length;
   bool goes_on = true;              ///< false where the surface has met its wall
+  std::uint8_t cut_off = 0;         ///< BorderChain::cut_off
   bool is_beyond = false;           ///< its middle lies outside of the model
   bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
   std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
@@ -126,6 +127,7 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
     chain.vertices.push_back(e.a);
     chain.triangles.push_back(e.triangle);
     chain.goes_on.push_back(e.goes_on);
+    chain.cut_off.push_back(e.cut_off);
     if (!e.goes_on || !e.counts) continue;
     chain.walls.push_back(e.hit->surface);
     chain.length += e.length;
@@ -190,7 +192,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
         loop.push_back(e);
         continue;
       }
-      e.goes_on = !(cut_off.holds(a) && cut_off.holds(b));
+      e.cut_off = static_cast<std::uint8_t>((cut_off.holds(a) ? 1 : 0) + (cut_off.holds(b) ? 2 : 0));
+      e.goes_on = e.cut_off != 3;
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))

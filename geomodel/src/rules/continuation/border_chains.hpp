@@ -30,6 +30,7 @@ struct BorderChain {
   std::vector<VertexIndex> vertices;  ///< rows of the surface; edge k joins vertex k and the next
   std::vector<Index> triangles;       ///< per edge: the triangle of the surface there
   std::vector<std::uint8_t> goes_on;  ///< per edge: 0 where the surface has met its wall already
+  std::vector<std::uint8_t> cut_off;  ///< per edge, by bits: 1 where a wall cuts its first vertex off, 2 its second
   bool closed = false;                ///< the last vertex is joined to the first
   std::vector<Index> walls;  ///< surfaces before its edges in the model, ascending; Walls::side_of_volume among them
   double farthest = 0;       ///< distance to the farthest wall that its edges meet first, m

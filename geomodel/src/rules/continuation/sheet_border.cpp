@@ -55,9 +55,11 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
     if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
     const Vec3 n = normal(horizon, *use.second);
     const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
-    edges_.push_back(
-        {points_[a], points_[b], is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
+    edges_.push_back({a, b, is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
   }
+  has_met_wall_.assign(points_.size(), true);
+  for (const Edge& e : edges_)
+    if (!e.has_met_wall) has_met_wall_[e.a] = has_met_wall_[e.b] = false;
 }
 
 SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
@@ -65,13 +67,14 @@ SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
   Vec2 slope{0, 0};
   bool has_met_wall = false;
   for (const Edge& e : edges_) {
-    const double dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, l2 = dx * dx + dy * dy;
-    const double t = l2 > 0 ? std::clamp(((p.x - e.a.x) * dx + (p.y - e.a.y) * dy) / l2, 0.0, 1.0) : 0.0;
-    const Vec3 foot = e.a + t * (e.b - e.a);
+    const Vec3 &a = points_[e.a], &b = points_[e.b];
+    const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
+    const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
+    const Vec3 foot = a + t * (b - a);
     const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
     if (!(d < least)) continue;
     least = d;
-    has_met_wall = e.has_met_wall;
+    has_met_wall = t <= 0 ? has_met_wall_[e.a] : t >= 1 ? has_met_wall_[e.b] : e.has_met_wall;
     slope = d > within_ ? Vec2{0, 0} : e.slope;
     const double share = d > within_ ? within_ / d : 1;
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);

@@ -42,7 +42,7 @@ class SheetBorder {
 
  private:
   struct Edge {
-    Vec3 a, b;
+    Index a, b;
     Vec2 slope;
     bool has_met_wall;
   };
@@ -53,6 +53,7 @@ class SheetBorder {
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
+  std::vector<bool> has_met_wall_;  ///< per point: all edges there have
   bool faces_up_ = true;
 };
 

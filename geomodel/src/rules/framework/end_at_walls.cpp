@@ -7,6 +7,11 @@
 
 namespace geomesh::geomodel {
 
+std::span<const Index> part_of(const BuiltRows& built, Index row) {
+  return row < built.part_of_triangle.size() ? std::span<const Index>(built.part_of_triangle[row])
+                                             : std::span<const Index>();
+}
+
 double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                     Index row) {
   const auto origins_of = [&](Index f) { return std::span<const PolygonSoup::Origin>(working.origins[f]); };

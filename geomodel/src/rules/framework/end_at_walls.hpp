@@ -3,10 +3,15 @@
 /// Continuations in the arranged soup: what lies beyond the wall is removed.
 #pragma once
 
+#include <span>
+
 #include "geomesh/geomodel/model_rules.hpp"
 #include "rules/planar/pieces.hpp"
 
 namespace geomesh::geomodel {
+
+/// BuiltRows::part_of_triangle of a surface; empty where nothing continued it.
+std::span<const Index> part_of(const BuiltRows& built, Index row);
 
 /// Removes from the soup the parts of continuations of surface `row` that the walls at which they end
 /// (BuiltRows::continued_to) cut off from what was given. A continuation hangs together with what was given where both

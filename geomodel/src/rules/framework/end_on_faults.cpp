@@ -64,7 +64,8 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
       taken.area[s] += end_at_walls(working, surfaces, built, s);
   const std::vector<Index> faults = faults_of(surfaces);
   for (const Index s : built.overshooting)
-    taken.area[s] += remove_overshoots(working, s, without(faults, s), within, surfaces[s].name, taken.notes);
+    taken.area[s] +=
+        remove_overshoots(working, {s, without(faults, s), within, part_of(built, s)}, surfaces[s].name, taken.notes);
   truncate_faults(working, surfaces, built, within, taken.area, taken.notes);
 }
 
@@ -93,7 +94,7 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
   const double within = rules.continuation.within_of_faults;
   for (const Index s : faults)
     if (within > 0 && ends_by_default(built.surfaces, rules, s) &&
-        !overshoots_of(working, s, without(faults, s), within).empty())
+        !overshoots_of(working, {s, without(faults, s), within, part_of(built.rows, s)}).empty())
       built.rows.overshooting.push_back(s);
   std::vector<double> area(alone.size(), 0);
   std::vector<std::string> notes;  // told where the model's own soup is cut

@@ -9,6 +9,7 @@
 
 #include "geomesh/core/surface_distance.hpp"
 #include "naming/sums.hpp"
+#include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/overshoots.hpp"
 #include "rules/planar/borders.hpp"
 
@@ -22,14 +23,14 @@ bool is_inside(const Box3& box, const Vec3& p) {
 /// The ends of border edges, with the place along strike first and the height last.
 using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
 
-/// Whether an edge passes over a place.
+/// Whether an edge passes over a place. The first of two edges that meet above it does.
 bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   const auto& [a, b] = edge;
-  if (std::min(a[0], b[0]) >= place[0] || std::max(a[0], b[0]) <= place[0]) return false;
+  if (std::min(a[0], b[0]) > place[0] || std::max(a[0], b[0]) <= place[0]) return false;
   return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// Border vertices in the model that no border edge passes over, as seen along the fault.
+/// Middles, in the model, of the border edges that no other one passes over, as seen along the fault.
 std::vector<Vec3> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
@@ -37,10 +38,12 @@ std::vector<Vec3> upper_border(const TriangulatedSurface& fault, const Box3& box
   std::vector<SeenAlongStrike> edges;
   for (const BorderEdge& e : border) edges.push_back({seen(fault.points[e.a]), seen(fault.points[e.b])});
   std::vector<Vec3> upper;
-  for (const BorderEdge& e : border) {
-    const Vec3& p = fault.points[e.a];
-    if (is_inside(box, p) && std::ranges::none_of(edges, [&](const auto& edge) { return is_over(edge, seen(p)); }))
-      upper.push_back(p);
+  for (Index e = 0; e < border.size(); ++e) {
+    const Vec3 middle = 0.5 * (fault.points[border[e].a] + fault.points[border[e].b]);
+    if (edges[e][0][0] == edges[e][1][0] || !is_inside(box, middle)) continue;
+    bool is_upper = true;
+    for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));
+    if (is_upper) upper.push_back(middle);
   }
   return upper;
 }
@@ -148,7 +151,8 @@ std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& 
 void truncate_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                      double within, std::vector<double>& area, std::vector<std::string>& notes) {
   for (const auto& [fault, horizon] : built.truncations)
-    area[fault] += remove_overshoots(working, fault, {horizon}, within, surfaces[fault].name, notes);
+    area[fault] +=
+        remove_overshoots(working, {fault, {horizon}, within, part_of(built, fault)}, surfaces[fault].name, notes);
 }
 
 }  // namespace geomesh::geomodel

@@ -30,13 +30,18 @@ std::vector<EdgeEnds> contacts_of(const WorkingSoup& working, const Piece& piece
   return contacts;
 }
 
-bool reaches_beyond_contacts(const WorkingSoup& working, const Piece& piece, const std::vector<Index>& cutters,
-                             double limit) {
-  const std::vector<EdgeEnds> contacts = contacts_of(working, piece, cutters);
+bool is_given(const WorkingSoup& working, Index facet, const MeantEnd& end) {
+  return end.part.empty() || std::ranges::any_of(working.origins[facet], [&](const PolygonSoup::Origin& o) {
+           return o.surface == end.surface && end.part[o.triangle] == 0;
+         });
+}
+
+bool reaches_beyond_contacts(const WorkingSoup& working, const Piece& piece, const MeantEnd& end) {
+  const std::vector<EdgeEnds> contacts = contacts_of(working, piece, end.cutters);
   const auto& points = working.soup.points;
   return std::ranges::any_of(piece.facets, [&](Index f) {
     const Triangle& t = working.soup.facets[f];
-    return reaches_beyond({points[t[0]], points[t[1]], points[t[2]]}, contacts, limit);
+    return is_given(working, f, end) && reaches_beyond({points[t[0]], points[t[1]], points[t[2]]}, contacts, end.limit);
   });
 }
 
@@ -62,24 +67,24 @@ bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) 
 
 }  // namespace
 
-std::vector<Piece> overshoots_of(const WorkingSoup& working, Index s, const std::vector<Index>& cutters, double limit) {
-  std::vector<Piece> pieces = pieces_of(working, s, cutters, nullptr);
+std::vector<Piece> overshoots_of(const WorkingSoup& working, const MeantEnd& end) {
+  std::vector<Piece> pieces = pieces_of(working, end.surface, end.cutters, nullptr);
   double largest = 0;
   for (const Piece& piece : pieces) largest = std::max(largest, piece.area);
   std::erase_if(pieces, [&](const Piece& piece) {
     return piece.free_border == 0 || piece.contact == 0 || piece.area == largest ||
-           reaches_beyond_contacts(working, piece, cutters, limit) || something_ends_on(working, piece, s);
+           reaches_beyond_contacts(working, piece, end) || something_ends_on(working, piece, end.surface);
   });
   return pieces;
 }
 
-double remove_overshoots(WorkingSoup& working, Index s, const std::vector<Index>& cutters, double limit,
-                         const std::string& name, std::vector<std::string>& notes) {
+double remove_overshoots(WorkingSoup& working, const MeantEnd& end, const std::string& name,
+                         std::vector<std::string>& notes) {
   double area = 0;
-  const std::vector<Piece> pieces = overshoots_of(working, s, cutters, limit);
+  const std::vector<Piece> pieces = overshoots_of(working, end);
   if (pieces.empty()) return 0;
   const Vec3 place = working.centre(pieces.back().largest);
-  for (const Piece& piece : pieces) area += working.remove(piece.facets, s);
+  for (const Piece& piece : pieces) area += working.remove(piece.facets, end.surface);
   notes.push_back("surface " + name + ": " + std::to_string(pieces.size()) + " overshooting pieces removed (area " +
                   to_text(area) + ", one near " + to_text(place) + ")");
   return area;
