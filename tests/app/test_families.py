@@ -30,9 +30,13 @@ class Families(ProgramTest):
         self.assert_right("thrust")
 
     def test_faults_that_cross_and_meet_each_other(self):
-        """Sheets of two blocks lie at one height in the last one: beyond the fault between them they were merged, which left a hole."""
+        """Sheets of two blocks lie at one height in the second one: beyond the fault between them they were merged, which left a hole."""
         self.assert_right("conjugate")
         self.assert_right("conjugate", (5,))
+
+    def test_faults_that_end_on_another_one_in_teeth(self):
+        """Teeth that lie beyond the other fault left stubs and slits; in the first model teeth were taken for an upper border that a horizon truncates."""
+        self.assert_right("conjugate", (3, 8, 21))
 
     def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
         """In the second one horizons ended at a piece of a fault that was cut off later."""
