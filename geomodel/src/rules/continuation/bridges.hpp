@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "rules/continuation/walls.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/framework/fault_tip.hpp"
 #include "rules/planar/borders.hpp"
 

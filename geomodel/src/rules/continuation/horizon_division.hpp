@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "rules/continuation/border_chains.hpp"
-#include "rules/continuation/walls.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/framework/block_framework.hpp"
 
 namespace geomesh::geomodel {
