@@ -88,6 +88,9 @@ class Lens(Family):
         else:
             self.rules = ["rules: {min_thickness: 10, thin_layers: collapse}"]
 
+    def size(self):
+        return 350.0
+
     def outwards(self, x, y):
         """0 in the middle of the lens, 1 at its rim."""
         if self.is_wedge:

@@ -61,12 +61,13 @@ def indexed(triangles):
 
 
 class Intrusion(PlaneFaults):
-    """A near-vertical dyke of 40 to 150 m (even models) or a pluton that leaves the box through its base (odd models), in three layers. A later normal
-    fault has displaced all along its dip. The body is given as two closed parts, each closed along the fault."""
+    """A near-vertical dyke of 40 to 150 m (even models) or a pluton that leaves the box through its base (odd models), in three layers. A later
+    normal fault has displaced all along its dip. The body is given as two closed parts, which end at the fault, or some metres before it
+    (models 2, 3 of each four)."""
     step = 120.0
 
     def __init__(self, seed):
-        self.is_dyke = seed % 2 == 0
+        self.is_dyke, self.ends_before = seed % 2 == 0, seed % 4 >= 2
         super().__init__(seed)
 
     def make(self):
@@ -82,6 +83,9 @@ class Intrusion(PlaneFaults):
         self.throw = c.uniform(80, 250)
         self.faults["f0"] = self.fault_sheet(0)
         self.bodies["intrusion"] = joined([indexed(self.part(hanging)) for hanging in (False, True)])
+
+    def size(self):
+        return 300.0 if self.is_dyke else 400.0
 
     def slip(self):
         """How far the hanging wall was displaced, down the dip of the fault."""
