@@ -57,6 +57,29 @@ class Families(ProgramTest):
         self.assert_right("dying_fault")
         self.assert_right("dying_fault", (2,))
 
+    def test_grids_with_noise_and_undefined_strips_along_faults(self):
+        self.assert_right("noisy_grid", (4,))
+        self.assert_right("noisy_grid", (4,), "careful")
+
+    def test_growth_faults_on_two_listric_faults(self):
+        self.assert_right("growth_fault", (1,))
+        self.assert_right("growth_fault", (1,), "careful")
+
+    def test_growth_faults_that_die_out(self):
+        self.assert_right("growth_fault", (4,), "careful")
+
+    def test_picks_of_a_few_wells(self):
+        self.assert_right("sparse_picks", (0, 2))
+
+    def test_lenses_between_horizons_that_cross_and_as_a_body(self):
+        self.assert_right("lens", (1, 2), "careful")
+
+    def test_a_channel_whose_base_is_given_over_the_whole_map(self):
+        self.assert_right("channel", (1,), "careful")
+
+    def test_a_dyke_cut_by_a_later_fault(self):
+        self.assert_right("intrusion", (2,))
+
 
 if __name__ == "__main__":
     main()
