@@ -112,8 +112,8 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
   if (count > most && settings.gaps_by_default) {
     options.size.gap_layers = 0;
     CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
-    // If many faults cross, the count remains high without gaps, and elements would be flat in vain.
-    if (without_gaps.estimate.total() <= most) {
+    // Elsewhere the count remains high without gaps, and elements would be flat in vain.
+    if (without_gaps.estimate.total() < count / 2) {
       chosen = std::move(without_gaps);
       chosen.count_with_gaps = count;
     }
