@@ -31,12 +31,12 @@ bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// A place of the upper border, and the way in the fault's plane that leads away from it.
+/// A place of the upper border, and the corner of its triangle that is opposite to the border.
 struct UpperPlace {
-  Vec3 at, down;
+  Vec3 at, opposite;
 };
 
-/// Middles, in the model, of the border edges that no other one passes over, as seen along the fault.
+/// Middles, in the model, of the border edges along strike that no other one passes over, as seen along the fault.
 std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
@@ -47,14 +47,13 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
   for (Index e = 0; e < border.size(); ++e) {
     const Vec3 &a = fault.points[border[e].a], &b = fault.points[border[e].b];
     const Vec3 middle = 0.5 * (a + b);
-    if (edges[e][0][0] == edges[e][1][0] || !is_inside(box, middle)) continue;
+    const Vec3 way = frame.to_frame(b) - frame.to_frame(a);
+    if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;  // a side of the fault
     bool is_upper = true;
     for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));
     if (!is_upper) continue;
-    Vec3 inward = (-1.0) * middle;
-    for (const VertexIndex v : fault.triangles[border[e].triangle]) inward = inward + (1.0 / 3) * fault.points[v];
-    const Vec3 along = (1 / norm(b - a)) * (b - a);
-    upper.push_back({middle, inward - dot(inward, along) * along});
+    for (const VertexIndex v : fault.triangles[border[e].triangle])
+      if (v != border[e].a && v != border[e].b) upper.push_back({middle, fault.points[v]});
   }
   return upper;
 }
@@ -63,7 +62,7 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
   bool is_above = true;                                                    ///< all of it
-  std::size_t n_crossing = 0;  ///< places from which the fault goes on through the horizon
+  std::size_t n_crossing = 0;  ///< places whose triangles the horizon runs through
 };
 
 /// The horizons that a fault may end at.
@@ -112,16 +111,13 @@ class Horizons {
 
   static Beside beside(const std::vector<UpperPlace>& border, const Horizon& horizon) {
     Beside found;
-    for (const auto& [p, down] : border) {
-      const Vec3 q = horizon.distance.closest(p), way = q - p;
-      found.nearest = std::min(found.nearest, norm(way));
-      found.farthest = std::max(found.farthest, norm(way));
+    for (const auto& [p, opposite] : border) {
+      const Vec3 q = horizon.distance.closest(p);
+      const double d = norm(p - q);
+      found.nearest = std::min(found.nearest, d);
+      found.farthest = std::max(found.farthest, d);
       found.is_above = found.is_above && p.z >= q.z;
-      const double towards = dot(down, way);
-      if (!(towards > 0)) continue;
-      // Twice as far as to the plane through the nearest place.
-      const Vec3 end = p + (2 * dot(way, way) / towards) * down;
-      found.n_crossing += horizon.itself.first_surface(p, end, no_index).has_value() ? 1 : 0;
+      found.n_crossing += horizon.itself.first_surface(p, opposite, no_index).has_value() ? 1 : 0;
     }
     return found;
   }
