@@ -93,7 +93,8 @@ static CountedOptions scaled_to_target(const PreparedModel& model, const Constra
   const ElementEstimate found = estimate_model(model, mesh, options);
   const double target = model.refinement.derived_elements, off = found.total() / target;
   if (off <= near && off >= 1 / near) return {std::move(options), found};
-  const double factor = first_factor(model, mesh, options, target, greatest_factor(model, options));
+  const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
+  const double factor = first_factor(model, mesh, options, target, most);
   options = scaled_sizes(std::move(options), factor);
   const ElementEstimate scaled = estimate_model(model, mesh, options);
   return {std::move(options), scaled};
