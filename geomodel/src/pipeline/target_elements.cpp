@@ -93,9 +93,9 @@ static CountedOptions scaled_to_target(const PreparedModel& model, const Constra
   const ElementEstimate found = estimate_model(model, mesh, options);
   const double target = model.refinement.derived_elements, off = found.total() / target;
   if (off <= near && off >= 1 / near) return {std::move(options), found};
+  // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
   const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
-  const double factor = first_factor(model, mesh, options, target, most);
-  options = scaled_sizes(std::move(options), factor);
+  options = scaled_sizes(options, first_factor(model, mesh, options, target, most));
   const ElementEstimate scaled = estimate_model(model, mesh, options);
   return {std::move(options), scaled};
 }
