@@ -71,18 +71,25 @@ std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
 namespace {
 
 /// The stack is settled by what lies in the blocks: continuations go on beyond walls, over what is given there.
-bool settle(BuiltSurfaces& built, const ModelRules& rules) {
+/// Gives whether the column was.
+bool settle(BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   const bool any =
       std::any_of(built.continued.begin(), built.continued.end(), [](const ContinuedSurface& c) { return c.area > 0; });
-  if (!any || !asks_for_settling(rules.stack)) return settle_stack(built, rules);
-  const std::vector<TriangulatedSurface> given = built.surfaces;
-  std::vector<TriangulatedSurface> cut = horizons_up_to_walls(built, rules);
+  if (!any || !asks_for_settling(rules.stack)) return settle_stack(built, rules, nullptr).has_column;
+  const std::vector<TriangulatedSurface> continued = built.surfaces;
+  const std::vector<TriangulatedSurface> cut = horizons_up_to_walls(built, rules);
+  std::vector<bool> is_cut;
+  for (Index s = 0; s < cut.size(); ++s) {
+    is_cut.push_back(!cut[s].triangles.empty());
+    if (is_cut[s]) built.surfaces[s] = cut[s];
+  }
+  std::optional<StackBlocks> in_blocks;
+  if (blocks) in_blocks.emplace(*blocks, continued);
+  const SettledRows settled = settle_stack(built, rules, in_blocks ? &*in_blocks : nullptr);
+  for (const Index s : settled.rows) is_cut[s] = false;
   for (Index s = 0; s < cut.size(); ++s)
-    if (!cut[s].triangles.empty()) built.surfaces[s] = cut[s];
-  const bool settled = settle_stack(built, rules);
-  for (Index s = 0; s < cut.size(); ++s)
-    if (!cut[s].triangles.empty() && !built.rows.part_of_triangle[s].empty()) built.surfaces[s] = given[s];
-  return settled;
+    if (is_cut[s]) built.surfaces[s] = continued[s];
+  return settled.has_column;
 }
 
 BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
@@ -98,6 +105,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     built.rows.n_given_triangles.push_back(static_cast<Index>(s.triangles.size()));
   built.rows.part_of_triangle.resize(surfaces.size());
   built.rows.continued_to.resize(surfaces.size());
+  built.rows.block_of_part.resize(surfaces.size());
   warn_of_column_order(surfaces, rules, log);
   continue_faults(built, rules, log);
   continue_throw_faults(built, rules);
@@ -129,9 +137,10 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     }
   }
   pass_on();
-  continue_horizons(built, rules, fill_blocks, log);
+  const std::optional<HorizonBlocks> blocks = continue_horizons(built, rules, fill_blocks, log);
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
-  if (!settle(built, rules) && rules.min_thickness > 0 && rules.thin_layers != ThinLayers::error)
+  if (!settle(built, rules, blocks ? &*blocks : nullptr) && rules.min_thickness > 0 &&
+      rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);
   return built;
 }

@@ -22,13 +22,20 @@ bool is_there(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   return std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return std::isnan(sheets.height(v, horizon)); });
 }
 
+/// The middle of a horizon's triangle.
+Vec3 centre_of(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
+  Vec3 sum{0, 0, 0};
+  for (const VertexIndex v : t) sum = sum + Vec3{sheets.points[v].x, sheets.points[v].y, sheets.height(v, horizon)};
+  return (1.0 / 3) * sum;
+}
+
 /// Areas and volumes from the triangles alone.
-void sum_triangles(const MapSheets& sheets, SettledStack& stack) {
+void sum_triangles(const MapSheets& sheets, const SettledFrom& from, SettledStack& stack) {
   for (std::size_t f = 0; f < sheets.triangles.size(); ++f) {
     const Triangle& t = sheets.triangles[f];
     const double area = area_of(sheets, t);
     for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
-      if (!is_there(sheets, t, k)) continue;
+      if (!is_there(sheets, t, k) || (from.counts && !from.counts(centre_of(sheets, t, k)))) continue;
       stack.horizons[k].area += area;
       const bool above = k > 0 && (sheets.merged[f] >> (k - 1) & 1), below = sheets.merged[f] >> k & 1;
       if (above || below) stack.horizons[k].area_merged += area;
@@ -58,7 +65,7 @@ void measure_moves(const MapSheets& sheets, const SettledFrom& from, const Sheet
     if (at.triangle == no_index || from.strips.holds(p)) continue;
     for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
       const double given = samples.heights(s)[k], move = std::abs(locator.height(at, k) - given);
-      if (std::isnan(move)) continue;
+      if (std::isnan(move) || (from.counts && !from.counts({p.x, p.y, given}))) continue;
       SettledHorizon& told = stack.horizons[k];
       ++n[k];
       if (from.has_topography && given > samples.heights(s)[0]) {
@@ -119,7 +126,7 @@ SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from) 
     stack.units[k].n_islands = from.areas[k].n_islands;
     stack.units[k].pinch_outs = from.areas[k].curves;
   }
-  sum_triangles(sheets, stack);
+  sum_triangles(sheets, from, stack);
   const SheetLocator locator(sheets);
   measure_moves(sheets, from, locator, stack);
   draw_maps(locator, from.bounds, stack);

@@ -3,6 +3,8 @@
 /// What settling a stack changed, with areas, moves and thicknesses.
 #pragma once
 
+#include <functional>
+
 #include "geomesh/geomodel/stack.hpp"
 #include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
@@ -14,10 +16,11 @@ namespace geomesh::geomodel {
 struct SettledFrom {
   const MapSamples& samples;
   const std::vector<ThinArea>& areas;
-  const MapBounds& bounds;
+  MapBounds bounds;  ///< of the maps of thickness
   const SheetOptions& options;
   const FaultStrips& strips;  ///< in which moves are not measured: there the sheets are the mean of both sides
   bool has_topography;        ///< the first horizon: what lies over it is cut off, which is no move
+  std::function<bool(const Vec3&)> counts{};  ///< whether a place of the frame counts; empty: all do
 };
 
 /// Names, counts of triangles and what happened along faults are left to the caller.

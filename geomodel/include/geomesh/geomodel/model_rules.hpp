@@ -60,6 +60,7 @@ struct SurfaceRules {
   bool throw_at_polygons = false;
   /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
   bool continues = true;
+  bool continues_by_default() const { return continues && extend == Extend::none && throw_at.empty(); }
   bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
   /// Horizons with throw_at: where one runs on across a fault as a ramp, the throw is restored in its place. False: the
   /// ramp stays.
@@ -126,6 +127,9 @@ struct BuiltRows {
   /// Per surface that was continued to what bounds it: 0 for triangles given or filled in, k for those that continue
   /// its k-th run of border. Empty for others.
   std::vector<std::vector<Index>> part_of_triangle;
+  /// Per surface and part from 1: the fault block in which it continues the surface; no_index for what follows a run of
+  /// border.
+  std::vector<std::vector<Index>> block_of_part;
   /// Per surface: rows of the surfaces at which its continuations end, ascending.
   std::vector<std::vector<Index>> continued_to;
   /// Rows of the faults that run a little beyond faults on which they end, ascending.

@@ -28,7 +28,7 @@ struct Setting {
   const Walls& walls;
   double within;
   const HorizonDivision& division;
-  bool fills_blocks;
+  bool fills_blocks, has_margin;
 };
 
 /// Discs in the map that meet no wall: a horizon that ends there ends in the open.
@@ -93,17 +93,16 @@ class Continuation {
     for (const PlanarTriangle& t : *all) is_kept.push_back(is_filled(t.vertices, walls_of.emplace_back()));
     const std::vector<bool> begins_at_border = border_.beside_border(*all, is_kept);
     BlockExtension made;
+    made.block = block_;
     std::set<Index> walls;
     for (std::size_t k = 0; k < all->size(); ++k) {
       const PlanarTriangle& t = (*all)[k];
       if (!begins_at_border[k]) continue;
       walls.insert(walls_of[k].begin(), walls_of[k].end());
       book(t.vertices, made);
-      Triangle own;
-      for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t.vertices[i], made);
-      if (!border_.faces_up()) std::swap(own[1], own[2]);
-      made.triangles.push_back(own);
+      add(t.vertices, made);
     }
+    if (s_.has_margin) add_margin(*all, begins_at_border, made);
     made.walls.assign(walls.begin(), walls.end());
     return made;
   }
@@ -178,6 +177,29 @@ class Continuation {
     }
   }
 
+  void add(const std::array<Index, 3>& t, BlockExtension& made) {
+    Triangle own;
+    for (std::size_t i = 0; i < 3; ++i) own[i] = row_of(t[i], made);
+    if (!border_.faces_up()) std::swap(own[1], own[2]);
+    made.triangles.push_back(own);
+  }
+
+  /// Triangles beyond the walls that touch those kept.
+  void add_margin(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept, BlockExtension& made) {
+    std::vector<bool> is_reached(points_.size(), false);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (is_kept[k])
+        for (const Index v : all[k].vertices) is_reached[v] = true;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const std::array<Index, 3>& t = all[k].vertices;
+      if (is_kept[k] || all[k].depth % 2 != 0 || std::ranges::any_of(t, [&](Index v) { return in_block_[v]; }) ||
+          std::ranges::none_of(t, [&](Index v) { return is_reached[v]; }) ||
+          s_.framework.overlaps(block_, {points_[t[0]], points_[t[1]], points_[t[2]]}))
+        continue;
+      add(t, made);
+    }
+  }
+
   VertexIndex row_of(Index v, BlockExtension& made) {
     if (v < n_border_) return border_.row(v);
     const auto [at, is_new] = added_.emplace(v, no_vertex);
@@ -205,7 +227,7 @@ class Continuation {
 
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
                                   const BlockSetting& setting) {
-  const auto& [framework, cutters, walls, within, fills_blocks, is_left_out] = setting;
+  const auto& [framework, cutters, walls, within, fills_blocks, is_left_out, has_margin] = setting;
   const HorizonDivision division(horizon, row, framework, cutters, states);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
@@ -217,7 +239,8 @@ DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row,
     for (const Index t : rows) sheet.push_back(division.triangles()[t]);
     std::optional<BlockExtension> extension;
     if (!framework.has_tip(b))
-      extension = Continuation({horizon, row, framework, walls, within, division, fills_blocks}, b, sheet).make();
+      extension =
+          Continuation({horizon, row, framework, walls, within, division, fills_blocks, has_margin}, b, sheet).make();
     if (extension) {
       if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
       continue;

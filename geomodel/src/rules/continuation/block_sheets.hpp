@@ -13,6 +13,7 @@ namespace geomesh::geomodel {
 
 /// What continues a horizon in one block. It reaches beyond the block's walls, which cut it later.
 struct BlockExtension {
+  Index block = no_index;
   std::vector<Vec3> added;          ///< points, with rows after the surface's own
   std::vector<Triangle> triangles;  ///< oriented as the surface is
   std::vector<Index> walls;         ///< surfaces that they run through, ascending; Walls::side_of_volume last
@@ -39,6 +40,8 @@ struct BlockSetting {
   /// Places are filled however far from the data of their block they are.
   bool fills_blocks = false;
   std::vector<bool> is_left_out{};  ///< per block: the horizon has no place there; empty: none
+  /// Extensions go on beyond walls by a further row of places: for horizons that are moved before walls cut them.
+  bool has_margin = false;
 };
 
 /// Continues the horizon in each block, from the edges of its border that have walls before them. In the map, a place

@@ -54,7 +54,10 @@ class Continuing {
     }
     for (BlockExtension& made : divided.extensions) {
       append({std::move(made.added), std::move(made.triangles), {}, {}}, n_given_points_);
-      part_.resize(surface().triangles.size(), next_part());
+      const Index part = next_part();
+      part_.resize(surface().triangles.size(), part);
+      block_of_part_.resize(part, no_index);
+      block_of_part_.back() = made.block;
       const std::vector<Index> before = made.walls;
       std::erase(made.walls, Walls::side_of_volume);
       book({made.length, made.farthest, made.place, before, made.walls});
@@ -113,6 +116,7 @@ class Continuing {
                                                                  part_.begin()));
     if (ends_on_.empty() && ledger_.area == 0) return;
     built_.rows.part_of_triangle[row_] = std::move(part_);
+    built_.rows.block_of_part[row_] = std::move(block_of_part_);
     built_.rows.continued_to[row_].assign(ends_on_.begin(), ends_on_.end());
   }
 
@@ -159,7 +163,8 @@ class Continuing {
   const ContinuationRules& rules_;
   double within_;
   std::size_t n_given_points_ = 0;
-  std::vector<Index> part_;  ///< BuiltRows::part_of_triangle
+  std::vector<Index> part_;           ///< BuiltRows::part_of_triangle
+  std::vector<Index> block_of_part_;  ///< BuiltRows::block_of_part
   std::set<Index> ends_on_;
   ContinuedSurface ledger_;
 };
@@ -172,9 +177,7 @@ std::vector<Index> rows_of(const std::vector<TriangulatedSurface>& surfaces, std
 }
 
 bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row) {
-  const SurfaceRules& rule = rules.of(row);
-  return built.surfaces[row].triangles.empty() || !rule.continues || rule.extend != Extend::none ||
-         !rule.throw_at.empty();
+  return built.surfaces[row].triangles.empty() || !rules.of(row).continues_by_default();
 }
 
 /// Horizons continued in the blocks of one framework.
@@ -197,8 +200,8 @@ class HorizonContinuation {
     const ContinuationRules& how = rules_.continuation;
     for (const Index row : rows) {
       const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
-      const double within = fills_blocks ? norm(how.bounds.max - how.bounds.min) : how.within_of_horizons;
-      const BorderStates states = border_states(built.surfaces[row], row, walls_, how.bounds, within);
+      const BorderStates states =
+          border_states(built.surfaces[row], row, walls_, how.bounds, reach_of_horizon(how, fills_blocks));
       const auto has_met_wall = [](const auto& edge) { return edge.second == BorderState::met_wall; };
       if (std::ranges::all_of(states, has_met_wall)) continue;
       if (!framework_) framework_.emplace(built_, rules_);
@@ -208,6 +211,11 @@ class HorizonContinuation {
           ended_.tips);
       horizon.tell(log);
     }
+  }
+
+  std::optional<HorizonBlocks> blocks() {
+    if (!framework_) return std::nullopt;
+    return HorizonBlocks{std::move(*framework_), std::move(cutters_), std::move(walls_), fill_blocks_};
   }
 
  private:
@@ -266,13 +274,17 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   }
 }
 
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
-                       const BuildLog& log) {
-  if (!(rules.continuation.within_of_horizons > 0)) return;
+double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks) {
+  return fills_blocks ? norm(rules.bounds.max - rules.bounds.min) : rules.within_of_horizons;
+}
+
+std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
+                                               const std::vector<Index>& fill_blocks, const BuildLog& log) {
+  if (!(rules.continuation.within_of_horizons > 0)) return std::nullopt;
   std::vector<Index> left;
   for (const Index row : rows_of(built.surfaces, {SurfaceKind::horizon}))
     if (!keeps_border(built, rules, row)) left.push_back(row);
-  if (left.empty()) return;
+  if (left.empty()) return std::nullopt;
   const std::vector<Index> truncating = truncating_horizons(built.rows.truncations);
   const auto middle = std::ranges::stable_partition(left, [&](Index row) {
                         return std::ranges::binary_search(truncating, row);
@@ -287,6 +299,7 @@ void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std:
   }
   HorizonContinuation continuation(built, rules, fill_blocks);
   continuation.run(built, left, log);
+  return continuation.blocks();
 }
 
 }  // namespace geomesh::geomodel

@@ -5,7 +5,10 @@
 /// `extent: as_given` keep borders open.
 #pragma once
 
+#include <optional>
+
 #include "rules/extend/extend.hpp"
+#include "rules/framework/horizon_blocks.hpp"
 
 namespace geomesh::geomodel {
 
@@ -13,9 +16,13 @@ namespace geomesh::geomodel {
 /// model farther from everything keeps its tip.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
+/// How far a horizon looks for walls, m: one that fills its blocks through all of the model.
+double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
+
 /// Horizons without `extend` and without throw, up to ContinuationRules::within_of_horizons. Gaps in them that no
-/// fault or body explains are filled first. Horizons of these rows fill each block in which they have data.
-void continue_horizons(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks,
-                       const BuildLog& log);
+/// fault or body explains are filled first. Horizons of these rows fill each block in which they have data. Gives the
+/// blocks, where it needed any.
+std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
+                                               const std::vector<Index>& fill_blocks, const BuildLog& log);
 
 }  // namespace geomesh::geomodel

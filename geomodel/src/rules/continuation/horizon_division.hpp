@@ -24,6 +24,8 @@ class HorizonDivision {
                   const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< over the first of equal points
+  /// Whether a wall cuts an edge of the triangle.
+  bool crosses_wall(Index t) const { return crosses_[t]; }
   /// The state of an edge at which the horizon ends; nothing where it goes on.
   std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
   /// Triangles of the block, those that hang together with them outside of the model, those next to these that cross a

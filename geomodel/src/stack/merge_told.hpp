@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What is told of a stack that was settled block by block.
+#pragma once
+
+#include "geomesh/geomodel/stack.hpp"
+
+namespace geomesh::geomodel {
+
+/// Adds what was settled in one block to the whole: areas, volumes and islands are summed, the largest moves stay, and
+/// maps of thickness are laid over each other. Horizons and units are known by their names.
+void merge_told(const SettledStack& block, SettledStack& whole);
+
+}  // namespace geomesh::geomodel

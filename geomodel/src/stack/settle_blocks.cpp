@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stack/settle_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "rules/continuation/block_sheets.hpp"
+#include "rules/continuation/continue_to_walls.hpp"
+#include "rules/continuation/horizon_division.hpp"
+#include "rules/planar/borders.hpp"
+#include "rules/planar/single_valued.hpp"
+#include "stack/horizon_group.hpp"
+#include "stack/merge_told.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+constexpr Index given_part = 0;
+
+/// A horizon as it was given, and what continues it, by block.
+class BlockSheets {
+ public:
+  BlockSheets(const TriangulatedSurface& continued, Index row, const BuiltRows& rows)
+      : continued_(continued),
+        given_(continued),
+        part_(rows.part_of_triangle[row]),
+        block_of_part_(rows.block_of_part[row]) {
+    if (part_.empty()) part_.assign(continued.triangles.size(), given_part);
+    given_.triangles.clear();
+    for (Index t = 0; t < part_.size(); ++t)
+      if (part_[t] == given_part) {
+        given_.triangles.push_back(continued.triangles[t]);
+        row_of_given_.push_back(t);
+      }
+  }
+
+  /// Finds what each block has of it.
+  void divide(Index row, const ModelRules& rules, const HorizonBlocks& blocks) {
+    const BlockFramework& framework = blocks.framework;
+    const HorizonDivision division(given_, row, framework, blocks.cutters, {});
+    sheets_.resize(framework.n_blocks());
+    rows_.resize(framework.n_blocks());
+    std::vector<std::vector<Index>> at_corner(given_.points.size());
+    for (Index t = 0; t < given_.triangles.size(); ++t)
+      for (const VertexIndex v : division.triangles()[t]) at_corner[v].push_back(t);
+    for (Index b = 0; b < rows_.size(); ++b) {
+      const std::vector<Index> sheet = division.sheet_of(b);
+      std::set<Index> with_margin(sheet.begin(), sheet.end());
+      for (const Index t : sheet) {
+        rows_[b].push_back(row_of_given_[t]);
+        if (!division.crosses_wall(t)) continue;
+        for (const VertexIndex v : division.triangles()[t])
+          with_margin.insert(at_corner[v].begin(), at_corner[v].end());
+      }
+      for (const Index t : with_margin) sheets_[b].given.push_back(t);
+    }
+    const bool fills = std::ranges::count(blocks.fill_blocks, row) > 0;
+    if (rules.of(row).continues_by_default()) {
+      const double within = rules.continuation.within_of_horizons;
+      const BorderStates states = border_states(given_, row, blocks.walls, rules.continuation.bounds,
+                                                reach_of_horizon(rules.continuation, fills));
+      for (BlockExtension& made :
+           continue_in_blocks(given_, row, states, {framework, blocks.cutters, blocks.walls, within, fills, {}, true})
+               .extensions) {
+        const Index block = made.block;
+        sheets_[block].extension = std::move(made);
+      }
+    }
+    for (Index t = 0; t < part_.size(); ++t)
+      if (const Index block = block_of_part(part_[t]); block != no_index) rows_[block].push_back(t);
+  }
+
+  const TriangulatedSurface& continued() const { return continued_; }
+  /// Rows of the continued surface's triangles.
+  const std::vector<Index>& rows(Index block) const { return rows_[block]; }
+  const std::vector<Index>& part() const { return part_; }
+  /// The block that a part continues the horizon in; no_index for what was given, and for what follows a border.
+  Index block_of_part(Index part) const {
+    return part == given_part || part > block_of_part_.size() ? no_index : block_of_part_[part - 1];
+  }
+  /// What the block has of it, with a margin beyond the walls, over points of its own.
+  TriangulatedSurface sheet(Index block) const {
+    const auto& [rows, extension] = sheets_[block];
+    TriangulatedSurface s = given_;
+    s.points.clear();
+    s.triangles.clear();
+    std::vector<VertexIndex> own(given_.points.size() + extension.added.size(), no_vertex);
+    const auto add = [&](Triangle t) {
+      for (VertexIndex& v : t) {
+        if (own[v] == no_vertex) {
+          own[v] = static_cast<VertexIndex>(s.points.size());
+          s.points.push_back(v < given_.points.size() ? given_.points[v] : extension.added[v - given_.points.size()]);
+        }
+        v = own[v];
+      }
+      s.triangles.push_back(t);
+    };
+    for (const Index t : rows) add(given_.triangles[t]);
+    for (const Triangle& t : extension.triangles) add(t);
+    return s;
+  }
+
+ private:
+  struct Sheet {
+    std::vector<Index> given;  ///< rows of what was given, ascending
+    BlockExtension extension;
+  };
+  const TriangulatedSurface& continued_;
+  TriangulatedSurface given_;
+  std::vector<Index> part_, block_of_part_, row_of_given_;
+  std::vector<Sheet> sheets_;             ///< per block
+  std::vector<std::vector<Index>> rows_;  ///< per block
+};
+
+/// A block that was settled.
+struct SettledBlock {
+  Index block;
+  std::vector<std::size_t> horizons;  ///< of the stack, in the order of the group
+  std::unique_ptr<HorizonGroup> group;
+};
+
+/// A horizon put together again from its blocks.
+class Rebuilt {
+ public:
+  Rebuilt(const TriangulatedSurface& continued, const BlockSheets& sheets, const HorizonBlocks& blocks)
+      : continued_(continued), sheets_(sheets), blocks_(blocks), surface_(continued) {
+    surface_.triangles.clear();
+    n_parts_ = 1 + *std::ranges::max_element(sheets.part());
+  }
+
+  /// What lies in blocks that stay as they are. Triangles that reach into a settled one end at the wall.
+  void keep(const std::set<Index>& settled) {
+    std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
+    for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
+      for (const Index t : sheets_.rows(b)) (settled.contains(b) ? is_remade : is_kept)[t] = true;
+    const Index ending = n_parts_++;
+    for (Index t = 0; t < is_kept.size(); ++t) {
+      const Index part = sheets_.part()[t];
+      if (is_remade[t] && !is_kept[t]) continue;
+      add(continued_.triangles[t], 0, part == given_part && is_remade[t] ? ending : part);
+    }
+  }
+
+  /// The settled sheet of a block, with what lies beyond its walls as a part of its own.
+  void add(const TriangulatedSurface& sheet, Index block) {
+    const Index beyond = n_parts_++;
+    const auto shift = static_cast<VertexIndex>(surface_.points.size());
+    surface_.points.insert(surface_.points.end(), sheet.points.begin(), sheet.points.end());
+    std::vector<bool> is_inside, is_centred;
+    for (const Triangle& t : sheet.triangles) {
+      const Vec3 &a = sheet.points[t[0]], &b = sheet.points[t[1]], &c = sheet.points[t[2]];
+      is_centred.push_back(blocks_.framework.block_at((1.0 / 3) * (a + b + c)) == block);
+      is_inside.push_back(is_centred.back() && !meets_wall(a, b) && !meets_wall(b, c) && !meets_wall(c, a));
+    }
+    if (std::ranges::none_of(is_inside, std::identity{})) is_inside = is_centred;  // a narrow block
+    for (Index t = 0; t < sheet.triangles.size(); ++t)
+      add(sheet.triangles[t], shift, is_inside[t] ? given_part : beyond);
+  }
+
+  void replace_in(BuiltSurfaces& built, Index row, const std::set<Index>& stack) {
+    std::vector<Index>& walls = built.rows.continued_to[row];
+    std::erase_if(walls, [&](Index wall) { return stack.contains(wall); });
+    walls_.insert(walls.begin(), walls.end());
+    walls.assign(walls_.begin(), walls_.end());
+    sort_by_part();
+    built.rows.n_given_triangles[row] = static_cast<Index>(std::ranges::count(part_, given_part));
+    built.rows.part_of_triangle[row] = std::move(part_);
+    built.surfaces[row] = std::move(surface_);
+  }
+
+ private:
+  /// What was given comes first, as in all surfaces that were continued.
+  void sort_by_part() {
+    std::vector<Index> order(part_.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::stable_sort(order, {}, [&](Index t) { return part_[t]; });
+    std::vector<Triangle> triangles;
+    for (const Index t : order) triangles.push_back(surface_.triangles[t]);
+    surface_.triangles = std::move(triangles);
+    std::ranges::sort(part_);
+  }
+  bool meets_wall(const Vec3& a, const Vec3& b) {
+    const std::vector<Index> walls = blocks_.cutters.surfaces_on(a, b);
+    walls_.insert(walls.begin(), walls.end());
+    return !walls.empty();
+  }
+  void add(Triangle t, VertexIndex shift, Index part) {
+    for (VertexIndex& v : t) v += shift;
+    surface_.triangles.push_back(t);
+    part_.push_back(part);
+  }
+
+  const TriangulatedSurface& continued_;
+  const BlockSheets& sheets_;
+  const HorizonBlocks& blocks_;
+  TriangulatedSurface surface_;
+  std::vector<Index> part_;
+  Index n_parts_;
+  std::set<Index> walls_;
+};
+
+/// The stack of a model, block by block.
+class BlockStack {
+ public:
+  BlockStack(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const StackBlocks& in)
+      : stack_(stack),
+        built_(built),
+        rules_(rules),
+        in_(in),
+        frame_(rules.stack.outline, rules.stack.outline_is_box),
+        bounds_(frame_.bounds(rules.stack.outline)) {
+    for (const Index row : stack.rows) {
+      sheets_.emplace_back(in.continued[row], row, built.rows);
+      sheets_.back().divide(row, rules, in.blocks);
+    }
+  }
+
+  std::vector<Index> settle() {
+    for (Index b = 0; b < in_.blocks.framework.n_blocks(); ++b) settle_block(b);
+    if (settled_.empty()) return {};
+    std::set<Index> blocks;
+    for (const SettledBlock& s : settled_) {
+      blocks.insert(s.block);
+      merge_told(s.group->told(), built_.stack);
+    }
+    const std::set<Index> rows(stack_.rows.begin(), stack_.rows.end());
+    for (std::size_t k = 0; k < stack_.rows.size(); ++k) replace(k, blocks, rows);
+    return stack_.rows;
+  }
+
+ private:
+  void settle_block(Index block) {
+    GroupMembers members{{}, {}, {}, bounds_of(block)};
+    SettledBlock settled{block, {}, nullptr};
+    for (std::size_t k = 0; k < stack_.rows.size(); ++k) {
+      const TriangulatedSurface sheet = sheets_[k].sheet(block);
+      if (sheet.triangles.empty()) continue;
+      if (!is_single_valued(sheet) || ends_at_wall(sheet, block)) return;
+      settled.horizons.push_back(k);
+      members.stack.rows.push_back(stack_.rows[k]);
+      members.data.push_back(block_data(frame_.to_frame(sheet), {}, 0));
+      members.faults.emplace_back();
+    }
+    if (settled.horizons.empty()) return;
+    for (std::size_t i = 0; i + 1 < settled.horizons.size(); ++i) {
+      std::string& unit = members.stack.units.emplace_back();
+      for (std::size_t k = settled.horizons[i]; k < settled.horizons[i + 1]; ++k)
+        unit += (unit.empty() ? "" : "+") + stack_.units[k];
+    }
+    members.stack.keepers = keepers_of(rules_, members.stack.rows, built_.surfaces);
+    members.counts = [&framework = in_.blocks.framework, block](const Vec3& p) {
+      return framework.block_at(p) == block;
+    };
+    settled.group = std::make_unique<HorizonGroup>(std::move(members), built_, rules_, frame_);
+    if (settled.group->settle() == Settling::settled) settled_.push_back(std::move(settled));
+  }
+
+  /// Of the block in the map, as far as its horizons may go beyond its walls.
+  MapBounds bounds_of(Index block) const {
+    const Box3& box = in_.blocks.framework.bounds(block);
+    MapBounds b;
+    for (const double x : {box.min.x, box.max.x})
+      for (const double y : {box.min.y, box.max.y}) b.add(frame_.to_frame(Vec2{x, y}));
+    b = b.grown(rules_.continuation.within_of_horizons);
+    return {{std::max(b.min.x, bounds_.min.x), std::max(b.min.y, bounds_.min.y)},
+            {std::min(b.max.x, bounds_.max.x), std::min(b.max.y, bounds_.max.y)}};
+  }
+
+  /// Whether the sheet has a border inside the block that has a wall near, as continuations have it. One that goes on
+  /// beyond the wall has none there.
+  bool ends_at_wall(const TriangulatedSurface& sheet, Index block) const {
+    constexpr int n_lines = 4;
+    const double radius = rules_.continuation.within_of_horizons / 2;
+    for (const BorderEdge& e : border_edges(sheet)) {
+      const Vec3 middle = 0.5 * (sheet.points[e.a] + sheet.points[e.b]);
+      if (in_.blocks.framework.block_at(middle) != block) continue;
+      for (int k = 0; k < n_lines; ++k) {
+        const double angle = std::numbers::pi * k / n_lines;
+        const Vec3 way{radius * std::cos(angle), radius * std::sin(angle), 0};
+        if (in_.blocks.cutters.first_surface(middle - way, middle + way, no_index)) return true;
+      }
+    }
+    return false;
+  }
+
+  void replace(std::size_t k, const std::set<Index>& blocks, const std::set<Index>& rows) {
+    const Index row = stack_.rows[k];
+    const std::size_t n_given = in_.continued[row].triangles.size();
+    Rebuilt rebuilt(in_.continued[row], sheets_[k], in_.blocks);
+    rebuilt.keep(blocks);
+    for (const SettledBlock& s : settled_)
+      for (std::size_t i = 0; i < s.horizons.size(); ++i)
+        if (s.horizons[i] == k) rebuilt.add(s.group->sheet(i), s.block);
+    rebuilt.replace_in(built_, row, rows);
+    for (SettledHorizon& told : built_.stack.horizons) {
+      if (told.name != built_.surfaces[row].name) continue;
+      told.n_triangles_given = n_given;
+      told.n_triangles = built_.surfaces[row].triangles.size();
+    }
+  }
+
+  const Stack& stack_;
+  BuiltSurfaces& built_;
+  const ModelRules& rules_;
+  const StackBlocks& in_;
+  MapFrame frame_;
+  MapBounds bounds_;
+  std::vector<BlockSheets> sheets_;
+  std::vector<SettledBlock> settled_;
+};
+
+}  // namespace
+
+bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules) {
+  return built.rows.truncations.empty() && rules.continuation.within_of_horizons > 0 &&
+         std::ranges::all_of(stack.rows, [&](Index row) { return built.rows.block_of_triangle[row].empty(); });
+}
+
+std::vector<Index> settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules,
+                                    const StackBlocks& in) {
+  return BlockStack(stack, built, rules, in).settle();
+}
+
+}  // namespace geomesh::geomodel
