@@ -11,7 +11,6 @@
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
-#include "rules/framework/up_to_walls.hpp"
 #include "rules/framework/walls.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
@@ -70,28 +69,6 @@ std::vector<TriangulatedSurface> BuiltSurfaces::model_surfaces() const {
 
 namespace {
 
-/// The stack is settled by what lies in the blocks: continuations go on beyond walls, over what is given there.
-/// Gives whether the column was.
-bool settle(BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
-  const bool any =
-      std::any_of(built.continued.begin(), built.continued.end(), [](const ContinuedSurface& c) { return c.area > 0; });
-  if (!any || !asks_for_settling(rules.stack)) return settle_stack(built, rules, nullptr).has_column;
-  const std::vector<TriangulatedSurface> continued = built.surfaces;
-  const std::vector<TriangulatedSurface> cut = horizons_up_to_walls(built, rules);
-  std::vector<bool> is_cut;
-  for (Index s = 0; s < cut.size(); ++s) {
-    is_cut.push_back(!cut[s].triangles.empty());
-    if (is_cut[s]) built.surfaces[s] = cut[s];
-  }
-  std::optional<StackBlocks> in_blocks;
-  if (blocks) in_blocks.emplace(*blocks, continued);
-  const SettledRows settled = settle_stack(built, rules, in_blocks ? &*in_blocks : nullptr);
-  for (const Index s : settled.rows) is_cut[s] = false;
-  for (Index s = 0; s < cut.size(); ++s)
-    if (is_cut[s]) built.surfaces[s] = continued[s];
-  return settled.has_column;
-}
-
 BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
                     const std::vector<Index>& fill_blocks, const RunContext& context) {
   BuiltSurfaces built;
@@ -139,7 +116,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   pass_on();
   const std::optional<HorizonBlocks> blocks = continue_horizons(built, rules, fill_blocks, log);
   if (rules.thin_layers == ThinLayers::error && rules.min_thickness > 0) apply_min_thickness(built, rules);
-  if (!settle(built, rules, blocks ? &*blocks : nullptr) && rules.min_thickness > 0 &&
+  if (!settle_stack(built, rules, blocks ? &*blocks : nullptr) && rules.min_thickness > 0 &&
       rules.thin_layers != ThinLayers::error)
     apply_min_thickness(built, rules);
   return built;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <numeric>
@@ -24,16 +25,16 @@ constexpr Index given_part = 0;
 /// A horizon as it was given, and what continues it, by block.
 class BlockSheets {
  public:
-  BlockSheets(const TriangulatedSurface& continued, Index row, const BuiltRows& rows)
-      : continued_(continued),
-        given_(continued),
+  BlockSheets(TriangulatedSurface continued, Index row, const BuiltRows& rows)
+      : continued_(std::move(continued)),
+        given_(continued_),
         part_(rows.part_of_triangle[row]),
         block_of_part_(rows.block_of_part[row]) {
-    if (part_.empty()) part_.assign(continued.triangles.size(), given_part);
+    if (part_.empty()) part_.assign(continued_.triangles.size(), given_part);
     given_.triangles.clear();
     for (Index t = 0; t < part_.size(); ++t)
       if (part_[t] == given_part) {
-        given_.triangles.push_back(continued.triangles[t]);
+        given_.triangles.push_back(continued_.triangles[t]);
         row_of_given_.push_back(t);
       }
   }
@@ -61,6 +62,7 @@ class BlockSheets {
     const bool fills = std::ranges::count(blocks.fill_blocks, row) > 0;
     if (rules.of(row).continues_by_default()) {
       const double within = rules.continuation.within_of_horizons;
+      ends_at_ = lengths_before(given_, row, blocks.walls, rules.continuation.bounds, within);
       const BorderStates states = border_states(given_, row, blocks.walls, rules.continuation.bounds,
                                                 reach_of_horizon(rules.continuation, fills));
       for (BlockExtension& made :
@@ -81,6 +83,11 @@ class BlockSheets {
   /// The block that a part continues the horizon in; no_index for what was given, and for what follows a border.
   Index block_of_part(Index part) const {
     return part == given_part || part > block_of_part_.size() ? no_index : block_of_part_[part - 1];
+  }
+  /// The length of border that ends at another surface, or shortly before it, m.
+  double length_at(Index other) const {
+    const auto at = ends_at_.find(other);
+    return at == ends_at_.end() ? 0 : at->second;
   }
   /// What the block has of it, with a margin beyond the walls, over points of its own.
   TriangulatedSurface sheet(Index block) const {
@@ -109,9 +116,9 @@ class BlockSheets {
     std::vector<Index> given;  ///< rows of what was given, ascending
     BlockExtension extension;
   };
-  const TriangulatedSurface& continued_;
-  TriangulatedSurface given_;
+  TriangulatedSurface continued_, given_;
   std::vector<Index> part_, block_of_part_, row_of_given_;
+  std::map<Index, double> ends_at_;
   std::vector<Sheet> sheets_;             ///< per block
   std::vector<std::vector<Index>> rows_;  ///< per block
 };
@@ -126,8 +133,8 @@ struct SettledBlock {
 /// A horizon put together again from its blocks.
 class Rebuilt {
  public:
-  Rebuilt(const TriangulatedSurface& continued, const BlockSheets& sheets, const HorizonBlocks& blocks)
-      : continued_(continued), sheets_(sheets), blocks_(blocks), surface_(continued) {
+  Rebuilt(const BlockSheets& sheets, const HorizonBlocks& blocks)
+      : continued_(sheets.continued()), sheets_(sheets), blocks_(blocks), surface_(continued_) {
     surface_.triangles.clear();
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
@@ -206,22 +213,22 @@ class Rebuilt {
 /// The stack of a model, block by block.
 class BlockStack {
  public:
-  BlockStack(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const StackBlocks& in)
+  BlockStack(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks)
       : stack_(stack),
         built_(built),
         rules_(rules),
-        in_(in),
+        blocks_(blocks),
         frame_(rules.stack.outline, rules.stack.outline_is_box),
         bounds_(frame_.bounds(rules.stack.outline)) {
     for (const Index row : stack.rows) {
-      sheets_.emplace_back(in.continued[row], row, built.rows);
-      sheets_.back().divide(row, rules, in.blocks);
+      sheets_.emplace_back(built.surfaces[row], row, built.rows);
+      sheets_.back().divide(row, rules, blocks);
     }
   }
 
-  std::vector<Index> settle() {
-    for (Index b = 0; b < in_.blocks.framework.n_blocks(); ++b) settle_block(b);
-    if (settled_.empty()) return {};
+  bool settle() {
+    for (Index b = 0; b < blocks_.framework.n_blocks(); ++b) settle_block(b);
+    if (settled_.empty()) return false;
     std::set<Index> blocks;
     for (const SettledBlock& s : settled_) {
       blocks.insert(s.block);
@@ -229,7 +236,7 @@ class BlockStack {
     }
     const std::set<Index> rows(stack_.rows.begin(), stack_.rows.end());
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) replace(k, blocks, rows);
-    return stack_.rows;
+    return true;
   }
 
  private:
@@ -251,17 +258,34 @@ class BlockStack {
       for (std::size_t k = settled.horizons[i]; k < settled.horizons[i + 1]; ++k)
         unit += (unit.empty() ? "" : "+") + stack_.units[k];
     }
-    members.stack.keepers = keepers_of(rules_, members.stack.rows, built_.surfaces);
-    members.counts = [&framework = in_.blocks.framework, block](const Vec3& p) {
-      return framework.block_at(p) == block;
-    };
+    members.stack.keepers = keepers(settled.horizons);
+    members.counts = [&framework = blocks_.framework, block](const Vec3& p) { return framework.block_at(p) == block; };
     settled.group = std::make_unique<HorizonGroup>(std::move(members), built_, rules_, frame_);
     if (settled.group->settle() == Settling::settled) settled_.push_back(std::move(settled));
   }
 
+  /// A horizon that ends at another one gives way to it, where no rule says otherwise.
+  Keepers keepers(const std::vector<std::size_t>& horizons) const {
+    std::vector<Index> rows;
+    for (const std::size_t k : horizons) rows.push_back(stack_.rows[k]);
+    Keepers who = keepers_of(rules_, rows, built_.surfaces);
+    if (rules_.on_crossing != OnCrossing::leave) return who;
+    for (std::size_t younger = 0; younger < rows.size(); ++younger)
+      for (std::size_t older = younger + 1; older < rows.size(); ++older) {
+        const bool has_rule = rules_.of(rows[younger]).base == BaseRule::erode ||
+                              rules_.of(rows[older]).base == BaseRule::onlap ||
+                              built_.surfaces[rows[younger]].name == rules_.topography ||
+                              built_.surfaces[rows[older]].name == rules_.floor;
+        if (!has_rule &&
+            sheets_[horizons[younger]].length_at(rows[older]) > sheets_[horizons[older]].length_at(rows[younger]))
+          who.set(younger, older, Keeper::older);
+      }
+    return who;
+  }
+
   /// Of the block in the map, as far as its horizons may go beyond its walls.
   MapBounds bounds_of(Index block) const {
-    const Box3& box = in_.blocks.framework.bounds(block);
+    const Box3& box = blocks_.framework.bounds(block);
     MapBounds b;
     for (const double x : {box.min.x, box.max.x})
       for (const double y : {box.min.y, box.max.y}) b.add(frame_.to_frame(Vec2{x, y}));
@@ -277,11 +301,11 @@ class BlockStack {
     const double radius = rules_.continuation.within_of_horizons / 2;
     for (const BorderEdge& e : border_edges(sheet)) {
       const Vec3 middle = 0.5 * (sheet.points[e.a] + sheet.points[e.b]);
-      if (in_.blocks.framework.block_at(middle) != block) continue;
+      if (blocks_.framework.block_at(middle) != block) continue;
       for (int k = 0; k < n_lines; ++k) {
         const double angle = std::numbers::pi * k / n_lines;
         const Vec3 way{radius * std::cos(angle), radius * std::sin(angle), 0};
-        if (in_.blocks.cutters.first_surface(middle - way, middle + way, no_index)) return true;
+        if (blocks_.cutters.first_surface(middle - way, middle + way, no_index)) return true;
       }
     }
     return false;
@@ -289,8 +313,8 @@ class BlockStack {
 
   void replace(std::size_t k, const std::set<Index>& blocks, const std::set<Index>& rows) {
     const Index row = stack_.rows[k];
-    const std::size_t n_given = in_.continued[row].triangles.size();
-    Rebuilt rebuilt(in_.continued[row], sheets_[k], in_.blocks);
+    const std::size_t n_given = built_.surfaces[row].triangles.size();
+    Rebuilt rebuilt(sheets_[k], blocks_);
     rebuilt.keep(blocks);
     for (const SettledBlock& s : settled_)
       for (std::size_t i = 0; i < s.horizons.size(); ++i)
@@ -306,7 +330,7 @@ class BlockStack {
   const Stack& stack_;
   BuiltSurfaces& built_;
   const ModelRules& rules_;
-  const StackBlocks& in_;
+  const HorizonBlocks& blocks_;
   MapFrame frame_;
   MapBounds bounds_;
   std::vector<BlockSheets> sheets_;
@@ -320,9 +344,8 @@ bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, co
          std::ranges::all_of(stack.rows, [&](Index row) { return built.rows.block_of_triangle[row].empty(); });
 }
 
-std::vector<Index> settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules,
-                                    const StackBlocks& in) {
-  return BlockStack(stack, built, rules, in).settle();
+bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks) {
+  return BlockStack(stack, built, rules, blocks).settle();
 }
 
 }  // namespace geomesh::geomodel

@@ -17,9 +17,7 @@ bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, co
 /// height over a place of the map, and where one ends exactly at a wall: a horizon that is moved along the vertical
 /// would no longer meet it.
 ///
-/// Gives the rows of the horizons that were made anew: none, or all of the stack. Cost: as settle_stack, over what each
-/// block has.
-std::vector<Index> settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules,
-                                    const StackBlocks& in);
+/// Gives whether any block was settled. Cost: as settle_stack, over what each block has.
+bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks);
 
 }  // namespace geomesh::geomodel

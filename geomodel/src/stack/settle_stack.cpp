@@ -54,7 +54,7 @@ GroupMembers members_of(const Stack& stack, const BuiltSurfaces& built, const Mo
   return members;
 }
 
-void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& built, SettledRows& settled) {
+void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& built) {
   for (std::size_t k = 0; k < stack.rows.size(); ++k) {
     const Index row = stack.rows[k];
     SettledHorizon& told = group.told().horizons[k];
@@ -71,7 +71,6 @@ void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& bu
       built.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());
     }
     told.n_triangles = s.triangles.size();
-    settled.rows.push_back(row);
   }
 }
 
@@ -80,13 +79,13 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
 }
 
 /// Over the whole map. Otherwise `why` says what is against it; empty: nothing was to be done.
-bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, SettledRows& settled,
+bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);
   if (!why.empty()) return false;
   const MapFrame frame(rules.stack.outline, rules.stack.outline_is_box);
   HorizonGroup group(members_of(stack, built, rules, frame), built, rules, frame);
-  if (group.ends_inside() && std::any_of(built.surfaces.begin(), built.surfaces.end(), can_be_ended_on)) {
+  if (group.ends_inside() && !may_end_inside) {
     why = "a horizon ends inside the model, where faults or bodies may end it (fill_holes, extend)";
     return false;
   }
@@ -95,30 +94,28 @@ bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rule
     why = "horizon " + built.surfaces[stack.rows[group.first_that_overhangs()]].name +
           " has more than one height over a place of the map";
   if (outcome != Settling::settled) return false;
-  replace_horizons(group, stack, built, settled);
+  replace_horizons(group, stack, built);
   built.stack = std::move(group.told());
   return true;
 }
 
 /// The column with its ends. False where there was nothing to settle or something stood against it, which a note tells.
-bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const StackBlocks* in_blocks,
-                      SettledRows& settled) {
+bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);
   if (why.empty()) {
-    if (settle_map(stack, built, rules, settled, why)) return true;
+    if (blocks && !can_be_settled_in_blocks(stack, built, rules)) blocks = nullptr;
+    const bool has_walls = std::any_of(built.surfaces.begin(), built.surfaces.end(), can_be_ended_on);
+    if (settle_map(stack, built, rules, !blocks && !has_walls, why)) return true;
     if (why.empty()) return false;
-    if (in_blocks && can_be_settled_in_blocks(stack, built, rules)) {
-      settled.rows = settle_in_blocks(stack, built, rules, *in_blocks);
-      return !settled.rows.empty();
-    }
+    if (blocks) return settle_in_blocks(stack, built, rules, *blocks);
   }
   built.notes.push_back("the stack is left as given: " + why);
   return false;
 }
 
 /// Horizons beside the column that reach through the model get few triangles too.
-void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, SettledRows& settled) {
+void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules) {
   for (Index row = 0; row < built.surfaces.size(); ++row) {
     if (built.surfaces[row].kind != SurfaceKind::horizon ||
         std::find(stack.rows.begin(), stack.rows.end(), row) != stack.rows.end())
@@ -128,7 +125,7 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
     const MapFrame frame(rules.stack.outline, rules.stack.outline_is_box);
     HorizonGroup group(members_of(alone, built, rules, frame), built, rules, frame);
     if (group.ends_inside() || group.settle() != Settling::settled) continue;
-    replace_horizons(group, alone, built, settled);
+    replace_horizons(group, alone, built);
     built.stack.settled = true;
     built.stack.min_thickness = group.told().min_thickness;
     built.stack.horizons.push_back(std::move(group.told().horizons.front()));
@@ -141,16 +138,15 @@ bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }
 
-SettledRows settle_stack(BuiltSurfaces& built, const ModelRules& rules, const StackBlocks* in_blocks) {
+bool settle_stack(BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   const StackRules& asked = rules.stack;
-  SettledRows settled;
-  if (!asks_for_settling(asked)) return settled;
+  if (!asks_for_settling(asked)) return false;
   const Stack stack = find_stack(built, rules);
-  settled.has_column = settle_column_of(stack, built, rules, in_blocks, settled);
-  thin_out_others(stack, built, rules, settled);
+  const bool is_settled = settle_column_of(stack, built, rules, blocks);
+  thin_out_others(stack, built, rules);
   built.stack.size = asked.size;
   built.stack.tolerance = asked.tolerance;
-  return settled;
+  return is_settled;
 }
 
 }  // namespace geomesh::geomodel

@@ -25,6 +25,7 @@ struct Setting {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
+  const Walls& cutters;
   const Walls& walls;
   double within;
   const HorizonDivision& division;
@@ -73,6 +74,7 @@ class Continuation {
         points_(border_.points()),
         distance_(points_.size(), 0),
         slope_(points_.size(), Vec2{0, 0}),
+        foot_(points_),
         n_border_(points_.size()),
         open_(setting.walls, setting.row, radius_) {
     for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
@@ -125,6 +127,7 @@ class Continuation {
         points_.push_back(p.at);
         distance_.push_back(p.distance);
         slope_.push_back(p.slope);
+        foot_.push_back(p.foot);
         in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_);
       }
   }
@@ -132,7 +135,14 @@ class Continuation {
   void find_open_places() {
     if (s_.fills_blocks) return;
     for (std::size_t v = n_border_; v < points_.size(); ++v)
-      if (in_block_[v] && distance_[v] > radius_) open_.add(points_[v], slope_[v]);
+      if (in_block_[v] && distance_[v] > radius_ && !(s_.has_margin && is_beyond_horizon(v)))
+        open_.add(points_[v], slope_[v]);
+  }
+
+  /// Whether another horizon lies between a place and the border. What only passes a fault or body is in the block.
+  bool is_beyond_horizon(std::size_t v) const {
+    return std::ranges::any_of(s_.walls.surfaces_on(foot_[v], points_[v]),
+                               [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
   }
 
   /// Whether the triangle fills some of the block that is not open. Adds the walls that it runs through.
@@ -217,6 +227,7 @@ class Continuation {
   std::vector<Vec3> points_;  ///< those of the border, then those of the grid
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
+  std::vector<Vec3> foot_;      ///< the nearest place of the border
   std::vector<bool> in_block_;  ///< and to be filled: not where the border has met its wall
   std::size_t n_border_;
   OpenPlaces open_;
@@ -240,7 +251,8 @@ DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row,
     std::optional<BlockExtension> extension;
     if (!framework.has_tip(b))
       extension =
-          Continuation({horizon, row, framework, walls, within, division, fills_blocks, has_margin}, b, sheet).make();
+          Continuation({horizon, row, framework, cutters, walls, within, division, fills_blocks, has_margin}, b, sheet)
+              .make();
     if (extension) {
       if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
       continue;

@@ -40,7 +40,8 @@ struct BlockSetting {
   /// Places are filled however far from the data of their block they are.
   bool fills_blocks = false;
   std::vector<bool> is_left_out{};  ///< per block: the horizon has no place there; empty: none
-  /// Extensions go on beyond walls by a further row of places: for horizons that are moved before walls cut them.
+  /// For horizons that are moved before walls cut them: extensions go on beyond walls by a further row of places, and
+  /// beyond other horizons as if these were not there.
   bool has_margin = false;
 };
 

@@ -240,6 +240,15 @@ BorderStates border_states(const TriangulatedSurface& surface, Index row, const 
   return states;
 }
 
+std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                       const Box3& box, double within) {
+  std::map<Index, double> lengths;
+  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
+    for (const LoopEdge& e : loop)
+      if (e.hit && !e.is_beyond) lengths[e.hit->surface] += e.length;
+  return lengths;
+}
+
 std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                              const Box3& box, double within, const std::vector<bool>& done) {
   std::vector<BorderChain> chains;

@@ -25,6 +25,10 @@ using BorderStates = std::map<MapEdge, BorderState>;
 BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
                            double within);
 
+/// The length of border that has each surface first before it, or ends on it, m. O(edges) searches.
+std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index row, const Walls& walls,
+                                       const Box3& box, double within);
+
 /// A run of border edges with walls before them.
 struct BorderChain {
   std::vector<VertexIndex> vertices;  ///< rows of the surface; edge k joins vertex k and the next

@@ -65,6 +65,7 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
 SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
   double least = std::numeric_limits<double>::infinity(), z = 0;
   Vec2 slope{0, 0};
+  Vec3 nearest;
   bool has_met_wall = false;
   for (const Edge& e : edges_) {
     const Vec3 &a = points_[e.a], &b = points_[e.b];
@@ -74,12 +75,13 @@ SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
     const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
     if (!(d < least)) continue;
     least = d;
+    nearest = foot;
     has_met_wall = t <= 0 ? has_met_wall_[e.a] : t >= 1 ? has_met_wall_[e.b] : e.has_met_wall;
     slope = d > within_ ? Vec2{0, 0} : e.slope;
     const double share = d > within_ ? within_ / d : 1;
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);
   }
-  return {{p.x, p.y, z}, least, slope, has_met_wall};
+  return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};
 }
 
 std::vector<bool> SheetBorder::beside_border(const std::vector<PlanarTriangle>& all,

@@ -31,6 +31,7 @@ class SheetBorder {
     double distance;    ///< from the border in the map
     Vec2 slope;         ///< of the border where it is nearest; none beyond `within`
     bool has_met_wall;  ///< the border has there
+    Vec3 foot;          ///< the nearest place of the border in the map
   };
   /// O(n) in the edges.
   Place continued_at(const Vec2& p) const;

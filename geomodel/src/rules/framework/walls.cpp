@@ -19,7 +19,9 @@ bool line_meets(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, cons
 }  // namespace
 
 Walls::Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
-             const std::vector<TriangulatedSurface>& sides) {
+             const std::vector<TriangulatedSurface>& sides)
+    : rows_(rows) {
+  std::ranges::sort(rows_);
   std::vector<Box3> boxes;
   for (const TriangulatedSurface& side : sides) add(side, side_of_volume, boxes);
   for (const Index row : rows) add(surfaces[row], row, boxes);

@@ -3,6 +3,7 @@
 /// The surfaces on which another surface may end, asked by straight ways in space.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,8 @@ class Walls {
         const std::vector<TriangulatedSurface>& sides);
 
   bool empty() const { return triangles_.empty(); }
+  /// Whether the surface of this row is among them.
+  bool holds(Index surface) const { return std::ranges::binary_search(rows_, surface); }
   /// The first wall on the way from a to b, other than surface `but_not`. Walls that hold a itself do not count where
   /// the way leaves them.
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
@@ -48,6 +51,7 @@ class Walls {
   void for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const;
   void add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes);
 
+  std::vector<Index> rows_;  ///< ascending
   std::vector<Wall> triangles_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };
