@@ -91,7 +91,8 @@ class BlockSheets {
   }
   /// What the block has of it, with a margin beyond the walls, over points of its own.
   TriangulatedSurface sheet(Index block) const {
-    const auto& [rows, extension] = sheets_[block];
+    const std::vector<Index>& rows = sheets_[block].given;
+    const BlockExtension& extension = sheets_[block].extension;
     TriangulatedSurface s = given_;
     s.points.clear();
     s.triangles.clear();

@@ -171,8 +171,9 @@ Claim claim_of_project(const std::filesystem::path& file) {
     const bool is_new = std::any_of(settled.begin(), settled.end(),
                                     [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });
     const bool has_parts = is_new && !built.rows.part_of_triangle[row].empty();
-    claim.trims.back().n_given_triangles = has_parts ? built.rows.n_given_triangles[row]
-                                                     : (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
+    claim.trims.back().n_given_triangles = has_parts
+                                               ? built.rows.n_given_triangles[row]
+                                               : (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();
   }
   claim.merging = project.merge_within;
   claim.output = project.output.options;

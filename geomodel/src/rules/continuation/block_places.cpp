@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rules/continuation/block_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "naming/sums.hpp"
+
+namespace geomesh::geomodel {
+namespace {
+
+/// Places of the grid are apart by this share of the radius, so that a disc that fits into a gap covers some of them.
+constexpr double step_of_radius = 0.5;
+/// More places of a grid than this take seconds: the distance is a tiny share of the model then.
+constexpr double most_places = 1e6;
+
+}  // namespace
+
+BlockPlaces::BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet)
+    : s_(setting),
+      block_(block),
+      radius_(setting.within / 2),
+      step_(step_of_radius * radius_),
+      border_(setting.horizon, setting.division, sheet, setting.within),
+      points_(border_.points()),
+      distance_(points_.size(), 0),
+      slope_(points_.size(), Vec2{0, 0}),
+      foot_(points_),
+      n_border_(points_.size()) {
+  for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
+  if (!has_grid()) return;
+  add_grid();
+  find_open_places();
+}
+
+bool BlockPlaces::has_grid() const {
+  const Vec3 extent = s_.framework.bounds(block_).max - s_.framework.bounds(block_).min;
+  return (extent.x / step_) * (extent.y / step_) <= most_places;
+}
+
+/// Places over the block's box on a grid whose origin depends on the place in space alone.
+void BlockPlaces::add_grid() {
+  const Box3& box = s_.framework.bounds(block_);
+  const auto first = [&](double v) { return static_cast<std::int64_t>(std::floor(v / step_)) - 1; };
+  const auto last = [&](double v) { return static_cast<std::int64_t>(std::ceil(v / step_)) + 1; };
+  for (std::int64_t j = first(box.min.y); j <= last(box.max.y); ++j)
+    for (std::int64_t i = first(box.min.x); i <= last(box.max.x); ++i) {
+      const auto p = border_.continued_at({static_cast<double>(i) * step_, static_cast<double>(j) * step_});
+      if (p.distance < step_ / 2) continue;
+      points_.push_back(p.at);
+      distance_.push_back(p.distance);
+      slope_.push_back(p.slope);
+      foot_.push_back(p.foot);
+      in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_);
+    }
+}
+
+void BlockPlaces::find_open_places() {
+  if (s_.fills_blocks) return;
+  for (std::size_t v = n_border_; v < points_.size(); ++v)
+    if (in_block_[v] && distance_[v] > radius_ && !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
+      open_.push_back(points_[v]);
+}
+
+/// Whether another horizon lies between a place and the border. What only passes a fault or body is in the block.
+bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
+  return std::ranges::any_of(s_.walls.surfaces_on(foot_[v], points_[v]),
+                             [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
+}
+
+/// A disc about a place of the horizon ends in the open, unless it meets a wall, along the sheet in four directions of
+/// the map, or the disc of twice its radius meets walls on opposite sides. A wall that holds the place counts.
+bool BlockPlaces::ends_in_the_open(std::size_t v) const {
+  constexpr int n_lines = 4;
+  const Vec3& centre = points_[v];
+  for (int k = 0; k < n_lines; ++k) {
+    const double angle = std::numbers::pi * k / n_lines;
+    const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
+    const Vec3 way{x, y, slope_[v].x * x + slope_[v].y * y};
+    if (s_.walls.first_hit(centre - way, centre + way, s_.row)) return false;
+    if (s_.walls.first_hit(centre, centre + 2.0 * way, s_.row) &&
+        s_.walls.first_hit(centre, centre - 2.0 * way, s_.row))
+      return false;
+  }
+  return true;
+}
+
+bool BlockPlaces::is_open(const Vec3& p) const {
+  return std::ranges::any_of(open_, [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < radius_; });
+}
+
+bool BlockPlaces::overlaps(const std::array<Index, 3>& t) const {
+  return std::ranges::any_of(t, [&](Index v) { return in_block_[v]; }) ||
+         s_.framework.overlaps(block_, {points_[t[0]], points_[t[1]], points_[t[2]]});
+}
+
+bool BlockPlaces::is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const {
+  bool reaches_in = false;
+  for (const Index v : t) {
+    if (!in_block_[v]) continue;
+    if (is_open(points_[v])) return false;
+    reaches_in = true;
+  }
+  std::set<Index> crossed;
+  bool leaves = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
+    for (const Index s : s_.walls.surfaces_on(a, b))
+      if (s != s_.row) crossed.insert(s);
+    leaves = leaves || s_.walls.first_hit(a, b, s_.row) || s_.walls.first_hit(b, a, s_.row);
+  }
+  if (!reaches_in && !leaves) return false;
+  if (!reaches_in && !overlaps(t)) return false;
+  if (leaves && crossed.empty()) crossed.insert(Walls::side_of_volume);
+  walls.insert(crossed.begin(), crossed.end());
+  return true;
+}
+
+}  // namespace geomesh::geomodel

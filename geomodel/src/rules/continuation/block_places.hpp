@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The places over a block at which a horizon is continued, and which of them end in the open.
+#pragma once
+
+#include <array>
+#include <set>
+#include <vector>
+
+#include "rules/continuation/sheet_border.hpp"
+#include "rules/framework/block_framework.hpp"
+#include "rules/framework/walls.hpp"
+
+namespace geomesh::geomodel {
+
+/// The horizon that is continued, and what it is continued in. All of it is referred to and outlives its use.
+struct HorizonInBlocks {
+  const TriangulatedSurface& horizon;
+  Index row;
+  const BlockFramework& framework;
+  const Walls& cutters;  ///< as in BlockSetting, like those that follow
+  const Walls& walls;
+  double within;
+  const HorizonDivision& division;
+  bool fills_blocks, has_margin;
+};
+
+/// Places of the border of one sheet, then those of a grid over its block, with the heights of the border continued.
+class BlockPlaces {
+ public:
+  /// `sheet`: triangles over the horizon's points. O(n m) for n edges of the border and m places of the grid.
+  BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
+
+  /// False where the distance is too short for a grid: there are no places then.
+  bool has_grid() const;
+  const SheetBorder& border() const { return border_; }
+  const std::vector<Vec3>& points() const { return points_; }
+  std::size_t n_border() const { return n_border_; }        ///< the first points
+  double distance(Index v) const { return distance_[v]; }   ///< from the border in the map, m
+  bool is_in_block(Index v) const { return in_block_[v]; }  ///< and to be filled: not where the border has met its wall
+  /// Whether a triangle of places has some of the block.
+  bool overlaps(const std::array<Index, 3>& t) const;
+  /// Whether it fills some of the block that is not open. Adds the walls that it runs through.
+  bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
+
+ private:
+  void add_grid();
+  void find_open_places();
+  bool is_beyond_horizon(std::size_t v) const;
+  bool ends_in_the_open(std::size_t v) const;
+  bool is_open(const Vec3& p) const;
+
+  HorizonInBlocks s_;
+  Index block_;
+  double radius_, step_;
+  SheetBorder border_;
+  std::vector<Vec3> points_;
+  std::vector<double> distance_;
+  std::vector<Vec2> slope_;
+  std::vector<Vec3> foot_;  ///< the nearest place of the border
+  std::vector<bool> in_block_;
+  std::size_t n_border_;
+  std::vector<Vec3> open_;  ///< centres of discs
+};
+
+}  // namespace geomesh::geomodel
