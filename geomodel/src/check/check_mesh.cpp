@@ -12,6 +12,7 @@
 #include "check/arrays/judge_arrays.hpp"
 #include "check/beside/as_in_vtu.hpp"
 #include "check/curves/judge_curves.hpp"
+#include "check/gaps/judge_gaps.hpp"
 #include "check/judged/judged_mesh.hpp"
 #include "check/names/judge_names.hpp"
 #include "check/pieces/throw_cover.hpp"
@@ -134,6 +135,7 @@ void judge_contract(const CheckRequest& request, const JudgedFiles& files, const
   }
   check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
   check_region_names(claimed, {claim.within, rounding}, result);
+  check_gaps(claimed, result);
   check_unit_arrays(claimed, result);
   const double ulp = unit_in_last_place(files.mesh.file);
   check_cell_arrays(claimed, ulp, result);

@@ -26,7 +26,9 @@ struct ClaimedNames {
   bool fault_blocks = false;                                        ///< units bear the number of their block
   bool merges_small = false;                                        ///< regions may hold several pieces
   std::vector<std::string> unconformities;                          ///< horizons that cut what is older
-  double min_volume = 0;  ///< m3; smaller pieces may have joined a region of another unit, where merges_small
+  std::vector<Index> continued;  ///< rows of its horizons that are continued by default
+  double continued_within = 0;   ///< m; how far
+  double min_volume = 0;         ///< m3; smaller pieces may have joined a region of another unit, where merges_small
 };
 
 /// What the rules of the model may take away of one surface. Rows are of Claim::surfaces.

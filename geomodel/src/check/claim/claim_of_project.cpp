@@ -158,9 +158,12 @@ Claim claim_of_project(const std::filesystem::path& file) {
     claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());
   claim.surfaces = built.model_surfaces();
   claim.names.unconformities = unconformities(built.surfaces, built.rows, rules);
+  claim.names.continued_within = rules.continuation.within_of_horizons;
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
+    if (rules.of(row).continues && std::ranges::count(project.column, claim.surfaces[row].name) > 0)
+      claim.names.continued.push_back(row);
     claim.trims.back().continuation |= !built.rows.part_of_triangle[row].empty();
     if (std::binary_search(built.rows.overshooting.begin(), built.rows.overshooting.end(), row))
       claim.trims.back().near_faults = rules.continuation.within_of_faults;
