@@ -4,9 +4,10 @@ tests/families/measure.py runs more of them."""
 import os
 import sys
 
-from geomesh_program import NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
+from geomesh_program import BAD_INPUT, NIGHTLY, PROGRAM, SOURCE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "families"))
+from families import FAMILIES  # noqa: E402
 from measure import run  # noqa: E402
 
 SEEDS = range(4) if NIGHTLY else range(1, 2)
@@ -61,6 +62,10 @@ class Families(ProgramTest):
         self.assert_right("noisy_grid", (4,))
         self.assert_right("noisy_grid", (4,), "careful")
 
+    def test_noisy_grids_that_cross_and_stop_short_of_faults(self):
+        """The stack was left as given, and there was no mesh in 100 CPU s."""
+        self.assert_right("noisy_grid", (3,))
+
     def test_growth_faults_on_two_listric_faults(self):
         self.assert_right("growth_fault", (1,))
         self.assert_right("growth_fault", (1,), "careful")
@@ -76,6 +81,27 @@ class Families(ProgramTest):
 
     def test_a_channel_whose_base_is_given_over_the_whole_map(self):
         self.assert_right("channel", (1,), "careful")
+
+    def test_horizons_that_stop_before_the_base_of_a_channel(self):
+        """Settled up to the base as it was given, they no longer met it: 23 % of the points lay in joined units."""
+        self.assert_right("channel", (3,), "careful")
+        self.assert_right("channel", (10,))
+
+    def test_the_checker_finds_units_that_are_joined_through_gaps(self):
+        """Meshes of the same surfaces with their borders open, against the projects that close them."""
+        for family, seed in (("short_grids", 2), ("salt_gaps", 2), ("thrust", 2)):
+            with self.subTest(family=family):
+                folder = self.path("open_" + family)
+                os.makedirs(folder)
+                project = FAMILIES[family](seed).write(folder, "bare")
+                with open(project) as file:
+                    text = file.read()
+                self.assertNotIn("rules:", text)
+                with open(os.path.join(folder, "open.yaml"), "w") as file:
+                    file.write(text + "rules: {continue_within: 0}\n")
+                self.run_program(os.path.join(folder, "open.yaml"), "--quiet")
+                found = self.check(os.path.join(folder, "out", "model.vtu"), "--project", project, status=BAD_INPUT)
+                self.assertIn("units_joined_by_gap", [fault["id"] for fault in found["faults"]])
 
     def test_a_dyke_cut_by_a_later_fault(self):
         self.assert_right("intrusion", (2,))
