@@ -8,7 +8,7 @@ from typing import Any, Callable, Optional, Union
 Progress = Callable[[str, int, int], None]
 
 #: Stages of a run in their order; refinement and what follows may come several times.
-STAGES = ("read", "build", "intersect", "delaunay", "recover", "classify", "refine", "improve", "verify", "write")
+STAGES = ("read", "build", "intersect", "delaunay", "recover", "classify", "estimate", "refine", "improve", "verify", "write")
 
 
 class OneBar:

@@ -87,7 +87,7 @@ class Progress(ProgramTest):
         project = self.copy_of_sample("outcrops", "{size: 400}")
         _, said = self.run_apart(project, "-o", self.path("out"))
         names = [line.split()[0] for line in said if re.match(r"[a-z]+ +[0-9.]+ (s|min)", line)]
-        self.assertEqual(names, ["read", "build", "intersect", "mesh", "refine", "improve", "verify", "write"])
+        self.assertEqual(names, ["read", "build", "intersect", "mesh", "estimate", "refine", "improve", "verify", "write"])
         _, said = self.run_apart(project, "-o", self.path("out"), "-v")
         for stage in ("delaunay", "recover", "classify"):
             self.assertTrue(any(line.startswith(stage) for line in said), stage)

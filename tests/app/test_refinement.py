@@ -85,7 +85,7 @@ class Refinement(ProgramTest):
 
     def test_a_global_size(self):
         report, check = self.mesh_layers("{size: 1}")
-        self.assertEqual([s["name"] for s in report["stages"]][-4:], ["refine", "improve", "verify", "write"])
+        self.assertEqual([s["name"] for s in report["stages"]][-5:], ["estimate", "refine", "improve", "verify", "write"])
         self.assertEqual(self.region_names(check), ["lower", "upper"])
         self.assertAlmostEqual(check["volume"] / 1000, 1, delta=1e-12)
         whole = report["quality"]["whole"]

@@ -5,8 +5,11 @@ import math
 import os
 import random
 import re
+import subprocess
+import sys
+import unittest
 
-from geomesh_program import BAD_INPUT, CANNOT_MESH, DONE, SOURCE, USAGE, ProgramTest, level, main, triangles_ts
+from geomesh_program import BAD_INPUT, CANNOT_MESH, DONE, NIGHTLY, SOURCE, USAGE, ProgramTest, level, main, triangles_ts
 
 BOX = "box: {min: [0, 0, -1000], max: [1000, 1000, 0]}\n"
 
@@ -138,10 +141,25 @@ class SizesAsked(ProgramTest):
         told = float(re.search("elements to come: about ([0-9,]+[0-9])", line).group(1).replace(",", ""))
         self.assertTrue(50_000 < told < 200_000, line)
         self.assertLess(float(re.search("surfaces within ([0-9.]+) m", line).group(1)), 30)
-        self.assertRegex(line, r"elements in gaps between surfaces may be flat, because about [0-9,]+ would come if each gap had layers of its own .mesh: .size: .gap_layers: 0.4")
+        self.assertRegex(line, r"elements in gaps between surfaces may be flat, because more than 200,000 would come, whatever the size, if each gap had layers of its own and sizes grew no faster .mesh: .size: .gap_layers: 0.4")
         asked = self.run_program(self.write("grids.yaml", text % "size: {gap_layers: 0.4}, "), "-o", self.folder, status=CANNOT_MESH)
         self.assertNotIn("may be flat", asked)
-        self.assertGreater(float(re.search("elements to come: about ([0-9,]+[0-9])", asked).group(1).replace(",", "")), 200_000)
+        self.assertIn("more in gaps between surfaces", asked)
+        self.assertRegex(asked, "sizes grow by [0-9.]+ a unit of distance")
+
+    @unittest.skipUnless(NIGHTLY, "four grids of 175 x 275 nodes: with GEOMESH_NIGHTLY=1 alone")
+    def test_a_derived_size_lets_sizes_grow_sooner_where_larger_ones_bring_hardly_fewer_elements(self):
+        """A reservoir with thin units and throw that is smeared in its grids asked for 290,000 elements with edges of 2,000 m and surfaces
+        within 50 m, and hardly more with edges of 280 m. The limit ends the run before the work."""
+        subprocess.run([sys.executable, os.path.join(SOURCE, "samples", "reservoir", "make_surfaces.py"), "--columns", "175", "--output", self.folder],
+                       check=True)
+        with open(self.path("project.yaml")) as file:
+            text = re.sub(r"(?m)^(mesh|rules):.*\n", "", file.read()) + "mesh: {max_elements: 55000}\n"
+        line = self.run_program(self.write("reservoir.yaml", text), "-o", self.folder, status=CANNOT_MESH)
+        told = float(re.search("elements to come: about ([0-9,]+[0-9])", line).group(1).replace(",", ""))
+        self.assertTrue(50_000 < told < 150_000, line)
+        self.assertLess(float(re.search("surfaces within ([0-9.]+) m", line).group(1)), 25)
+        self.assertRegex(line, r"sizes grow by 0\.[0-9]+ a unit of distance .* .mesh: .size: .gradation: 0.3")
 
     def test_a_derived_size_gives_no_tolerance_away_in_vain(self):
         """Rough horizons that cross all over ask for about as many elements at every size: the size grew beyond the model, and surfaces might be

@@ -107,7 +107,6 @@ ALLOWED = {
     "core/src/remesh/operations/edge_removal.cpp: class EdgeRemoval",
     "core/src/remesh/operations/smooth.cpp: class Smoother",
     "core/src/remesh/passes/inside_pass.cpp: class InsideRefiner",
-    "core/src/remesh/sizes/build_size_field.cpp: class SizeFieldBuilder",
     "core/src/remesh/start/sample_surfaces.cpp: class SurfaceSampler",
     "geomodel/src/arrangement/clip/cut_by_bodies.cpp: class BodyCutter",
     "geomodel/src/arrangement/snap/rebuilding.cpp: class Rebuilding",

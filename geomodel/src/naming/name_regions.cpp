@@ -194,10 +194,24 @@ std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::v
   return order;
 }
 
-/// Gives every region its final name: `__k` where several share one.
-void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label>& labels,
-                  const std::vector<ComponentFacts>& facts, std::vector<Region>& regions,
-                  std::vector<std::string>& warnings) {
+/// Whether no two regions of a unit lie in one fault block (`block`, by component): faults alone part it then.
+bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vector<std::size_t>& order,
+                         const std::vector<Index>& block) {
+  std::set<Index> blocks;
+  return std::ranges::all_of(members, [&](std::size_t r) { return blocks.insert(block[order[r]]).second; });
+}
+
+/// What regions are numbered and warned by.
+struct NumberedRegions {
+  const std::vector<std::size_t>& order;  ///< components by row of region
+  const std::vector<Label>& labels;
+  const std::vector<ComponentFacts>& facts;
+  const std::vector<Index>& block;  ///< by component
+};
+
+/// Gives every region its final name: `__k` where several share one. Warns where anything but faults parts a unit.
+void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
+  const auto& [order, labels, facts, block] = numbered;
   std::map<std::string, std::vector<std::size_t>> rows;  // region rows by name
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
@@ -215,7 +229,8 @@ void add_suffixes(const std::vector<std::size_t>& order, const std::vector<Label
         list += (list.empty() ? "" : ", ") + regions[r].name + " (volume " + to_text(regions[r].volume) + " near " +
                 to_text(facts[order[r]].inside_point) + ")";
     }
-    if (members.size() > 1)
+    const bool is_unit = labels[order[members.front()]].order == column_class;
+    if (members.size() > 1 && !(is_unit && are_apart_by_faults(members, order, block)))
       warnings.push_back(name + " falls into " + std::to_string(members.size()) + " regions: " + list +
                          (members.size() > 8 ? ", ..." : "") +
                          (members.size() > most_of_one_name ? what_would_help : ""));
@@ -270,9 +285,7 @@ std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& 
 }
 
 /// `Unit__B2` for units of the column, where faults make more than one block.
-void add_blocks(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
-                const Column& column, const std::vector<ComponentFacts>& facts, std::vector<Label>& labels) {
-  const std::vector<Index> block = fault_blocks(mesh, soup, plc, facts, column);
+void add_blocks(const std::vector<Index>& block, std::vector<Label>& labels) {
   std::map<Index, Index> number;  // of blocks that hold a unit, in the order of place
   for (std::size_t c = 0; c < labels.size(); ++c)
     if (labels[c].order == column_class) number[block[c]] = 0;
@@ -330,7 +343,8 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
   std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);
-  if (rules.fault_blocks) add_blocks(mesh, soup, plc, column, facts, labels);
+  const std::vector<Index> block = fault_blocks(mesh, soup, plc, facts, column);
+  if (rules.fault_blocks) add_blocks(block, labels);
   std::vector<Index> joined(facts.size());
   std::iota(joined.begin(), joined.end(), Index{0});
   if (rules.join_pieces) joined = join_targets(facts, unit_labels(labels));
@@ -355,7 +369,7 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
     volumes[row].add(facts[c].volume);
   }
   for (std::size_t r = 0; r < order.size(); ++r) named.regions[r].volume = volumes[r].value();
-  add_suffixes(order, labels, facts, named.regions, warnings);
+  add_suffixes({order, labels, facts, block}, named.regions, warnings);
   return named;
 }
 

@@ -69,6 +69,15 @@ void cut_at_ends(ConstrainedTetrahedralization& core, PreparedModel& model, Stag
   model.naming.floor.clear();
 }
 
+/// The options of refinement, once the number of elements that they ask for is told.
+CountedOptions counted_options(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+                               const RunContext& context) {
+  const StageScope stage(context, "estimate");
+  CountedOptions counted = with_derived_size(model, mesh, refine_options(model, mesh));
+  announce_count(model, counted, context);
+  return counted;
+}
+
 /// The mesh, refined where that is asked for. In conforming mode the whole is refined, since Delaunay is a matter of
 /// the whole; else what is kept.
 RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::vector<double>& volumes_of_input) {
@@ -80,8 +89,7 @@ RefineResult mesh_to_size(PreparedModel& model, StageRecorder& recorder, std::ve
       result = refine_to_count(model, result.mesh, refine_options(model, result.mesh), recorder.context());
       return;
     }
-    const CountedOptions counted = with_derived_size(model, result.mesh, refine_options(model, result.mesh));
-    announce_count(model, counted, recorder.context());
+    const CountedOptions counted = counted_options(model, result.mesh, recorder.context());
     result = refine_model(model, std::move(result.mesh), counted.options, recorder.context());
   };
   if (refine && conforming) refine_now();

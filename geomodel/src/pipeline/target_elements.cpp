@@ -16,7 +16,9 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr double near_enough = 0.1;
+constexpr double near_enough = 1.1;  // factor
+/// Factor of a derived number: 200,000 elements, beyond which the first mesh of a model is a burden.
+constexpr double most_over_target = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Elements go with the cube of the size; where surfaces take their share, with less.
@@ -43,19 +45,101 @@ double factor_of_empty_volume(const PreparedModel& model, const RefineOptions& o
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
 
-/// By the estimate alone; at most `most`, however many elements surfaces ask for that cross and touch all over.
-double first_factor(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, const RefineOptions& options,
-                    double target, double most) {
-  constexpr unsigned most_rounds = 6;
-  constexpr double enough = 0.02;
-  double factor = 1;
-  for (unsigned round = 0; round < most_rounds; ++round) {
-    const double count = estimate_elements(model.plc.plc, mesh, scaled_sizes(options, factor));
-    if (!(count > 0) || std::abs(count / target - 1) < enough) break;
-    const double before = std::exchange(factor, std::min(next_factor(factor, count, target), most));
-    if (factor == before) break;
+/// What is scaled: sizes, and how soon they grow with the distance from where they are small.
+struct Scale {
+  double size = 1, gradation = 1;
+};
+
+struct Try {
+  Scale scale;
+  double count = 0;  ///< of elements
+};
+
+/// The search for the scales by which so many elements come out.
+class CountSearch {
+ public:
+  /// `most` are the largest scales that are tried.
+  CountSearch(double target, const Scale& most) : target_(target), most_(most) {}
+
+  /// Within this factor of the target, either way.
+  bool is_near(const Try& t, double factor) const { return t.count <= factor * target_ && t.count * factor >= target_; }
+  bool is_nearer(const Try& t, const Try& than) const {
+    return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
   }
-  return factor;
+
+  /// Where larger sizes bring hardly fewer elements, those about surfaces that ask for short edges count: sizes grow
+  /// away from them sooner. Between tries with too many and too few elements, as if these went with a power of the
+  /// scale.
+  Scale after(const std::vector<Try>& tries) const {
+    const Try& now = tries.back();
+    const auto [many, few] = nearest_on_both_sides(tries);
+    if (many && few) {
+      const double share = std::log(many->count / target_) / std::log(many->count / few->count);
+      const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
+      return {between(many->scale.size, few->scale.size), between(many->scale.gradation, few->scale.gradation)};
+    }
+    const bool may_grow_sooner = now.count > target_ && now.scale.gradation < most_.gradation;
+    if (may_grow_sooner && (now.scale.size >= most_.size || is_in_vain(tries)))
+      return {tries.size() > 1 ? std::min(tries[tries.size() - 2].scale.size, now.scale.size) : now.scale.size,
+              std::min(2 * now.scale.gradation, most_.gradation)};
+    return {std::min(next_factor(now.scale.size, now.count, target_), most_.size), now.scale.gradation};
+  }
+
+ private:
+  std::pair<const Try*, const Try*> nearest_on_both_sides(const std::vector<Try>& tries) const {
+    const Try *many = nullptr, *few = nullptr;
+    for (const Try& t : tries) {
+      const Try*& side = t.count > target_ ? many : few;
+      if (!side || is_nearer(t, *side)) side = &t;
+    }
+    return {many, few};
+  }
+
+  static bool is_in_vain(const std::vector<Try>& tries) {
+    constexpr double much_larger = 1.2, hardly_fewer = 0.8;
+    if (tries.size() < 2) return false;
+    const Try &before = tries[tries.size() - 2], &now = tries.back();
+    return now.scale.gradation == before.scale.gradation && now.scale.size > much_larger * before.scale.size &&
+           now.count > hardly_fewer * before.count;
+  }
+
+  double target_;
+  Scale most_;
+};
+
+/// Elements whose size doubles from one to the next are as steep as solvers bear.
+constexpr double steepest_gradation = 1;
+
+Scale greatest_scale(const PreparedModel& model, const RefineOptions& options, double target) {
+  return {std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target)),
+          std::max(steepest_gradation / options.size.gradation, 1.0)};
+}
+
+RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
+  RefineOptions out = scaled_sizes(options, scale.size);
+  out.size.gradation *= scale.gradation;
+  return out;
+}
+
+constexpr unsigned most_tries = 6;
+
+/// The scale whose estimate is nearest to the target: 1 where it is within a factor of `near` of it as it is, else one
+/// that is near enough, or the nearest of six.
+Scale scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
+                        double near) {
+  std::vector<Try> tries;
+  Try best;
+  Scale scale;
+  while (tries.size() < most_tries) {
+    tries.push_back({scale, estimator.total(scaled(options, scale))});
+    const Try& now = tries.back();
+    if (tries.size() == 1 || search.is_nearer(now, best)) best = now;
+    if (!(now.count > 0) || search.is_near(best, tries.size() == 1 ? near : near_enough)) break;
+    const Scale next = search.after(tries);
+    if (next.size == scale.size && next.gradation == scale.gradation) break;
+    scale = next;
+  }
+  return best.scale;
 }
 
 /// What the run promises is what it used, with the sizes and the tolerance of these options.
@@ -71,53 +155,49 @@ void settle(PreparedModel& model, const RefineOptions& options) {
   model.input_json = input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace
-
-ElementEstimate estimate_model(const PreparedModel& model, const ConstrainedTetrahedralization& mesh,
-                               const RefineOptions& options) {
-  const std::size_t n_thin = model.stack.settled ? model.stack.sizes.size() : 0;  // come first, ask_of_thin_units
-  return estimate_by_cause(model.plc.plc, mesh, options, n_thin);
+ElementEstimate by_cause(const ElementEstimator& estimator, const PreparedModel& model, const RefineOptions& options) {
+  return estimator.by_cause(options, model.stack.settled ? model.stack.sizes.size() : 0);  // see ask_of_thin_units
 }
 
 /// Whether the size of the whole model is ours to choose: sizes that the user asks for are never scaled.
-static bool may_derive(const RefinementSettings& settings) {
+bool may_derive(const RefinementSettings& settings) {
   const NamedSizes& size = settings.size;
   return settings.derive_size && !(settings.target_elements > 0) && !(size.frequency > 0) && size.units.empty() &&
          size.surfaces.empty() && size.curves.empty() && size.near.empty() && size.layers.empty();
 }
 
-/// The options scaled to about settings.derived_elements, unless they are near to it as they are.
-static CountedOptions scaled_to_target(const PreparedModel& model, const ConstrainedTetrahedralization& mesh,
-                                       RefineOptions options) {
-  constexpr double near = 1.4;
-  const ElementEstimate found = estimate_model(model, mesh, options);
-  const double target = model.refinement.derived_elements, off = found.total() / target;
-  if (off <= near && off >= 1 / near) return {std::move(options), found};
-  // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
-  const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
-  options = scaled_sizes(options, first_factor(model, mesh, options, target, most));
-  const ElementEstimate scaled = estimate_model(model, mesh, options);
-  return {std::move(options), scaled};
+/// Whether gaps between surfaces ask for too many elements even where all sizes are as large as they may be.
+bool gaps_ask_for_too_many(const PreparedModel& model, const ElementEstimator& estimator, const RefineOptions& options,
+                           const Scale& greatest) {
+  const double most = most_over_target * model.refinement.derived_elements;
+  return options.size.gap_layers > 0 && model.refinement.gaps_by_default && estimator.is_above(most, options) &&
+         estimator.is_above(most, scaled_sizes(options, greatest.size));
 }
+
+}  // namespace
 
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double most_over_target = 2;  // 200,000 elements, beyond which the first mesh of a model is a burden
+  constexpr double near = 1.4;  // an estimate that is as far off again is still between 50,000 and 200,000
   const RefinementSettings& settings = model.refinement;
-  if (!may_derive(settings)) {
-    const ElementEstimate found = estimate_model(model, mesh, options);
-    return {std::move(options), found};
-  }
-  CountedOptions chosen = scaled_to_target(model, mesh, options);
-  const double count = chosen.estimate.total(), most = most_over_target * settings.derived_elements;
-  if (count > most && settings.gaps_by_default) {
-    options.size.gap_layers = 0;
-    CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
-    // Elsewhere the count remains high without gaps, and elements would be flat in vain.
-    if (without_gaps.estimate.total() < count / 2) {
-      chosen = std::move(without_gaps);
-      chosen.count_with_gaps = count;
-    }
+  const ElementEstimator estimator(model.plc.plc, mesh, options);
+  if (!may_derive(settings)) return {options, by_cause(estimator, model, options)};
+  const double target = settings.derived_elements;
+  // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
+  Scale most = greatest_scale(model, options, target);
+  if (!settings.gradation_by_default) most.gradation = 1;
+  const double gap_layers = options.size.gap_layers;
+  const bool drops_gaps = gaps_ask_for_too_many(model, estimator, options, most);
+  if (drops_gaps) options.size.gap_layers = 0;
+  const Scale scale = scale_by_estimate(estimator, options, CountSearch(target, most), near);
+  options = scaled(options, scale);
+  CountedOptions chosen{options, by_cause(estimator, model, options)};
+  chosen.gradation_scale = scale.gradation;
+  if (drops_gaps) {
+    options.size.gap_layers = gap_layers;
+    chosen.gaps_dropped = estimator.is_above(2 * chosen.estimate.total(), options);
+    // The count remains high without gaps, and elements would be flat in vain.
+    if (!chosen.gaps_dropped) chosen = {options, by_cause(estimator, model, options), false, scale.gradation};
   }
   settle(model, chosen.options);
   return chosen;
@@ -130,9 +210,15 @@ void announce_count(PreparedModel& model, const CountedOptions& counted, const R
       may_move ? options.tolerance + model.refinement.tolerance.requested() - model.refinement.tolerance.left() : 0;
   std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
                                   options.size.from_input_edges && options.size_surfaces);
-  if (counted.count_with_gaps > 0)
-    text += "; elements in gaps between surfaces may be flat, because about " + rounded_count(counted.count_with_gaps) +
-            " would come if each gap had layers of its own (mesh: {size: {gap_layers: 0.4}} asks for them)";
+  if (counted.gaps_dropped)
+    text += "; elements in gaps between surfaces may be flat, because more than " +
+            rounded_count(most_over_target * model.refinement.derived_elements) +
+            " would come, whatever the size, if each gap had layers of its own and sizes grew no faster (mesh: {size: "
+            "{gap_layers: 0.4}} asks for them)";
+  if (counted.gradation_scale > 1)
+    text += "; sizes grow by " + short_words(options.size.gradation) +
+            " a unit of distance away from where they are small (mesh: {size: {gradation: " +
+            short_words(options.size.gradation / counted.gradation_scale) + "}} asks for more elements there)";
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +
@@ -156,83 +242,10 @@ RefineOptions scaled_sizes(RefineOptions options, double factor) {
   return options;
 }
 
-namespace {
-
-/// What is scaled: sizes, and how soon they grow with the distance from where they are small.
-struct Scale {
-  double size = 1, gradation = 1;
-};
-
-struct Try {
-  Scale scale;
-  double count = 0;  ///< of elements
-};
-
-/// The search for the scales by which so many elements come out.
-class CountSearch {
- public:
-  CountSearch(double target, double most_size, double gradation)
-      : target_(target), most_size_(most_size), most_gradation_(std::max(most_gradation / gradation, 1.0)) {}
-
-  bool is_near(const Try& t) const { return std::abs(t.count / target_ - 1) <= near_enough; }
-  bool is_nearer(const Try& t, const Try& than) const {
-    return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
-  }
-
-  /// Where larger sizes bring hardly fewer elements, those about surfaces that ask for short edges count: sizes grow
-  /// away from them sooner. Between tries with too many and too few elements, as if these went with a power of the
-  /// scale.
-  Scale after(const std::vector<Try>& tries) const {
-    const Try& now = tries.back();
-    const auto [many, few] = nearest_on_both_sides(tries);
-    if (many && few) {
-      const double share = std::log(many->count / target_) / std::log(many->count / few->count);
-      const auto between = [&](double from, double to) { return from * std::pow(to / from, share); };
-      return {between(many->scale.size, few->scale.size), between(many->scale.gradation, few->scale.gradation)};
-    }
-    const bool may_grow_sooner = now.count > target_ && now.scale.gradation < most_gradation_;
-    if (may_grow_sooner && (now.scale.size >= most_size_ || is_in_vain(tries)))
-      return {tries.size() > 1 ? std::min(tries[tries.size() - 2].scale.size, now.scale.size) : now.scale.size,
-              std::min(2 * now.scale.gradation, most_gradation_)};
-    return {std::min(next_factor(now.scale.size, now.count, target_), most_size_), now.scale.gradation};
-  }
-
- private:
-  static constexpr double most_gradation = 1;
-
-  std::pair<const Try*, const Try*> nearest_on_both_sides(const std::vector<Try>& tries) const {
-    const Try *many = nullptr, *few = nullptr;
-    for (const Try& t : tries) {
-      const Try*& side = t.count > target_ ? many : few;
-      if (!side || is_nearer(t, *side)) side = &t;
-    }
-    return {many, few};
-  }
-
-  static bool is_in_vain(const std::vector<Try>& tries) {
-    constexpr double much_larger = 1.2, hardly_fewer = 0.8;
-    if (tries.size() < 2) return false;
-    const Try &before = tries[tries.size() - 2], &now = tries.back();
-    return now.scale.gradation == before.scale.gradation && now.scale.size > much_larger * before.scale.size &&
-           now.count > hardly_fewer * before.count;
-  }
-
-  double target_, most_size_, most_gradation_;
-};
-
-}  // namespace
-
 RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                              const RefineOptions& options, const RunContext& context) {
-  constexpr unsigned most_runs = 6;
   const double target = model.refinement.target_elements;
-  const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
-  const CountSearch search(target, most, options.size.gradation);
-  const auto scaled = [&](const Scale& scale) {
-    RefineOptions out = scaled_sizes(options, scale.size);
-    out.size.gradation *= scale.gradation;
-    return out;
-  };
+  const CountSearch search(target, greatest_scale(model, options, target));
   const std::vector<std::string> warnings = model.warnings;
   std::vector<Try> tries;
   struct {
@@ -240,24 +253,28 @@ RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedrali
     RefineResult result;
     std::vector<std::string> warnings;
   } best;
-  Scale scale{first_factor(model, mesh, options, target, most), 1};
-  while (tries.size() < most_runs) {
+  Scale scale;
+  {
+    const StageScope stage(context, "estimate");
+    scale = scale_by_estimate(ElementEstimator(model.plc.plc, mesh, options), options, search, near_enough);
+  }
+  while (tries.size() < most_tries) {
     model.warnings = warnings;
-    RefineResult result = refine_model(model, mesh, scaled(scale), context);
+    RefineResult result = refine_model(model, mesh, scaled(options, scale), context);
     tries.push_back({scale, static_cast<double>(result.mesh.tetrahedra.size())});
     if (tries.size() == 1 || search.is_nearer(tries.back(), best.found))
       best = {tries.back(), std::move(result), model.warnings};
-    if (search.is_near(best.found)) break;
+    if (search.is_near(best.found, near_enough)) break;
     const Scale next = search.after(tries);
     if (next.size == scale.size && next.gradation == scale.gradation) break;
     scale = next;
   }
   model.warnings = std::move(best.warnings);
-  if (!search.is_near(best.found))
+  if (!search.is_near(best.found, near_enough))
     warn(model.warnings, context,
          "target_elements: " + short_words(best.found.count) + " elements came out and not " + short_words(target) +
              ", whatever the size: the surfaces alone ask for others");
-  settle(model, scaled(best.found.scale));
+  settle(model, scaled(options, best.found.scale));
   note(model.notes, context,
        "target_elements: sizes are " + short_words(best.found.scale.size) + " times those asked for" +
            (best.found.scale.gradation > 1

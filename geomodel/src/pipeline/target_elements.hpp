@@ -16,14 +16,16 @@ RefineOptions scaled_sizes(RefineOptions options, double factor);
 struct CountedOptions {
   RefineOptions options;
   ElementEstimate estimate;
-  double count_with_gaps = 0;  ///< elements that would come if gaps asked for sizes; 0 where gaps do ask, or are not to
+  bool gaps_dropped = false;   ///< gaps ask for no sizes, because they would ask for too many elements
+  double gradation_scale = 1;  ///< how many times as fast as usual sizes grow away from where they are small
 };
 
 /// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
 /// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements, and settings
-/// and the report's input hold them. Gaps between surfaces ask for no sizes where the estimate is above twice that with
-/// them and below without them, unless the project says what they ask for. Otherwise, and where the project asks for
-/// any size, the options are returned as they are.
+/// and the report's input hold them. Where larger sizes bring hardly fewer elements, sizes grow sooner away from small
+/// ones, unless the project says how soon. Gaps between surfaces ask for no sizes where the estimate is above twice
+/// that with them and below without them, unless the project says what they ask for. Otherwise, and where the project
+/// asks for any size, the options are returned as they are.
 CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 

@@ -18,6 +18,9 @@ struct Inspected {
 /// beside all other surfaces: with the exchange, unit or direction that would bring them in.
 void doubt_places(const Inspected& model, std::vector<Finding>& findings);
 
+/// Horizons that are as much lower and more level than all others as if their heights were in another unit.
+void doubt_heights(const Inspected& model, std::vector<Finding>& findings);
+
 /// Horizons that stand upright, faults that cover the map, bodies that are open inside the model or enclose nothing,
 /// surfaces that are given twice, single vertices of horizons far above or below all neighbours.
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings);

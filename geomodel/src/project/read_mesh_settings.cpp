@@ -133,7 +133,7 @@ const std::vector<std::string_view>& size_keys() {
 
 /// Which keys of `size` are given whose default depends on whether surfaces are kept.
 struct SizeKeysGiven {
-  bool input_edges = false, gap_layers = false;
+  bool input_edges = false, gap_layers = false, gradation = false;
 };
 
 SizeKeysGiven read_size(const YamlValue& value, const Project& project, RefinementSettings& settings) {
@@ -174,7 +174,7 @@ SizeKeysGiven read_size(const YamlValue& value, const Project& project, Refineme
   if (const auto v = map.find("points_per_wavelength")) read_positive(*v, sizes.points_per_wavelength);
   if (const auto v = map.find("by_depth")) read_by_depth(*v, sizes);
   if (sizes.base.max_size > 0 && sizes.base.min_size > sizes.base.max_size) value.problem("min is greater than max");
-  return {map.find("input_edges").has_value(), map.find("gap_layers").has_value()};
+  return {map.find("input_edges").has_value(), map.find("gap_layers").has_value(), map.find("gradation").has_value()};
 }
 
 /// What the project says of its surfaces; empty where it says nothing.
@@ -238,6 +238,7 @@ void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
   if (!(settings.tolerance.left() > 0)) settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
   if (!given.input_edges) base.from_input_edges = false;
   settings.gaps_by_default = !given.gap_layers;
+  settings.gradation_by_default = !given.gradation;
   if (settings.gaps_by_default) base.gap_layers = default_gap_layers;
   settings.derive_size = !(base.global > 0) && settings.size.background.empty() && settings.size.by_depth.empty();
 }

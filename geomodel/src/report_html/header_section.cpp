@@ -91,7 +91,7 @@ std::string header_section(const Report& report, const Box3& bounds) {
   if (report.mesh)
     out += "<p class=\"lead\">" + grouped_words(report.mesh->tetrahedra.size()) + " tetrahedra, " +
            grouped_words(report.mesh->points.size()) + " points, " + grouped_words(report.mesh->regions.size()) +
-           (report.mesh->regions.size() == 1 ? " unit" : " units") + "</p>\n";
+           (report.mesh->regions.size() == 1 ? " region" : " regions") + "</p>\n";
   out += "<dl class=\"facts\">\n" + fact("Project", text_at(input, "project")) + fact("Made", date_words()) +
          fact("By", "geomesh " GEOMESH_VERSION);
   if (report.mesh)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "geomesh/core/refine.hpp"
 
@@ -19,9 +20,28 @@ struct ElementEstimate {
   double total() const { return by_volume + by_sizes + by_thin_units + by_bends + by_gaps; }
 };
 
-/// The total is that of estimate_elements (refine.hpp): within 30 % of what comes out. Preconditions and errors are
-/// those of refine_and_improve. Takes seconds however many elements that are; near-linear in the cells of `mesh`.
-ElementEstimate estimate_by_cause(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
-                                  const RefineOptions& options, std::size_t n_thin = 0);
+/// Estimates for many sizes of one model: what does not depend on sizes is computed once. Near-linear in the cells of
+/// the mesh; an estimate takes seconds at most, however many elements that are.
+class ElementEstimator {
+ public:
+  /// Preconditions and errors are those of refine_and_improve. `plc` is kept by reference.
+  ElementEstimator(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                   const RefineOptions& options);
+  ElementEstimator(ElementEstimator&&) noexcept;
+  ElementEstimator& operator=(ElementEstimator&&) noexcept;
+  ~ElementEstimator();
+
+  /// Within 30 % of what comes out. `options` are those of the constructor, with other sizes and tolerances.
+  double total(const RefineOptions& options) const;
+  /// Whether the total is above `limit`; sooner known than the total where it is far above.
+  bool is_above(double limit, const RefineOptions& options) const;
+  /// The same number by its parts. The first `n_thin` sources are those of thin units.
+  ElementEstimate by_cause(const RefineOptions& options, std::size_t n_thin = 0) const;
+
+ private:
+  double count(const RefineOptions& options, double enough) const;
+  struct Basis;
+  std::unique_ptr<Basis> basis_;
+};
 
 }  // namespace geomesh

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "geomesh/core/refine.hpp"
 
-#include <array>
 #include <cstdio>
+#include <limits>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "common/geometry.hpp"
 #include "geomesh/core/element_estimate.hpp"
@@ -57,30 +59,62 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
 
 }  // namespace
 
-double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
-                         const RefineOptions& options) {
+struct ElementEstimator::Basis {
+  const PiecewiseLinearComplex& plc;
+  remesh::DomainMesh domain;
+  remesh::SizeBasis sizes;
+};
+
+ElementEstimator::ElementEstimator(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                                   const RefineOptions& options) {
   check_options(plc, options);
-  const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
-  const SizeField sizes = remesh::build_size_field(plc, domain, options).all;
-  return remesh::estimate_elements(domain, sizes, options);
+  remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
+  remesh::SizeBasis sizes = remesh::size_basis(plc, domain, options);
+  basis_ = std::make_unique<Basis>(Basis{plc, std::move(domain), std::move(sizes)});
 }
 
-ElementEstimate estimate_by_cause(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
-                                  const RefineOptions& options, std::size_t n_thin) {
-  check_options(plc, options);
-  const remesh::DomainMesh domain = remesh::import_domain(plc, mesh, options);
+ElementEstimator::ElementEstimator(ElementEstimator&&) noexcept = default;
+ElementEstimator& ElementEstimator::operator=(ElementEstimator&&) noexcept = default;
+ElementEstimator::~ElementEstimator() = default;
+
+double ElementEstimator::total(const RefineOptions& options) const {
+  return count(options, std::numeric_limits<double>::infinity());
+}
+
+bool ElementEstimator::is_above(double limit, const RefineOptions& options) const {
+  return count(options, limit) > limit;
+}
+
+double ElementEstimator::count(const RefineOptions& options, double enough) const {
+  check_options(basis_->plc, options);
+  const remesh::DomainMesh& domain = basis_->domain;
+  const remesh::LocalTolerance tolerance = remesh::allowed_tolerance(basis_->plc, domain, options);
+  return remesh::estimate_elements(domain, remesh::build_size_field(basis_->sizes, domain, options, tolerance).all,
+                                   options, enough);
+}
+
+ElementEstimate ElementEstimator::by_cause(const RefineOptions& options, std::size_t n_thin) const {
+  check_options(basis_->plc, options);
+  const remesh::DomainMesh& domain = basis_->domain;
   const auto count = [&](const SizeField& size) { return remesh::estimate_elements(domain, size, options); };
   RefineOptions without_thin = options;
   without_thin.size.sources.erase(without_thin.size.sources.begin(),
                                   without_thin.size.sources.begin() + static_cast<std::ptrdiff_t>(n_thin));
   SizeField::Limits global;
   if (options.size.global > 0) global.global = options.size.global;
-  const remesh::SizeFields all = remesh::build_size_field(plc, domain, options);
-  const std::array counts{count(SizeField({}, global)), count(remesh::sizes_asked_by_name(plc, domain, without_thin)),
-                          n_thin > 0 ? count(remesh::sizes_asked_by_name(plc, domain, options)) : 0,
-                          count(all.without_gaps), count(all.all)};
-  const double with_thin = n_thin > 0 ? counts[2] : counts[1];
-  return {counts[0], counts[1] - counts[0], with_thin - counts[1], counts[3] - with_thin, counts[4] - counts[3]};
+  const remesh::SizeFields all =
+      remesh::build_size_field(basis_->sizes, domain, options, remesh::allowed_tolerance(basis_->plc, domain, options));
+  const double by_volume = count(SizeField({}, global));
+  const double by_name = count(remesh::sizes_asked_by_name(basis_->sizes, domain, without_thin));
+  const double with_thin = n_thin > 0 ? count(remesh::sizes_asked_by_name(basis_->sizes, domain, options)) : by_name;
+  const bool has_gaps = options.size.gap_layers > 0 || !options.size.component_layers.empty();
+  const double total = count(all.all), with_bends = has_gaps ? count(all.without_gaps) : total;
+  return {by_volume, by_name - by_volume, with_thin - by_name, with_bends - with_thin, total - with_bends};
+}
+
+double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
+                         const RefineOptions& options) {
+  return ElementEstimator(plc, mesh, options).total(options);
 }
 
 namespace {

@@ -2,11 +2,9 @@
 // The size field from what was asked, declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "common/geometry.hpp"
-#include "remesh/domain/domain_io.hpp"
-#include "remesh/sizes/flat_extent.hpp"
+#include "remesh/sizes/size_basis.hpp"
 #include "remesh/sizes/size_sources.hpp"
 #include "remesh/sizes/sizes.hpp"
 
@@ -21,57 +19,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// as shapes allow.
 constexpr double uneven_ratio = 0.5, fast_gradation = 0.5, few_shortest = 3;
 
-/// Per facet a number that pieces of one have in common. Surfaces that are kept have it as their patches.
-std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
-                                 const RefineOptions& options) {
-  if (options.honour == Honour::tolerance) return merge_pieces(plc, options.facet_parent).row_of_facet;
-  std::vector<Index> rows;
-  for (Index f = 0; f < plc.n_facets(); ++f) rows.push_back(mesh.patch_of_facet(f));
-  return rows;
-}
-
-/// The constrained edges at a vertex on a surface or curve.
-struct EdgesAtVertex {
-  double inverse = 0, sum = 0, count = 0;  // of their lengths
-  double shortest = infinity, longest = 0;
-  void add(double length, double times) {
-    inverse += times / length, sum += times * length, count += times;
-    shortest = std::min(shortest, length), longest = std::max(longest, length);
-  }
-  /// In an even triangulation the mean. Near a few short edges among long ones a few times the short ones, which is
-  /// what elements of good shape need there.
-  double harmonic() const { return count / inverse; }
-  double mean() const { return sum / count; }
-};
-
-/// By vertex. Edges between pieces of one input triangle (equal in `merged`) are nobody's wish.
-std::vector<EdgesAtVertex> edges_at_vertices(const DomainMesh& mesh, const std::vector<Index>& merged) {
-  struct Use {
-    std::array<VertexIndex, 2> edge;
-    Index facet;
-  };
-  std::vector<Use> uses;
-  mesh.for_each_facet_face([&](FaceRef f) {
-    const Triangle t = mesh.face(f);
-    for (unsigned k = 0; k < 3; ++k)
-      uses.push_back({sorted(std::array{t[k], t[(k + 1) % 3]}), merged[mesh.tag(f).facet()]});
-  });
-  for (const auto& edge : mesh.curve_edges()) uses.push_back({edge, no_index});
-  std::sort(uses.begin(), uses.end(),
-            [](const Use& x, const Use& y) { return std::tie(x.edge, x.facet) < std::tie(y.edge, y.facet); });
-  std::vector<EdgesAtVertex> edges(mesh.n_vertices());
-  for (std::size_t i = 0, j; i < uses.size(); i = j) {
-    for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
-    const bool is_curve = uses[j - 1].facet == no_index;
-    const std::size_t n_faces = j - i - is_curve;
-    if (!is_curve && n_faces == 2 && uses[i].facet == uses[i + 1].facet) continue;
-    const auto [a, b] = uses[i].edge;
-    const double l = distance(mesh.point(a), mesh.point(b));
-    for (const VertexIndex v : {a, b}) edges[v].add(l, static_cast<double>(std::max(n_faces, std::size_t{1})));
-  }
-  return edges;
-}
-
 /// No size is below this, whatever short edges and thin gaps the input has: points that near to each other round onto
 /// each other, or off the sides that they are on.
 double least_of_all(const DomainMesh& mesh) {
@@ -83,11 +30,10 @@ double least_of_all(const DomainMesh& mesh) {
 
 class SizeFieldBuilder {
  public:
-  SizeFieldBuilder(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options)
-      : mesh_(mesh),
+  SizeFieldBuilder(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options)
+      : basis_(basis),
+        mesh_(mesh),
         options_(options.size),
-        patch_(named_patches(plc, options)),
-        edges_(edges_at_vertices(mesh, pieces_merged(plc, mesh, options))),
         sources_(options.size.sources),
         at_vertex_(mesh.n_vertices(), infinity),
         least_(least_of_all(mesh)) {}
@@ -96,7 +42,7 @@ class SizeFieldBuilder {
   void add_input_edges(bool by_longest) {
     if (!options_.from_input_edges) return;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
-      const EdgesAtVertex& e = edges_[v];
+      const EdgesAtVertex& e = basis_.edges[v];
       if (!(e.count > 0)) continue;
       if (by_longest) {
         ask_by_edges(v, e.longest);
@@ -119,47 +65,24 @@ class SizeFieldBuilder {
     cover_curves(mesh_, options_.segment_size, sources_);
   }
 
-  /// Where the surface turns by an angle over the distance between two faces' centroids, the radius is distance /
-  /// angle; the edge that turns by the angle asked is radius times that angle. For the tolerance a surface counts as
+  /// The edge that turns by the angle asked is a bend's radius times that angle. For the tolerance a surface counts as
   /// flat over lengths over which it is: a rough one turns at every edge.
   void add_curvature(const LocalTolerance& tolerance) {
     const bool is_within = tolerance.greatest() > 0;
     if (!(options_.curvature_angle > 0) && !is_within) return;
-    struct Half {
-      std::array<VertexIndex, 2> edge;
-      Vec3 normal, centroid;
-      Index patch;
-    };
-    std::vector<Half> halves;
-    std::vector<FlatExtent::Face> faces;
-    mesh_.for_each_facet_face([&](FaceRef f) {
-      const Triangle t = mesh_.face(f);
-      if (is_within) faces.push_back({mesh_.places(t), patch_of(f)});
-      const Vec3 n = unit(mesh_.normal(t));
-      if (n == Vec3{}) return;
-      for (unsigned k = 0; k < 3; ++k)
-        halves.push_back({sorted(std::array{t[k], t[(k + 1) % 3]}), n, mesh_.middle(t), patch_of(f)});
-    });
     const double widest = options_.global > 0 && options_.global < infinity ? options_.global : 0;
-    FlatExtent extent(std::move(faces), widest);
-    const auto key = [](const Half& h) { return std::tie(h.edge, h.centroid.x, h.centroid.y, h.centroid.z); };
-    std::sort(halves.begin(), halves.end(), [&](const Half& x, const Half& y) { return key(x) < key(y); });
-    for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
-      const Half &x = halves[i], &y = halves[i + 1];
-      if (x.edge != y.edge || x.patch != y.patch) continue;
-      const double turn = std::acos(std::clamp(std::abs(dot(x.normal, y.normal)), 0.0, 1.0));
-      if (turn < 1e-3 || turn > 0.8) continue;  // flat, or a crease
-      const double radius = distance(x.centroid, y.centroid) / turn;
+    FlatExtent extent(is_within ? basis_.faces : std::vector<FlatExtent::Face>(), widest);
+    for (const Bend& bend : basis_.bends) {
       double size = infinity;
-      if (options_.curvature_angle > 0) size = options_.curvature_angle * pi / 180 * radius;
+      if (options_.curvature_angle > 0) size = options_.curvature_angle * pi / 180 * bend.radius;
       if (is_within) {
-        const double chord = tolerance.least_at(std::array{x.centroid, y.centroid});
-        const double shortest = std::min(edges_[x.edge[0]].shortest, edges_[x.edge[1]].shortest);
-        const double by_turn = std::max(std::sqrt(8 * radius * chord), shortest);
-        const Vec3 place = 0.5 * (x.centroid + y.centroid);
-        size = std::min(size, std::max(by_turn, by_turn < widest ? extent.at(x.patch, place, by_turn, chord) : 0));
+        const double chord = tolerance.least_at(bend.centroids);
+        const double shortest = std::min(basis_.edges[bend.edge[0]].shortest, basis_.edges[bend.edge[1]].shortest);
+        const double by_turn = std::max(std::sqrt(8 * bend.radius * chord), shortest);
+        const Vec3 place = 0.5 * (bend.centroids[0] + bend.centroids[1]);
+        size = std::min(size, std::max(by_turn, by_turn < widest ? extent.at(bend.patch, place, by_turn, chord) : 0));
       }
-      for (const VertexIndex v : x.edge) ask(v, size);
+      for (const VertexIndex v : bend.edge) ask(v, size);
     }
   }
 
@@ -187,7 +110,7 @@ class SizeFieldBuilder {
 
   Index patch_of(FaceRef f) const {
     const Index facet = mesh_.tag(f).facet();
-    return facet < patch_.size() ? patch_[facet] : no_index;
+    return facet < basis_.patch.size() ? basis_.patch[facet] : no_index;
   }
 
   void ask(VertexIndex v, double size) {
@@ -230,10 +153,9 @@ class SizeFieldBuilder {
     sources_.insert(sources_.end(), found.begin(), found.end());
   }
 
+  const SizeBasis& basis_;
   const DomainMesh& mesh_;
   const SizeOptions& options_;
-  std::vector<Index> patch_;  // by facet
-  std::vector<EdgesAtVertex> edges_;
   std::vector<SizeSource> sources_;
   std::vector<double> at_vertex_;
   double least_;
@@ -241,22 +163,27 @@ class SizeFieldBuilder {
 
 }  // namespace
 
-SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance) {
-  SizeFieldBuilder builder(plc, mesh, options);
+  SizeFieldBuilder builder(basis, mesh, options);
   builder.add_input_edges(options.honour == Honour::exact && !options.size_surfaces);
   builder.add_patches_and_curves();
   builder.add_curvature(tolerance);
   return builder.build();
 }
 
-SizeField sizes_asked_by_name(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options) {
+SizeField sizes_asked_by_name(const SizeBasis& basis, const DomainMesh& mesh, RefineOptions options) {
   options.size.gap_layers = 0;
   options.size.component_layers.clear();
-  SizeFieldBuilder builder(plc, mesh, options);
+  SizeFieldBuilder builder(basis, mesh, options);
   builder.add_input_edges(options.honour == Honour::exact && !options.size_surfaces);
   builder.add_patches_and_curves();
   return builder.build().all;
+}
+
+SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
+                            const LocalTolerance& tolerance) {
+  return build_size_field(size_basis(plc, mesh, options), mesh, options, tolerance);
 }
 
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {

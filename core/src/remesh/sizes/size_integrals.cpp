@@ -128,7 +128,8 @@ class Integral {
 
 }  // namespace
 
-std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples) {
+std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
+                                             const SizeIntegrals& enough) {
   SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // a cell has four faces
   Integral<4> volume(sampler);
   Integral<3> surface(sampler);
@@ -136,6 +137,7 @@ std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeF
     volume.add(mesh.places(mesh.vertices(c)), mesh.component(c));
     for (unsigned i = 0; i < 4; ++i)
       if (mesh.is_surface(FaceRef(c, i))) surface.add(mesh.places(mesh.face(c, i)), mesh.component(c));
+    if (volume.sum() > enough.volume || surface.sum() > enough.surface) break;
     if (sampler.is_exhausted()) return std::nullopt;
   }
   return SizeIntegrals{volume.sum(), surface.sum()};

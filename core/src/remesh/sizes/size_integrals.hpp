@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 
 #include "geomesh/core/size_field.hpp"
@@ -19,7 +20,10 @@ struct SizeIntegrals {
 /// Cuts cells and faces at their longest sides, until sizes are even in each piece or no longer matter. Pieces of
 /// constant size are not cut, so a fine even size costs no more than a coarse one. Nothing where the field grows away
 /// from so many small sizes that more samples would be needed. A million samples take one or two seconds. Five for each
-/// cell come on top of `most_samples`: one for it and each of its faces.
-std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples);
+/// cell come on top of `most_samples`: one for it and each of its faces. Ends where either integral is more than
+/// `enough`.
+std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
+                                             const SizeIntegrals& enough = {std::numeric_limits<double>::infinity(),
+                                                                            std::numeric_limits<double>::infinity()});
 
 }  // namespace geomesh::remesh

@@ -5,6 +5,7 @@
 
 #include "geomesh/core/run_context.hpp"
 #include "remesh/operations/operations.hpp"
+#include "remesh/sizes/size_basis.hpp"
 
 namespace geomesh::remesh {
 
@@ -19,13 +20,16 @@ LocalTolerance allowed_tolerance(const PiecewiseLinearComplex& plc, const Domain
 struct SizeFields {
   SizeField all, without_gaps;
 };
+SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options,
+                            const LocalTolerance& tolerance);
+/// The same for one call, without a basis that others use.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
 /// The same with the tolerance that the options ask for.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
 /// Sizes by name alone, without those that bends and gaps impose.
-SizeField sizes_asked_by_name(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options);
+SizeField sizes_asked_by_name(const SizeBasis& basis, const DomainMesh& mesh, RefineOptions options);
 
 /// For a mesh that is sparse inside (RefineOptions::sparse_growth): on surfaces and curves as they are now what is
 /// asked there, and from there growing up to the ratio times what is asked.
@@ -46,6 +50,8 @@ double share_of_edges_within_size(Toolbox& tools, unsigned threads = 1);
 /// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
 /// size takes of them. Where surfaces keep their place, the cells that the mesh has before are counted too. Measured
 /// within 30 % there. Takes seconds however many elements that are (size_integrals.hpp).
-double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options);
+/// Counting ends where the number is above `enough`.
+double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options,
+                         double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace geomesh::remesh

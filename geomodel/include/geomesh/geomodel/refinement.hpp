@@ -44,12 +44,13 @@ struct RefinementSettings {
   QualityLevel quality = QualityLevel::standard;
   QualityMeasure quality_measure = QualityMeasure::dihedral;
   Honour honour = Honour::exact;
-  ToleranceLedger tolerance;      ///< Honour::tolerance; its length is set by settle_sizes where it follows the sizes
-  bool derive_size = false;       ///< nobody asks for a size of the whole model: settle_sizes derives one
-  bool gaps_by_default = false;   ///< the project does not say what gaps between surfaces ask for
-  double derived_elements = 1e5;  ///< for about so many elements
-  double target_elements = 0;     ///< all sizes are scaled so that about so many elements come out; 0: none
-  bool sizes_on_surfaces = true;  ///< false: surfaces get no points for sizes (RefineOptions::size_surfaces)
+  ToleranceLedger tolerance;     ///< Honour::tolerance; its length is set by settle_sizes where it follows the sizes
+  bool derive_size = false;      ///< nobody asks for a size of the whole model: settle_sizes derives one
+  bool gaps_by_default = false;  ///< the project does not say what gaps between surfaces ask for
+  bool gradation_by_default = false;  ///< nor how soon sizes grow
+  double derived_elements = 1e5;      ///< for about so many elements
+  double target_elements = 0;         ///< all sizes are scaled so that about so many elements come out; 0: none
+  bool sizes_on_surfaces = true;      ///< false: surfaces get no points for sizes (RefineOptions::size_surfaces)
   std::size_t max_elements = 50'000'000;
   double time_budget = 0;
   std::vector<std::string> cell_arrays;  ///< of known_cell_arrays(), written with the mesh whether it is refined or not

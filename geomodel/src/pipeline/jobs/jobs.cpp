@@ -7,8 +7,8 @@
 namespace geomesh::geomodel {
 
 const std::vector<std::string>& stage_names() {
-  static const std::vector<std::string> names{"read",     "build",  "intersect", "delaunay", "recover",
-                                              "classify", "refine", "improve",   "verify",   "write"};
+  static const std::vector<std::string> names{"read",     "build",  "intersect", "delaunay", "recover", "classify",
+                                              "estimate", "refine", "improve",   "verify",   "write"};
   return names;
 }
 
