@@ -13,9 +13,11 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "geomesh/core/error.hpp"
-#include "mesh_readers/netcdf_header.hpp"
+#include "mesh_readers/netcdf/hdf5_groups.hpp"
+#include "mesh_readers/netcdf/netcdf_header.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -59,11 +61,14 @@ bool one_of(const std::string& word, std::initializer_list<const char*> words) {
 class File {
  public:
   explicit File(const std::filesystem::path& path) : path_(path), bytes_(std::filesystem::file_size(path)) {
-    if (!netcdf_header_is_sound(path)) refuse("its header does not fit into the file: it is damaged");
+    if (const std::string fault = netcdf_header_fault(path); !fault.empty()) refuse(fault);
+    Hdf5Groups groups = check_hdf5_groups(path);
+    if (!groups.fault.empty()) refuse(groups.fault);
+    unwritten_ = std::move(groups.unwritten);
     if (nc_open(path.c_str(), NC_NOWRITE, &root_) != NC_NOERR)
       refuse(
           "the netCDF library cannot open it: it is damaged, or an HDF5 file of a kind that the library does not read");
-    collect(root_, "", 0);
+    collect(root_, "");
   }
   ~File() {
     if (root_ >= 0) nc_close(root_);
@@ -109,11 +114,15 @@ class File {
     return values;
   }
 
-  /// All numbers of the variable. Throws where the file cannot hold so many: deflate packs 1032 to 1 at most.
+  /// Whether the file has the variable's place and none of its values: the library reads zeros or fill values.
+  bool is_unwritten(const Variable& v) const { return unwritten_.count(v.path) > 0; }
+
+  /// All numbers of the variable. Throws where they and what was read before are more than a file of this size holds of
+  /// measured heights: constants pack a thousand to one, and a small file that claims them would take all memory.
   std::vector<double> values(const Variable& v) const {
-    constexpr std::size_t most_packed = 1032;
-    if (v.size() / most_packed > bytes_)
-      refuse("the sizes of " + v.path + " are not those of what follows: it is damaged");
+    constexpr std::size_t most_of_any = 4'000'000, most_a_byte = 4;
+    if (v.size() > std::max(most_of_any, most_a_byte * bytes_) - n_read_) refuse(too_many(v));
+    n_read_ += v.size();
     std::vector<double> values(v.size());
     const std::vector<std::size_t> start(v.counts.size(), 0);
     const int status = nc_get_vara_double(v.group, v.id, start.data(), v.counts.data(), values.data());
@@ -122,8 +131,17 @@ class File {
   }
 
  private:
-  void collect(int group, const std::string& above, int depth) {
-    constexpr int deepest = 16;
+  std::string too_many(const Variable& v) const {
+    std::string shape;
+    for (const std::size_t count : v.counts) shape += (shape.empty() ? "" : " by ") + std::to_string(count);
+    return "its variable " + v.path + " of " + shape + " numbers is too large for a file of " + std::to_string(bytes_) +
+           " bytes (" + std::to_string(n_read_) +
+           " numbers were read before it): it is damaged, or holds constants; write the part and the variables that "
+           "the "
+           "model needs into a file of their own, or every n-th node";
+  }
+
+  void collect(int group, const std::string& above) {
     int n = 0;
     if (nc_inq_nvars(group, &n) == NC_NOERR)
       for (int id = 0; id < n; ++id)
@@ -131,12 +149,12 @@ class File {
           v->path = above + v->name;
           variables_.push_back(std::move(*v));
         }
-    if (depth == deepest || nc_inq_grps(group, &n, nullptr) != NC_NOERR || n <= 0) return;
+    if (nc_inq_grps(group, &n, nullptr) != NC_NOERR || n <= 0) return;
     std::vector<int> groups(static_cast<std::size_t>(n));
     if (nc_inq_grps(group, &n, groups.data()) != NC_NOERR) return;
     for (const int inner : groups) {
       char name[NC_MAX_NAME + 1] = {};
-      if (nc_inq_grpname(inner, name) == NC_NOERR) collect(inner, above + name + "/", depth + 1);
+      if (nc_inq_grpname(inner, name) == NC_NOERR) collect(inner, above + name + "/");
     }
   }
 
@@ -165,8 +183,10 @@ class File {
 
   std::filesystem::path path_;
   std::size_t bytes_;
+  mutable std::size_t n_read_ = 0;  ///< numbers, of all variables
   int root_ = -1;
   std::vector<Variable> variables_;
+  std::set<std::string> unwritten_;
 };
 
 /// Which axis the values of a variable are along, by its attributes and its name.
@@ -265,7 +285,9 @@ class GridFinder {
     for (const Variable& v : file_.variables()) {
       const std::size_t n_axes = v.axes().size();
       if (!v.is_number() || n_axes < 2 || v.size() == 0) continue;
-      if (n_axes > 2) {
+      if (file_.is_unwritten(v)) {
+        found.others.push_back(v.path + " (no value of it was ever written)");
+      } else if (n_axes > 2) {
         found.others.push_back(v.path + " (" + std::to_string(n_axes) + " axes)");
       } else if (axis_of(file_, v) != Axis::none) {
         continue;  // places of other grids

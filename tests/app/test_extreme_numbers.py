@@ -3,6 +3,7 @@
 """Projects with one extreme number (tests/fuzz/extreme_numbers.py): a mesh or a message, never a crash, ten seconds to a refusal at most. One in
 a hundred in every run of the tests, all by night."""
 import os
+import resource
 import sys
 
 from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
@@ -35,6 +36,34 @@ class ExtremeNumbers(ProgramTest):
         self.assertEqual(got, status, printed)
         self.assertLess(seconds, 2 * SLOWNESS)
         return printed
+
+    def seconds_of(self, *arguments):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        self.run_program(*arguments)
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+    def test_many_surfaces_of_one_file_are_read_in_linear_time(self):
+        """10,000 were out of memory after 34 s, where 200 took 0.09 s."""
+        for kind in ("one entry", "an entry each"):
+            seconds = {}
+            for n in (1000, 8000):
+                self.write("f.ts", "".join("GOCAD TSurf 1\nHEADER {\nname:s%d\n}\nTFACE\nVRTX 1 %d 0 0\nVRTX 2 %d.3 1 0\nVRTX 3 %d.2 0 1\nTRGL 1 2 3\nEND\n"
+                                           % (k, k, k, k) for k in range(n)))
+                entries = ['{name: f, kind: fault, file: f.ts, object: "*"}'] if kind == "one entry" else [
+                    "{name: f%d, kind: fault, file: f.ts, object: s%d}" % (k, k) for k in range(n)]
+                project = self.write("m.yaml", "name: m\nbox: {min: [-1, -1, -1], max: [9000, 2, 2]}\nsurfaces:\n" + "".join("  - %s\n" % e for e in entries))
+                seconds[n] = self.seconds_of(project, "--stop-after", "read")
+            with self.subTest(kind):
+                self.assertLess(seconds[8000], 20 * seconds[1000] + 1)
+
+    def test_many_named_points_on_one_line_are_meshed_in_linear_time(self):
+        """200,000 did not end: each point's groups were sought among those of all."""
+        seconds = {}
+        for n in (5000, 40000):
+            points = ", ".join("{name: p%d, at: [0, 0, %.7f]}" % (k, -0.9 + 1.8 * k / n) for k in range(n))
+            project = self.write("m.yaml", "name: m\nbox: {min: [-1, -1, -1], max: [1, 1, 1]}\nsurfaces: []\nmesh: {refine: none}\npoints: [%s]\n" % points)
+            seconds[n] = self.seconds_of(project, "--quiet")
+        self.assertLess(seconds[40000], 15 * seconds[5000])
 
     def test_a_size_beyond_the_model_is_refused_with_one_that_would_do(self):
         printed = self.refused({"size": 70000}, USAGE)

@@ -30,9 +30,13 @@ class Families(ProgramTest):
         self.assert_right("thrust")
 
     def test_faults_that_cross_and_meet_each_other(self):
-        """Sheets of two blocks lie at one height in the last one: beyond the fault between them they were merged, which left a hole."""
+        """Sheets of two blocks lie at one height in the second one: beyond the fault between them they were merged, which left a hole."""
         self.assert_right("conjugate")
         self.assert_right("conjugate", (5,))
+
+    def test_faults_that_end_on_another_one_in_teeth(self):
+        """Teeth that lie beyond the other fault left stubs and slits; in the first model teeth were taken for an upper border that a horizon truncates."""
+        self.assert_right("conjugate", (3, 8, 21))
 
     def test_networks_of_faults_that_end_on_each_other_with_misfits(self):
         """In the second one horizons ended at a piece of a fault that was cut off later."""
@@ -52,6 +56,29 @@ class Families(ProgramTest):
         """The last one is reverse: its sides overlap in the map, and the strip that is missing beyond its tip joins both."""
         self.assert_right("dying_fault")
         self.assert_right("dying_fault", (2,))
+
+    def test_grids_with_noise_and_undefined_strips_along_faults(self):
+        self.assert_right("noisy_grid", (4,))
+        self.assert_right("noisy_grid", (4,), "careful")
+
+    def test_growth_faults_on_two_listric_faults(self):
+        self.assert_right("growth_fault", (1,))
+        self.assert_right("growth_fault", (1,), "careful")
+
+    def test_growth_faults_that_die_out(self):
+        self.assert_right("growth_fault", (4,), "careful")
+
+    def test_picks_of_a_few_wells(self):
+        self.assert_right("sparse_picks", (0, 2))
+
+    def test_lenses_between_horizons_that_cross_and_as_a_body(self):
+        self.assert_right("lens", (1, 2), "careful")
+
+    def test_a_channel_whose_base_is_given_over_the_whole_map(self):
+        self.assert_right("channel", (1,), "careful")
+
+    def test_a_dyke_cut_by_a_later_fault(self):
+        self.assert_right("intrusion", (2,))
 
 
 if __name__ == "__main__":

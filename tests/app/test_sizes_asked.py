@@ -143,6 +143,17 @@ class SizesAsked(ProgramTest):
         self.assertNotIn("may be flat", asked)
         self.assertGreater(float(re.search("elements to come: about ([0-9,]+[0-9])", asked).group(1).replace(",", "")), 200_000)
 
+    def test_a_derived_size_gives_no_tolerance_away_in_vain(self):
+        """Rough horizons that cross all over ask for about as many elements at every size: the size grew beyond the model, and surfaces might be
+        48 m off for 6 % fewer elements. The limit ends the run before the work."""
+        rng = random.Random(3)
+        for k in range(3):
+            self.rough("h%d" % k, 24, -500 + 0.1 * k, 25, rng)
+        text = "name: model\n" + BOX + "surfaces:\n" + "".join("  - {name: h%d, kind: horizon, file: h%d.ts}\n" % (k, k) for k in range(3))
+        line = self.run_program(self.write("model.yaml", text + "mesh: {max_elements: 115000}\n"), status=CANNOT_MESH)
+        self.assertLess(float(re.search("edges of ([0-9.]+) m", line).group(1)), 400)
+        self.assertLess(float(re.search("surfaces within ([0-9.]+) m", line).group(1)), 20)
+
     def test_a_preview_is_coarse_whatever_the_project_asks(self):
         self.write("h0.ts", level("h0", -500, size=1000.0))
         text = "name: model\n" + BOX + "surfaces:\n  - {name: h0, kind: horizon, file: h0.ts}\ncolumn: [a, h0, b]\nmesh: {size: 10}\n"

@@ -7,6 +7,8 @@ Prints one line a model: the share of random points (uniform in the volume of th
 that lie in the wrong unit, the largest such pairs of units, elements, CPU seconds. A point in a region of joined names counts as wrong.
 """
 import argparse
+import bisect
+import math
 import os
 import random
 import re
@@ -44,7 +46,11 @@ def volume(points, cell):
     return abs(u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0])) / 6
 
 
-def is_clear(model, p, distance):
+def is_clear(model, p):
+    """True if the unit is the same in all six directions, farther than the tolerance, the noise and what the data leave open."""
+    distance = 3 * (model.size() / 40 + model.noise()) + model.room(p)
+    if distance == math.inf:
+        return False
     unit = model.unit_at(p)
     steps = ((distance, 0, 0), (-distance, 0, 0), (0, distance, 0), (0, -distance, 0), (0, 0, distance), (0, 0, -distance))
     return all(model.unit_at((p[0] + a, p[1] + b, p[2] + c)) == unit for a, b, c in steps)
@@ -59,14 +65,12 @@ def wrong_share(model, folder):
     chance = random.Random(1)
     n, wrong = 0, {}
     (x0, y0, z0), (x1, y1, z1) = model.box
-    distance = 3 * (model.size() / 40 + model.noise()) + model.gap
-    import bisect
     for _ in range(N_POINTS):
         k = bisect.bisect_left(sums, chance.random() * total)
         cuts = sorted(chance.random() for _ in range(3))
         w = (cuts[0], cuts[1] - cuts[0], cuts[2] - cuts[1], 1 - cuts[2])
         p = tuple(sum(w[i] * points[corners[k][i]][a] for i in range(4)) for a in range(3))
-        if not is_clear(model, p, distance):
+        if not is_clear(model, p):
             continue
         n += 1
         if regions[k] != model.unit_at(p):

@@ -7,7 +7,7 @@
 
 #include "mesh_readers/exodus_parts.hpp"
 #include "mesh_readers/mesh_readers.hpp"
-#include "mesh_readers/netcdf_reader.hpp"
+#include "mesh_readers/netcdf/netcdf_reader.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -88,9 +88,18 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 
 namespace {
 
-/// Of a horizon's area with the component on both sides: less on one side is what rounding or the tolerance left where
-/// it ends, and says nothing.
-constexpr double least_share = 0.01;
+double area_in(const std::map<Index, double>& areas, Index h) {
+  const auto at = areas.find(h);
+  return at == areas.end() ? 0.0 : at->second;
+}
+
+/// Whether a horizon h bounds a component that has more than this area of it on one side. It does not if more of a
+/// horizon beyond it, or of itself, has the component on both sides: then the component goes on there.
+bool bounds(const HorizonContacts& contacts, double area, Index first, Index last) {
+  for (const auto& [h, both] : contacts.on_both_sides)
+    if (h >= first && h <= last && both > area) return false;
+  return true;
+}
 
 }  // namespace
 
@@ -100,19 +109,14 @@ UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column) {
   const Index last_unit = static_cast<Index>(column.units.size() - 1);
   Index first = 0, last = last_unit;
   bool bounded_above = false, bounded_below = false;
-  const auto area_in = [](const std::map<Index, double>& areas, Index h) {
-    const auto at = areas.find(h);
-    return at == areas.end() ? 0.0 : at->second;
-  };
-  const auto is_remnant = [&](Index h, double area) { return area < least_share * area_in(contacts.on_both_sides, h); };
   for (const auto& [h, area] : contacts.lies_below) {
-    if (is_remnant(h, area)) continue;
     if (area < area_in(contacts.lies_above, h)) continue;  // repeated by a fold or thrust: the larger side speaks
+    if (!bounds(contacts, area, 0, h)) continue;
     first = std::max(first, h + 1);
     bounded_above = true;
   }
   for (const auto& [h, area] : contacts.lies_above) {
-    if (is_remnant(h, area) || area <= area_in(contacts.lies_below, h)) continue;
+    if (area <= area_in(contacts.lies_below, h) || !bounds(contacts, area, h, last_unit)) continue;
     last = std::min(last, h);
     bounded_below = true;
   }

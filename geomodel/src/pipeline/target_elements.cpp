@@ -93,8 +93,9 @@ static CountedOptions scaled_to_target(const PreparedModel& model, const Constra
   const ElementEstimate found = estimate_model(model, mesh, options);
   const double target = model.refinement.derived_elements, off = found.total() / target;
   if (off <= near && off >= 1 / near) return {std::move(options), found};
-  const double factor = first_factor(model, mesh, options, target, greatest_factor(model, options));
-  options = scaled_sizes(std::move(options), factor);
+  // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
+  const double most = std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target));
+  options = scaled_sizes(options, first_factor(model, mesh, options, target, most));
   const ElementEstimate scaled = estimate_model(model, mesh, options);
   return {std::move(options), scaled};
 }
@@ -112,8 +113,8 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
   if (count > most && settings.gaps_by_default) {
     options.size.gap_layers = 0;
     CountedOptions without_gaps = scaled_to_target(model, mesh, std::move(options));
-    // If many faults cross, the count remains high without gaps, and elements would be flat in vain.
-    if (without_gaps.estimate.total() <= most) {
+    // Elsewhere the count remains high without gaps, and elements would be flat in vain.
+    if (without_gaps.estimate.total() < count / 2) {
       chosen = std::move(without_gaps);
       chosen.count_with_gaps = count;
     }

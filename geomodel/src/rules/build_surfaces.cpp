@@ -8,11 +8,11 @@
 #include "rules/blocks/build_blocks.hpp"
 #include "rules/column_order.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
-#include "rules/continuation/walls.hpp"
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
 #include "rules/framework/up_to_walls.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 

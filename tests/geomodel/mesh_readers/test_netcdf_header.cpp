@@ -3,7 +3,7 @@
 #include <fstream>
 #include <string>
 
-#include "mesh_readers/netcdf_header.hpp"
+#include "mesh_readers/netcdf/netcdf_header.hpp"
 #include "scratch.hpp"
 
 using namespace geomesh::geomodel;
@@ -30,13 +30,45 @@ std::string sound_file(int version) {
   return file + std::string(16, '\0');
 }
 
-bool is_sound(const std::string& bytes) {
+std::string fault(const std::string& bytes) {
   const std::filesystem::path file = testing::scratch_folder() / "header.e";
   std::ofstream(file, std::ios::binary) << bytes;
-  return netcdf_header_is_sound(file);
+  return netcdf_header_fault(file);
+}
+bool is_sound(const std::string& bytes) { return fault(bytes).empty(); }
+
+/// The same with 5 records of `n_parts` variables, of two shorts each: 20 bytes of one variable, 4 a record of each.
+std::string file_with_records(int version, int n_parts) {
+  const int width = version == 5 ? 8 : 4, offset = version == 1 ? 4 : 8;
+  const auto name = [&](char letter) { return number(1, width) + std::string{letter, 0, 0, 0}; };
+  const std::string no_attributes = number(0, 4) + number(0, width);
+  std::string file = "CDF" + number(static_cast<std::uint64_t>(version), 1) + number(5, width);
+  file += number(10, 4) + number(2, width) + name('t') + number(0, width) + name('n') + number(1, width);
+  file += no_attributes + number(11, 4) + number(static_cast<std::uint64_t>(n_parts), width);
+  const std::size_t one = no_attributes.size() + name('x').size() + static_cast<std::size_t>(4 * width + 4 + offset);
+  const std::size_t begin = file.size() + static_cast<std::size_t>(n_parts) * one;
+  for (int k = 0; k < n_parts; ++k)
+    file += name('x') + number(2, width) + number(0, width) + number(1, width) + no_attributes + number(3, 4) +
+            number(4, width) + number(begin + 4 * static_cast<std::size_t>(k), offset);
+  // Records of one variable are not padded; of several each part is, but for the last one of the file.
+  return file + std::string(n_parts == 1 ? 10 : static_cast<std::size_t>(5 * 4 * n_parts - 2), '\1');
 }
 
 }  // namespace
+
+TEST_CASE("a file of netCDF whose last records are missing is refused with their numbers", "[netcdf]") {
+  for (const int version : {1, 2, 5})
+    for (const int n_parts : {1, 2, 3}) {
+      INFO("version " << version << ", variables " << n_parts);
+      const std::string whole = file_with_records(version, n_parts);
+      CHECK(fault(whole).empty());
+      CHECK(fault(whole + std::string(100, '\0')).empty());
+      CHECK_THAT(fault(whole.substr(0, whole.size() - 1)), Catch::Contains("of 5 records that its header counts, 4"));
+      std::string streamed = whole.substr(0, whole.size() - 1);
+      streamed.replace(4, version == 5 ? 8 : 4, version == 5 ? 8 : 4, '\xFF');
+      CHECK(fault(streamed).empty());
+    }
+}
 
 TEST_CASE("headers of classic netCDF files are sound, those of other kinds are left to their libraries", "[netcdf]") {
   for (const int version : {1, 2, 5}) CHECK(is_sound(sound_file(version)));

@@ -139,14 +139,26 @@ TriangulatedSurface flat_horizon(const std::string& name, double z) {
 
 /// The plane x = 5 to beyond the model, but for its upper border, which runs from one height to another in the model.
 TriangulatedSurface fault_up_to(double z_at_south, double z_at_north) {
-  return rectangle("f", {Vec3{5, -1, -1}, {5, side + 1, -1}, {5, side + 1, z_at_north}, {5, -1, z_at_south}});
+  TriangulatedSurface fault =
+      rectangle("f", {Vec3{5, -1, -1}, {5, side + 1, -1}, {5, side + 1, z_at_north}, {5, -1, z_at_south}});
+  // Its upper border has edges with their middles in the model, where it is looked at.
+  fault.points.push_back(0.5 * (fault.points[2] + fault.points[3]));
+  fault.triangles = {{0, 1, 4}, {1, 2, 4}, {0, 4, 3}};
+  return fault;
+}
+
+/// The same with a row of triangles at the upper border, from z = 7.1 on.
+TriangulatedSurface fault_with_upper_row() {
+  TriangulatedSurface fault = fault_up_to(7.1, 7.1);
+  const auto n = static_cast<VertexIndex>(fault.points.size());
+  for (const double y : {-1.0, side / 2, side + 1.0}) fault.points.push_back({5, y, 7.4});
+  for (const Triangle& t : {Triangle{3, 4, n}, Triangle{4, n + 1, n}, Triangle{4, 2, n + 1}, Triangle{2, n + 2, n + 1}})
+    fault.triangles.push_back(t);
+  return fault;
 }
 
 /// The horizons that truncate a fault with the rules given; `young` at z = 7 lies over `old` at z = 3.
 std::vector<std::string> truncating(TriangulatedSurface fault, BaseRule of_young) {
-  // Its upper border gets vertices in the model, where it is looked at.
-  fault.points.push_back(0.5 * (fault.points[2] + fault.points[3]));
-  fault.triangles = {{0, 1, 4}, {1, 2, 4}, {0, 4, 3}};
   const std::vector<TriangulatedSurface> surfaces{flat_horizon("young", 7), flat_horizon("old", 3), std::move(fault)};
   ModelRules rules = rules_of_box();
   rules.column = {"a", "young", "b", "old", "c"};
@@ -191,8 +203,9 @@ TEST_CASE("A horizon truncates faults that end along it, and one that erodes tho
   using Names = std::vector<std::string>;
   CHECK(truncating(fault_up_to(6.7, 7.2), BaseRule::conformable) == Names{"young"});
   CHECK(truncating(fault_up_to(6.7, 6.8), BaseRule::conformable) == Names{"young"});
-  CHECK(truncating(fault_up_to(7.2, 7.4), BaseRule::conformable) == Names{});  // all above: it goes through
-  CHECK(truncating(fault_up_to(5, 5), BaseRule::conformable) == Names{});      // it dies out between them
+  CHECK(truncating(fault_up_to(7.2, 7.4), BaseRule::conformable) == Names{"young"});  // by less than its triangles
+  CHECK(truncating(fault_with_upper_row(), BaseRule::conformable) == Names{});        // all above: it goes through
+  CHECK(truncating(fault_up_to(5, 5), BaseRule::conformable) == Names{});             // it dies out between them
   CHECK(truncating(fault_up_to(5, 5), BaseRule::erode) == Names{});
   CHECK(truncating(fault_up_to(side + 1, side + 1), BaseRule::erode) == Names{});  // its border is outside
 }

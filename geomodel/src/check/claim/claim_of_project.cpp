@@ -164,6 +164,8 @@ Claim claim_of_project(const std::filesystem::path& file) {
     claim.trims.back().continuation |= !built.rows.part_of_triangle[row].empty();
     if (std::binary_search(built.rows.overshooting.begin(), built.rows.overshooting.end(), row))
       claim.trims.back().near_faults = rules.continuation.within_of_faults;
+    for (const auto& [fault, horizon] : built.rows.truncations)
+      if (fault == row) claim.trims.back().above.push_back(horizon);
     claim.trims.back().partings = partings_of(built, built.rows.parted_at[row]);
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),

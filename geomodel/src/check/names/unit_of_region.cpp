@@ -15,8 +15,6 @@ namespace {
 
 /// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
 constexpr double close_share = 0.45;
-/// Less than this share of the area that a horizon shows to a region from both sides bounds no unit.
-constexpr double least_share = 0.01;
 /// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side: where a
 /// horizon ends on a fault within the tolerance, faces of the fault bear it, too.
 constexpr double least_cosine = 0.1;
@@ -94,7 +92,12 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
   bool has_over = false, has_under = false;
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
-    if (std::max(below, above) <= least_share * area_of(contacts.both, h)) continue;
+    if (!(std::max(below, above) > 0)) continue;
+    // What lies beyond, or the horizon itself, has the region on both sides over more: it is not bounded there.
+    const auto goes_on = [&](const auto& both) {
+      return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
+    };
+    if (std::any_of(contacts.both.begin(), contacts.both.end(), goes_on)) continue;
     verdict.close = verdict.close || std::min(below, above) > close_share * (below + above);
     if (below >= above) {
       first = std::max(first, h + 1);

@@ -64,26 +64,49 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// The triangles of a grid, once for each side of the walls that part them.
-class SidedApron {
+/// Which nodes of a grid hang together without a wall between: each such set is a side, told by its first node.
+class ApronSides {
  public:
-  SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
-             const ApronSetting& setting)
-      : surface_(surface),
-        row_(row),
-        border_(chain),
-        walls_(walls),
-        within_(setting.within),
-        grid_(surface, row, chain, walls, setting),
-        edges_(surface, row, walls),
-        faces_up_(faces_up(surface, chain, setting.frame)) {}
+  ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
+             const ApronGrid& grid)
+      : row_(row), border_(chain), walls_(walls), grid_(grid) {
+    UnpartedEdges edges(surface, row, walls);
+    UnionFind joined(grid.nodes().size());
+    for (std::size_t e = 0; e < grid.chain().n_edges(); ++e) {
+      const auto a = static_cast<Index>(e), b = static_cast<Index>(grid.chain().end_of(e));
+      if (!is_parted(a, b) || edges.join(chain.vertices[a], chain.vertices[b]))
+        joined.unite(a, b);
+      else
+        parted_border_.insert(std::minmax(a, b));
+    }
+    for (const Corners& t : grid.triangles())
+      for (std::size_t i = 0; i < 3; ++i) join(t[i], t[(i + 1) % 3], joined);
+    side_.assign(grid.nodes().size(), no_index);
+    for (Index v = 0; v < grid.nodes().size(); ++v)
+      if (grid.nodes()[v].is_seen) side_[v] = joined.find(v);
+  }
 
-  Apron make() {
-    apron_.crosses_itself = grid_.crosses_itself();
-    if (grid_.triangles().empty()) return std::move(apron_);
-    find_sides();
-    copy_triangles();
-    return std::move(apron_);
+  /// no_index where nothing sees the node.
+  Index operator[](Index v) const { return side_[v]; }
+  std::set<Index> of(const Corners& t) const {
+    std::set<Index> sides;
+    for (const Index v : t)
+      if (side_[v] != no_index) sides.insert(side_[v]);
+    return sides;
+  }
+  /// The surface as given runs on across a wall in a side of the triangle: so does what lies beside.
+  bool runs_on(const Corners& t) const {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
+    return false;
+  }
+  /// The side from which an edge of the border leads to v, if a wall on that edge cuts v off; otherwise no_index.
+  Index before(Index v) const {
+    if (v >= grid_.n_border()) return no_index;
+    const std::size_t n = grid_.chain().n_edges();
+    if (v < n && border_.cut_off[v] == 1) return side_[grid_.chain().end_of(v)];
+    const std::size_t edge = v > 0 ? v - 1 : n - 1;
+    return grid_.chain().end_of(edge) == v && border_.cut_off[edge] == 2 ? side_[edge] : no_index;
   }
 
  private:
@@ -91,61 +114,48 @@ class SidedApron {
     return walls_.first_surface(grid_.nodes()[a].point, grid_.nodes()[b].point, row_) ||
            walls_.first_surface(grid_.nodes()[b].point, grid_.nodes()[a].point, row_);
   }
-
-  /// Nodes that hang together without a wall between are of one side.
-  void find_sides() {
-    UnionFind joined(grid_.nodes().size());
-    const auto join = [&](Index a, Index b) {
-      if (grid_.nodes()[a].is_seen && grid_.nodes()[b].is_seen && joined.find(a) != joined.find(b) && !is_parted(a, b))
-        joined.unite(a, b);
-    };
-    for (std::size_t e = 0; e < grid_.chain().n_edges(); ++e) {
-      const auto a = static_cast<Index>(e), b = static_cast<Index>(grid_.chain().end_of(e));
-      if (!is_parted(a, b) || edges_.join(border_.vertices[a], border_.vertices[b]))
-        joined.unite(a, b);
-      else
-        parted_border_.insert(std::minmax(a, b));
-    }
-    for (const Corners& t : grid_.triangles())
-      for (std::size_t i = 0; i < 3; ++i) join(t[i], t[(i + 1) % 3]);
-    side_.assign(grid_.nodes().size(), no_index);
-    for (Index v = 0; v < grid_.nodes().size(); ++v)
-      if (grid_.nodes()[v].is_seen) side_[v] = joined.find(v);
+  void join(Index a, Index b, UnionFind& joined) const {
+    if (grid_.nodes()[a].is_seen && grid_.nodes()[b].is_seen && joined.find(a) != joined.find(b) && !is_parted(a, b))
+      joined.unite(a, b);
   }
 
-  std::set<Index> sides_of(const Corners& t) const {
-    std::set<Index> sides;
-    for (const Index v : t)
-      if (side_[v] != no_index) sides.insert(side_[v]);
-    return sides;
+  Index row_;
+  const BorderChain& border_;
+  const Walls& walls_;
+  const ApronGrid& grid_;
+  std::vector<Index> side_;  ///< per node
+  std::set<std::pair<Index, Index>> parted_border_;
+};
+
+/// The triangles of a grid, once for each side of the walls that part them.
+class SidedApron {
+ public:
+  SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
+             const ApronSetting& setting)
+      : surface_(surface),
+        border_(chain),
+        within_(setting.within),
+        grid_(surface, row, chain, walls, setting),
+        sides_(surface, row, chain, walls, grid_),
+        faces_up_(faces_up(surface, chain, setting.frame)) {}
+
+  Apron make() {
+    apron_.crosses_itself = grid_.crosses_itself();
+    if (!grid_.triangles().empty()) copy_triangles();
+    return std::move(apron_);
   }
 
-  /// The surface as given runs on across a wall in a side of the triangle: so does what lies beside.
-  bool runs_on(const Corners& t) const {
-    for (std::size_t i = 0; i < 3; ++i)
-      if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
-    return false;
-  }
-
-  /// The side of the border vertex from which an edge of the border leads to v, if a wall on that edge cuts v off.
-  Index side_before(Index v) const {
-    if (v >= grid_.n_border()) return no_index;
-    const std::size_t n = grid_.chain().n_edges();
-    if (v < n && border_.cut_off[v] == 1) return side_[grid_.chain().end_of(v)];
-    const std::size_t before = v > 0 ? v - 1 : n - 1;
-    return grid_.chain().end_of(before) == v && border_.cut_off[before] == 2 ? side_[before] : no_index;
-  }
-
+ private:
   void copy_triangles() {
     std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls by sides of triangles
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
-      const std::set<Index> sides = sides_of(t);
+      const std::set<Index> sides = sides_.of(t);
       if (sides.empty()) unseen.push_back(&t);
-      if (sides.size() > 1 && runs_on(t)) {
-        const auto beyond = std::ranges::find_if(t, [&](Index v) { return sides.contains(side_before(v)); });
+      if (sides.size() > 1 && sides_.runs_on(t)) {
+        const auto beyond = std::ranges::find_if(t, [&](Index v) { return sides.contains(sides_.before(v)); });
         if (beyond != t.end())
-          copy(t, side_before(*beyond));
+          copy(t, sides_.before(*beyond));
         else
           add({row_of(t[0]), row_of(t[1]), row_of(t[2])}, *sides.begin());
         continue;
@@ -170,7 +180,7 @@ class SidedApron {
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {
-      own[i] = side_[t[i]] == side ? row_of(t[i]) : twin_of(t[i], side);
+      own[i] = sides_[t[i]] == side ? row_of(t[i]) : twin_of(t[i], side);
       if (own[i] == no_vertex) return;
     }
     add(own, side);
@@ -194,13 +204,13 @@ class SidedApron {
   }
   /// A node at the place of another one with the height of a side; no_vertex where that side has no border near.
   VertexIndex twin_of(Index v, Index side) {
-    if (side_before(v) == side) return row_of(v);  // the border leads there
+    if (sides_.before(v) == side) return row_of(v);  // the border leads there
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;
     for (const ChainInPlane::Nearest& near : grid_.chain().all_near(p, 2 * within_)) {
       const std::size_t vertex = near.along < 0.5 ? near.edge : grid_.chain().end_of(near.edge);
-      if (side_[vertex] != side) continue;
+      if (sides_[vertex] != side) continue;
       at->second = add_point(grid_.node_at(p, near).point);
       break;
     }
@@ -208,14 +218,10 @@ class SidedApron {
   }
 
   const TriangulatedSurface& surface_;
-  Index row_;
   const BorderChain& border_;
-  const Walls& walls_;
   double within_;
   ApronGrid grid_;
-  UnpartedEdges edges_;
-  std::vector<Index> side_;  ///< per node: the first node of its side; no_index where nothing sees it
-  std::set<std::pair<Index, Index>> parted_border_;
+  ApronSides sides_;
   std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< by node and side (no_index: its own)
   std::map<Index, Index> number_of_side_;
   bool faces_up_;

@@ -83,12 +83,20 @@ class CutOffBorder {
   std::set<Index> cut_off_;  ///< of sets of vertices
 };
 
-/// The nearest wall before an edge, with its distance from the edge as share. The search begins `rounding` within the
-/// surface, because a segment that begins on a wall does not meet it: an edge that lies on its wall has it at 0.
-std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, Index row, const Walls& walls,
-                                      double within, double rounding) {
+struct WallSearch {
+  Index row;
+  const Walls& walls;
+  double within, rounding;
+};
+
+/// The nearest wall before a place of an edge, with its distance from the edge as share. The search begins `rounding`
+/// within the surface, because a segment that begins on a wall does not meet it: an edge that lies on its wall has it
+/// at 0.
+std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, double share,
+                                      const WallSearch& search) {
+  const auto& [row, walls, within, rounding] = search;
   const Vec3 out = outward(s, e), along = normalized(s.points[e.b] - s.points[e.a]);
-  const Vec3 start = 0.5 * (s.points[e.a] + s.points[e.b]) - rounding * out;
+  const Vec3 start = (1 - share) * s.points[e.a] + share * s.points[e.b] - rounding * out;
   std::optional<Walls::Hit> nearest;
   for (const double turn : {0.0, 1.0, -1.0}) {
     const double length = within + rounding;
@@ -98,6 +106,13 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
     if (!nearest || hit->share < nearest->share) nearest = hit;
   }
   return nearest;
+}
+
+/// Whether an edge lies on its wall, up to rounding: one that crosses it may have its middle there.
+bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSearch& search) {
+  for (const double share : {0.25, 0.5, 0.75})
+    if (const auto hit = wall_before(s, e, share, search); !hit || hit->share > search.rounding) return false;
+  return true;
 }
 
 /// Edges without a wall between edges that have one take the wall of the edge before, as far as they are few.
@@ -180,6 +195,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
   double largest = 0;  // coordinate
   for (std::size_t i = 0; i < 3; ++i) largest = std::max({largest, std::abs(box.min[i]), std::abs(box.max[i])});
   const double rounding = 1024 * std::numeric_limits<double>::epsilon() * largest;
+  const WallSearch search{row, walls, within, rounding};
   std::vector<std::vector<LoopEdge>> loops;
   for (const std::vector<VertexIndex>& vertices : border_loops(edges).loops) {
     std::vector<LoopEdge>& loop = loops.emplace_back();
@@ -197,8 +213,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        e.hit = wall_before(surface, e, row, walls, within, rounding);
-      if (e.hit && e.goes_on && e.hit->share <= rounding) e.goes_on = false;  // it ends on the wall, up to rounding
+        e.hit = wall_before(surface, e, 0.5, search);
+      if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
       e.is_beyond = !is_within(box, middle, 0);
       if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};

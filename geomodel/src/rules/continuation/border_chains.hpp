@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "rules/continuation/walls.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {

@@ -5,8 +5,8 @@
 
 #include <functional>
 
-#include "rules/continuation/walls.hpp"
 #include "rules/framework/fault_tip.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "rules/continuation/border_chains.hpp"
-#include "rules/continuation/walls.hpp"
 #include "rules/framework/block_framework.hpp"
+#include "rules/framework/walls.hpp"
 
 namespace geomesh::geomodel {
 

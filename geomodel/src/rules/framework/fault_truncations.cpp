@@ -11,6 +11,7 @@
 #include "naming/sums.hpp"
 #include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/overshoots.hpp"
+#include "rules/framework/walls.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
@@ -30,40 +31,39 @@ bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// Middles, in the model, of the border edges that no other one passes over, as seen along the fault.
-std::vector<Vec3> upper_border(const TriangulatedSurface& fault, const Box3& box) {
+/// A place of the upper border, and the corner of its triangle that is opposite to the border.
+struct UpperPlace {
+  Vec3 at, opposite;
+};
+
+/// Middles, in the model, of the border edges along strike that no other one passes over, as seen along the fault.
+std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
   const std::vector<BorderEdge> border = border_edges(fault);
   std::vector<SeenAlongStrike> edges;
   for (const BorderEdge& e : border) edges.push_back({seen(fault.points[e.a]), seen(fault.points[e.b])});
-  std::vector<Vec3> upper;
+  std::vector<UpperPlace> upper;
   for (Index e = 0; e < border.size(); ++e) {
-    const Vec3 middle = 0.5 * (fault.points[border[e].a] + fault.points[border[e].b]);
-    if (edges[e][0][0] == edges[e][1][0] || !is_inside(box, middle)) continue;
+    const Vec3 &a = fault.points[border[e].a], &b = fault.points[border[e].b];
+    const Vec3 middle = 0.5 * (a + b);
+    const Vec3 way = frame.to_frame(b) - frame.to_frame(a);
+    if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;  // a side of the fault
     bool is_upper = true;
     for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));
-    if (is_upper) upper.push_back(middle);
+    if (!is_upper) continue;
+    for (const VertexIndex v : fault.triangles[border[e].triangle])
+      if (v != border[e].a && v != border[e].b) upper.push_back({middle, fault.points[v]});
   }
   return upper;
 }
 
-/// How places lie beside a horizon.
+/// How an upper border lies beside a horizon.
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
-  bool any_below = false;
+  bool is_above = true;                                                    ///< all of it
+  std::size_t n_crossing = 0;  ///< places whose triangles the horizon runs through
 };
-Beside beside(const std::vector<Vec3>& places, const SurfaceDistance& horizon) {
-  Beside found;
-  for (const Vec3& p : places) {
-    const Vec3 q = horizon.closest(p);
-    const double d = norm(p - q);
-    found.nearest = std::min(found.nearest, d);
-    found.farthest = std::max(found.farthest, d);
-    found.any_below = found.any_below || p.z < q.z;
-  }
-  return found;
-}
 
 /// The horizons that a fault may end at.
 class Horizons {
@@ -76,21 +76,22 @@ class Horizons {
       Box3 box;
       for (const Vec3& p : surfaces[s].points) box.add(p);
       for (std::size_t i = 0; i < 3; ++i) box.min[i] -= within_, box.max[i] += within_;
-      horizons_.push_back(
-          {s, rules.of(s).base == BaseRule::erode, box, SurfaceDistance(surfaces[s].points, surfaces[s].triangles)});
+      horizons_.push_back({s, rules.of(s).base == BaseRule::erode, box,
+                           SurfaceDistance(surfaces[s].points, surfaces[s].triangles), Walls(surfaces, {s}, {})});
     }
   }
 
   /// The horizons that truncate a fault with this upper border.
-  std::vector<Index> truncating(const std::vector<Vec3>& border) const {
+  std::vector<Index> truncating(const std::vector<UpperPlace>& border) const {
     std::vector<Index> rows;
     std::optional<Index> best;
     double farthest = within_;
     for (const Horizon& h : horizons_) {
-      if (std::ranges::none_of(border, [&](const Vec3& p) { return is_inside(h.near, p); })) continue;
-      const Beside found = beside(border, h.distance);
+      if (std::ranges::none_of(border, [&](const UpperPlace& p) { return is_inside(h.near, p.at); })) continue;
+      const Beside found = beside(border, h);
       if (h.erodes && found.nearest <= within_) rows.push_back(h.row);
-      if (h.erodes || !found.any_below || found.farthest > farthest) continue;
+      const bool runs_on = 2 * found.n_crossing > border.size();
+      if (h.erodes || (found.is_above && !runs_on) || found.farthest > farthest) continue;
       farthest = found.farthest;
       best = h.row;
     }
@@ -105,7 +106,22 @@ class Horizons {
     bool erodes;
     Box3 near;
     SurfaceDistance distance;
+    Walls itself;
   };
+
+  static Beside beside(const std::vector<UpperPlace>& border, const Horizon& horizon) {
+    Beside found;
+    for (const auto& [p, opposite] : border) {
+      const Vec3 q = horizon.distance.closest(p);
+      const double d = norm(p - q);
+      found.nearest = std::min(found.nearest, d);
+      found.farthest = std::max(found.farthest, d);
+      found.is_above = found.is_above && p.z >= q.z;
+      found.n_crossing += horizon.itself.first_surface(p, opposite, no_index).has_value() ? 1 : 0;
+    }
+    return found;
+  }
+
   double within_;
   std::vector<Horizon> horizons_;
 };
@@ -122,7 +138,7 @@ std::vector<std::pair<Index, Index>> fault_truncations(const std::vector<Triangu
     if (surfaces[s].kind != SurfaceKind::fault || surfaces[s].triangles.empty() || !rule.continues ||
         rule.extend != Extend::none || !rule.stop_at.empty())
       continue;
-    const std::vector<Vec3> border = upper_border(surfaces[s], rules.continuation.bounds);
+    const std::vector<UpperPlace> border = upper_border(surfaces[s], rules.continuation.bounds);
     if (border.empty()) continue;
     if (!horizons) horizons.emplace(surfaces, rules);
     for (const Index h : horizons->truncating(border)) truncations.emplace_back(s, h);

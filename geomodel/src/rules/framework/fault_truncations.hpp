@@ -15,8 +15,9 @@ namespace geomesh::geomodel {
 /// Pairs of faults and the horizons that truncate them, as BuiltRows::truncations has them. A fault without an extent
 /// of its own is truncated by a horizon that erodes if some of the fault's upper border in the model is within
 /// ContinuationRules::within_of_faults of it. Without such a horizon, the nearest one truncates it from which all of
-/// the upper border is within that distance, and not all above. O(n^2) for n border vertices of a fault, and a search
-/// for each of these and each horizon near it.
+/// the upper border is within that distance. A border that is all above belongs to a fault that displaces the horizon
+/// and ends a little higher, unless the horizon runs through most of the triangles at the border: then these overshoot.
+/// O(n^2) for n border edges of a fault, and a search for each of these and each horizon near it.
 std::vector<std::pair<Index, Index>> fault_truncations(const std::vector<TriangulatedSurface>& surfaces,
                                                        const ModelRules& rules);
 

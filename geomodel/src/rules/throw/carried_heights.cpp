@@ -57,21 +57,23 @@ std::optional<double> CarriedHeights::at(const Vec3& p, const Vec2& across, doub
   double nearest = reach;
   for_each_near(p, reach, [&](const Vec3& q) { nearest = std::min(nearest, distance.to(q)); });
   if (!(nearest < reach)) return std::nullopt;
-  const double radius = fit_radius * edge_;
-  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d matrix;
+  Eigen::Vector3d side;
   std::size_t n = 0;
-  for_each_near(p, nearest + 2 * radius, [&](const Vec3& node) {
-    const double d = distance.to(node);
-    if (d > nearest + 2 * radius) return;
-    const double off = (d - nearest) / radius, weight = std::exp(-off * off);
-    const Vec3 q = node - p;
-    const Eigen::Vector3d terms(1, q.x / edge_, q.y / edge_);
-    matrix += weight * terms * terms.transpose();
-    side += weight * q.z * terms;
-    ++n;
-  });
-  if (n < fewest_to_fit) return std::nullopt;
+  for (double radius = fit_radius * edge_; n < fewest_to_fit; radius *= 2) {
+    if (radius > reach) return std::nullopt;
+    matrix.setZero(), side.setZero(), n = 0;
+    for_each_near(p, nearest + 2 * radius, [&](const Vec3& node) {
+      const double d = distance.to(node);
+      if (d > nearest + 2 * radius) return;
+      const double off = (d - nearest) / radius, weight = std::exp(-off * off);
+      const Vec3 q = node - p;
+      const Eigen::Vector3d terms(1, q.x / edge_, q.y / edge_);
+      matrix += weight * terms * terms.transpose();
+      side += weight * q.z * terms;
+      ++n;
+    });
+  }
   const Eigen::Vector3d fitted = matrix.completeOrthogonalDecomposition().solve(side);
   return p.z + fitted[0];
 }

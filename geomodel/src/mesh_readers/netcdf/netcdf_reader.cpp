@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh_readers/netcdf_reader.hpp"
+#include "mesh_readers/netcdf/netcdf_reader.hpp"
 
 #include <netcdf.h>
 
 #include <fstream>
 
 #include "geomesh/core/error.hpp"
-#include "mesh_readers/netcdf_header.hpp"
+#include "mesh_readers/netcdf/hdf5_groups.hpp"
+#include "mesh_readers/netcdf/netcdf_header.hpp"
 
 namespace geomesh::geomodel {
 
 NetcdfReader::NetcdfReader(const std::filesystem::path& path) : path_(path) {
   if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
-  if (!netcdf_header_is_sound(path)) refuse("its header does not fit into the file: it is damaged");
+  if (const std::string fault = netcdf_header_fault(path); !fault.empty()) refuse(fault);
+  if (const std::string fault = check_hdf5_groups(path).fault; !fault.empty()) refuse(fault);
   if (nc_open(path.c_str(), NC_NOWRITE, &file_) != NC_NOERR) refuse("it is no Exodus file (netCDF), or damaged");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/continuation/walls.hpp"
+#include "rules/framework/walls.hpp"
 
 #include <algorithm>
 

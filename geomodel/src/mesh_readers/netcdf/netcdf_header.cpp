@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "mesh_readers/netcdf_header.hpp"
+#include "mesh_readers/netcdf/netcdf_header.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,6 +10,9 @@ namespace geomesh::geomodel {
 namespace {
 
 struct Damaged {};
+struct MissingRecords {
+  std::uint64_t counted, there;
+};
 
 /// Bytes of a value by the number of its type, from 1.
 constexpr std::array<std::uint64_t, 12> bytes_of_type{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
@@ -25,33 +28,60 @@ class Header {
         width_of_offset_(version == 1 ? 4 : 8) {}
 
   void check() {
-    number(width_);  // of records
+    n_records_ = number(width_);
     const std::uint64_t n_dimensions = begin_list(dimensions, 2 * width_);
-    std::vector<std::uint64_t> lengths;
     for (std::uint64_t i = 0; i < n_dimensions; ++i) {
       skip_name();
-      lengths.push_back(number(width_));
+      lengths_.push_back(number(width_));
     }
     check_attributes();
-    for (std::uint64_t n = begin_list(variables, 4 * width_); n > 0; --n) {
-      skip_name();
-      std::uint64_t n_values = 1;
-      for (std::uint64_t rank = count(width_); rank > 0; --rank) {
-        const std::uint64_t dimension = number(width_);
-        if (dimension >= n_dimensions) throw Damaged{};
-        const std::uint64_t length = lengths[dimension];
-        if (length != 0 && n_values > bytes_ / length) throw Damaged{};
-        n_values *= length;  // 0 along the records, which are not checked
-      }
-      check_attributes();
-      const std::uint64_t type = number(4);
-      if (type == 0 || type >= bytes_of_type.size()) throw Damaged{};
-      number(width_);
-      check_extent(number(width_of_offset_), n_values * bytes_of_type[type]);
-    }
+    for (std::uint64_t n = begin_list(variables, 4 * width_); n > 0; --n) check_variable();
+    check_records();
   }
 
  private:
+  /// The part of a record that belongs to one variable.
+  struct PartOfRecord {
+    std::uint64_t begin, bytes;
+  };
+
+  void check_variable() {
+    skip_name();
+    std::uint64_t n_values = 1;
+    bool has_records = false;
+    for (std::uint64_t rank = count(width_); rank > 0; --rank) {
+      const std::uint64_t dimension = number(width_);
+      if (dimension >= lengths_.size()) throw Damaged{};
+      const std::uint64_t length = lengths_[dimension];
+      if (length != 0 && n_values > bytes_ / length) throw Damaged{};
+      if (length == 0) has_records = true;
+      n_values *= length == 0 ? 1 : length;
+    }
+    check_attributes();
+    const std::uint64_t type = number(4);
+    if (type == 0 || type >= bytes_of_type.size()) throw Damaged{};
+    number(width_);
+    const std::uint64_t begin = number(width_of_offset_), bytes = n_values * bytes_of_type[type];
+    if (has_records) {
+      parts_.push_back({begin, bytes});
+    } else {
+      check_extent(begin, bytes);
+    }
+  }
+
+  /// All records lie in the file. Their number is unknown in a file that was written as a stream.
+  void check_records() const {
+    const std::uint64_t unknown = width_ == 8 ? ~std::uint64_t{0} : 0xFFFFFFFF;
+    if (n_records_ == 0 || n_records_ == unknown || parts_.empty()) return;
+    std::uint64_t record = 0;
+    for (const PartOfRecord& part : parts_) record += parts_.size() == 1 ? part.bytes : padded(part.bytes);
+    for (const PartOfRecord& part : parts_) {
+      if (part.begin > bytes_ || part.bytes > bytes_ - part.begin) throw Damaged{};
+      const std::uint64_t there = record == 0 ? n_records_ : (bytes_ - part.begin - part.bytes) / record + 1;
+      if (there < n_records_) throw MissingRecords{n_records_, there};
+    }
+  }
+
   /// Values end within the file. The library reads zeros behind its end.
   void check_extent(std::uint64_t begin, std::uint64_t bytes) const {
     if (bytes > 0 && (begin > bytes_ || bytes > bytes_ - begin)) throw Damaged{};
@@ -98,22 +128,28 @@ class Header {
   std::ifstream& file_;
   std::uint64_t bytes_, left_;  // of the file, and of what follows
   unsigned width_, width_of_offset_;
+  std::uint64_t n_records_ = 0;
+  std::vector<std::uint64_t> lengths_;  // of the dimensions; 0 for the one along the records
+  std::vector<PartOfRecord> parts_;
 };
 
 }  // namespace
 
-bool netcdf_header_is_sound(const std::filesystem::path& path) {
+std::string netcdf_header_fault(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4> magic{};
-  if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return true;
+  if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return "";
   const auto version = static_cast<unsigned>(magic[3]);
-  if (version != 1 && version != 2 && version != 5) return true;  // the library refuses it
+  if (version != 1 && version != 2 && version != 5) return "";  // the library refuses it
   try {
     Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {
-    return false;
+    return "its header does not fit into the file: it is damaged";
+  } catch (const MissingRecords& missing) {
+    return "it is cut short or damaged: of " + std::to_string(missing.counted) + " records that its header counts, " +
+           std::to_string(missing.there) + " are whole in the file; copy or write it again";
   }
-  return true;
+  return "";
 }
 
 }  // namespace geomesh::geomodel
