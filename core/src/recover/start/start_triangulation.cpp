@@ -92,11 +92,11 @@ class StartSearch {
     return exponents;
   }
 
-  /// Scales each axis while that reduces the crossings, and takes a triangulation where it misses at most a quarter
-  /// more segments than at first (fans: up to 8 percent more; plates of turned needles, which get more points: 63). The
+  /// Scales each axis while that reduces the crossings, and takes a triangulation that misses few more segments. The
   /// needles of fans stay missing until the last of several steps, while each step lets them cross fewer cells. Nothing
   /// is tried unless flips would take much longer than all these triangulations.
   void reduce_crossings(Candidate& best, std::array<int, 3> exponents) const {
+    constexpr std::size_t share = recovery_budget.crossings_loss;
     double least = n_crossings(best);
     const std::size_t n_missing = best.n_missing();
     const double n_cells = static_cast<double>(count_model_cells(best.cells, points_.size() - n_box_corners));
@@ -111,7 +111,7 @@ class StartSearch {
           break;
         }
         least = n;
-        if (4 * candidate.n_missing() <= 5 * n_missing) best = std::move(candidate);
+        if (share * candidate.n_missing() <= (share + 1) * n_missing) best = std::move(candidate);
       }
     }
   }
