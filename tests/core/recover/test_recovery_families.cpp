@@ -5,7 +5,11 @@
 #include <cmath>
 
 #include "corpus_run.hpp"
+#include "recover/model/crossing.hpp"
+#include "recover/model/declare.hpp"
+#include "recover/start/start_triangulation.hpp"
 #include "recovery_families.hpp"
+#include "tetrahedralize/canonical_form.hpp"
 
 using namespace geomesh;
 using namespace geomesh::test;
@@ -26,6 +30,22 @@ std::size_t check(const FamilyModel& model) {
   if (!run.mesh) return 0;
   CHECK(std::fabs(volume_of(*run.mesh) / model.volume - 1) < 1e-9);
   return n_added(*run.mesh);
+}
+
+/// Simplices that the segments missing in the mesh that recovery starts from cross.
+std::size_t n_crossings_at_start(const FamilyModel& model, recover::StartFrame frame) {
+  const CanonicalForm form = canonical_form(model.plc);
+  recover::DeclaredModel declared = recover::declare_constraints(form.plc, form.names, {});
+  recover::StartTriangulation start = recover::triangulate_start(form.plc, form.names, declared, {}, {}, frame);
+  recover::ConstrainedMesh mesh(std::move(start.mesh), std::move(start.points), declared.input_vertex.size());
+  std::size_t n = 0;
+  recover::LineCrossings line;
+  for (const recover::Subsegment& s : declared.constraints.subsegments) {
+    if (mesh.find_edge(s.a, s.b) != no_cell) continue;
+    recover::walk_line(mesh, s.a, s.b, line);
+    n += line.crossings.size();
+  }
+  return n;
 }
 
 }  // namespace
@@ -61,6 +81,16 @@ TEST_CASE("a tenth of each family is meshed within its bounds", "[recover][judge
       const std::size_t n_points = model.plc.points.size();
       CHECK(check(model) <= std::max<std::size_t>(1, has_needles ? n_points / 10 : n_points / 200));
     }
+}
+
+TEST_CASE("two fans of a thousand needles start from a frame in which they cross at most half as much",
+          "[recover][judged][families]") {
+  for (const double gap : {0.1, 0.01, 0.001}) {
+    const FamilyModel model = crossing_fans(1, 1000, gap);
+    CHECK(2 * n_crossings_at_start(model, recover::StartFrame::may_be_stretched) <
+          n_crossings_at_start(model, recover::StartFrame::as_given));
+    CHECK(check(model) == 0);
+  }
 }
 
 TEST_CASE("fans, sheets and lines of points are meshed", "[recover][judged][families]") {

@@ -55,15 +55,12 @@ class FacetRecovery {
   }
 
   bool by_flips(unsigned depth) {
-    EdgeRemover remover(mesh_, recovery_.constraints);
-    const NoNewPiercing rule(sides_);
     FacetTrace trace = checked_trace();
     while (trace.status == FacetTrace::Status::pierced) {
-      bool progress = false;
-      for (const PiercingEdge& e : trace.piercing)
-        if (mesh_.find_edge(e.below, e.above) != no_cell && remover.remove(e.below, e.above, depth, &rule))
-          progress = true;
-      if (!progress) return false;
+      std::vector<Piercing> left = all_of(trace);
+      const std::size_t n_before = left.size();
+      remove_by_flips(left, depth);
+      if (left.size() == n_before) return false;
       trace = checked_trace();
     }
     if (trace.status != FacetTrace::Status::complete) return false;
@@ -78,29 +75,48 @@ class FacetRecovery {
     std::vector<CellIndex> cells;
     EdgeRing ring;
     for (const PiercingEdge& e : trace.piercing)
-      if (mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring))
+      if (mesh_.ring(mesh_.find_edge(e.below, e.above, e.cell), e.below, e.above, ring))
         cells.insert(cells.end(), ring.cells.begin(), ring.cells.end());
     sort_unique(cells);
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
+  /// A trace takes time proportional to the facet's size, and a large polygon may need as many points. So its first
+  /// points are each followed by a trace, which spares some. Then the facet is traced only after the last edge has been
+  /// split: a point leaves the other edges that pierce as they are.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
-      if (trace.status == FacetTrace::Status::unclear || !split_one(trace))
+      std::vector<Piercing> left = all_of(trace);
+      if (trace.status == FacetTrace::Status::unclear || left.empty())
         recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
+      while (!left.empty() && !recovery_.has_ended()) {
+        if (!split_one(left)) recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
+        if (may_trace_again()) break;
+        remove_by_flips(left, 1);
+      }
       if (recovery_.has_ended()) return;
     }
   }
 
  private:
+  struct Piercing {
+    PiercingEdge edge;
+    /// One more than the mesh's number of changes when flips last failed to remove the edge; 0 where none were tried.
+    std::size_t tried;
+  };
+
   static std::vector<VertexIndex> members_of(const Constraints& constraints, Index subfacet) {
     if (constraints.is_piece(subfacet)) return constraints.piece_of(subfacet).members;
     const Triangle& t = constraints.subfacets[subfacet].vertices;
     return {t.begin(), t.end()};
   }
 
+  /// Whether flips and points may be ordered by a new trace each time.
+  bool may_trace_again() const { return n_traces_ < recovery_budget.traces_of_facet; }
+
   FacetTrace checked_trace() {
+    ++n_traces_;
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
     if (trace.status == FacetTrace::Status::touched) {
       if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
@@ -174,8 +190,43 @@ class FacetRecovery {
     return out;
   }
 
-  bool split_one(const FacetTrace& trace) {
-    for (const PiercingEdge& e : trace.piercing) {
+  static std::vector<Piercing> all_of(const FacetTrace& trace) {
+    std::vector<Piercing> out;
+    for (const PiercingEdge& e : trace.piercing) out.push_back({e, 0});
+    return out;
+  }
+
+  /// Removes what flips can from a list of piercing edges. No flip makes another one pierce, so the list needs no
+  /// trace. Up to one level deep, flips look at no cells but those of the edge's ends. Where these have not changed
+  /// since a failure, flips would fail again.
+  void remove_by_flips(std::vector<Piercing>& left, unsigned depth) {
+    EdgeRemover remover(mesh_, recovery_.constraints);
+    const NoNewPiercing rule(sides_);
+    for (bool progress = true; progress;) {
+      progress = false;
+      std::size_t n_kept = 0;
+      for (Piercing p : left) {
+        const PiercingEdge& e = p.edge;
+        if (depth > 1 || p.tried == 0 || std::max(mesh_.last_change(e.below), mesh_.last_change(e.above)) >= p.tried) {
+          const CellIndex cell = mesh_.find_edge(e.below, e.above, e.cell);
+          if (cell == no_cell) continue;
+          if (remover.remove(e.below, e.above, depth, &rule, EdgeRemover::most_edges, cell)) {
+            progress = true;
+            continue;
+          }
+          p.tried = 1 + mesh_.n_changes();
+        }
+        left[n_kept++] = p;
+      }
+      left.resize(n_kept);
+      if (may_trace_again()) return;
+    }
+  }
+
+  /// Puts a point on the first edge that admits one, and takes that edge off the list.
+  bool split_one(std::vector<Piercing>& left) {
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      const PiercingEdge e = left[i].edge;
       const VertexIndex x =
           recovery_.has_exact_points ? step_onto_plane(recovery_, plane_, e.below, e.above) : split_rounded(e);
       if (x == no_vertex) continue;
@@ -186,13 +237,14 @@ class FacetRecovery {
       sides_.add_member(x);
       is_plain_ = false;
       has_been_split_ = true;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
       return true;
     }
     return false;
   }
   VertexIndex split_rounded(const PiercingEdge& e) {
     EdgeRing ring;
-    if (!mesh_.ring(mesh_.find_edge(e.below, e.above), e.below, e.above, ring)) return no_vertex;
+    if (!mesh_.ring(mesh_.find_edge(e.below, e.above, e.cell), e.below, e.above, ring)) return no_vertex;
     const VertexIndex x = mesh_.add_point(piercing_point(e));
     if (insert_in_star(mesh_, recovery_.constraints, x, ring.cells)) return x;
     mesh_.drop_last_point();
@@ -225,6 +277,7 @@ class FacetRecovery {
   FacetSides sides_;
   bool is_plain_ = true;         ///< a triangle to which no point has been added
   bool has_been_split_ = false;  ///< got a point here
+  std::size_t n_traces_ = 0;     ///< for the budget's traces_of_facet
 };
 
 }  // namespace

@@ -162,6 +162,10 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
+  /// Number of changes so far, and its value after the last one of a cell with v. What has been rolled back is none.
+  std::size_t n_changes() const { return n_changes_; }
+  std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
+
   /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers). Why it
   /// is not remeshing's journal: docs/decisions/house.md.
   std::size_t mark();
@@ -185,6 +189,15 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   struct JournalEntry {
     std::size_t removed, created;
   };
+  void exchange_cells(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra, bool is_noted);
+  void begin_change() {
+    ++n_changes_;
+    last_change_.resize(points_.size());
+  }
+  void note_change(const Tetrahedron& t) {
+    for (const VertexIndex v : t)
+      if (v != infinite_vertex) last_change_[v] = n_changes_;
+  }
   FaceRef boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const;
 
   ExactPlaces exact_;
@@ -193,6 +206,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::vector<Tetrahedron> journal_removed_;
   std::vector<CreatedCell> journal_created_;
   std::size_t journal_depth_ = 0;
+  std::size_t n_changes_ = 0;
+  std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
   std::vector<FaceRef> star_faces_;  ///< per created cell of a star: the old cell's face under it
   std::vector<CellIndex> tested_;    ///< of a search for a cavity: cells outside it

@@ -9,7 +9,16 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
   if (is_noted) {
     journal_.push_back({journal_removed_.size(), journal_created_.size()});
     for (CellIndex c : old_cells) journal_removed_.push_back(mesh_.vertices(c));
+  } else {
+    begin_change();
+    for (CellIndex c : old_cells) note_change(mesh_.vertices(c));
+    for (const Tetrahedron& t : tetrahedra) note_change(t);
   }
+  exchange_cells(old_cells, tetrahedra, is_noted);
+}
+
+void ConstrainedMesh::exchange_cells(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra,
+                                     bool is_noted) {
   const auto make = [&](std::size_t k) {
     if (k == 0) created_.clear();  // old_cells may be these
     const CellIndex c = mesh_.add_cell(tetrahedra[k]);
@@ -74,6 +83,11 @@ std::size_t ConstrainedMesh::mark() {
 
 void ConstrainedMesh::keep() {
   if (--journal_depth_ > 0) return;
+  if (!journal_.empty()) {
+    begin_change();
+    for (const Tetrahedron& t : journal_removed_) note_change(t);
+    for (const CreatedCell& c : journal_created_) note_change(c.vertices);
+  }
   journal_.clear();
   journal_removed_.clear();
   journal_created_.clear();
@@ -93,7 +107,7 @@ void ConstrainedMesh::roll_back(std::size_t mark) {
       const auto& [t, slot] = journal_created_[i];
       cells.push_back(mesh_.vertices(slot) == t ? slot : find_face(t[0], t[1], t[2]).cell());
     }
-    replace(cells, std::span(journal_removed_).subspan(entry.removed));
+    exchange_cells(cells, std::span(journal_removed_).subspan(entry.removed), false);
     journal_created_.resize(entry.created);
     journal_removed_.resize(entry.removed);
   }

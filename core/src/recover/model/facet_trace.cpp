@@ -38,35 +38,33 @@ class PiercingSearch {
       : mesh_(mesh), sides_(sides), out_(out) {}
 
   /// Adds to the trace the edge and all that are joined with it.
-  void follow(VertexIndex below, VertexIndex above) {
+  void follow(VertexIndex below, VertexIndex above, CellIndex cell) {
     std::vector<PiercingEdge> queue;
-    add(below, above, queue);
+    add({below, above, cell}, queue);
     EdgeRing ring;
     for (std::size_t head = 0; head < queue.size() && out_.status != FacetTrace::Status::touched; ++head) {
-      const CellIndex c = mesh_.find_edge(queue[head].below, queue[head].above);
+      const CellIndex c = mesh_.find_edge(queue[head].below, queue[head].above, queue[head].cell);
       if (c == no_cell || !mesh_.ring(c, queue[head].below, queue[head].above, ring))
         return fail(out_, FacetTrace::Status::unclear);
       for (std::size_t i = 0; i < ring.ring.size(); ++i) {
         const VertexIndex u = ring.ring[i], w = ring.ring[(i + 1) % ring.ring.size()];
         const int side = sides_(u);
         if (side == 0 && !sides_.is_member(u)) return fail(out_, FacetTrace::Status::touched, u);
-        add_if_pierces(u, side, queue[head], queue);
+        const CellIndex with_both = ring.cells[i];
+        if (side > 0) add({queue[head].below, u, with_both}, queue);
+        if (side < 0) add({u, queue[head].above, with_both}, queue);
         const int next = sides_(w);
-        if (side < 0 && next > 0) add(u, w, queue);
-        if (side > 0 && next < 0) add(w, u, queue);
+        if (side < 0 && next > 0) add({u, w, with_both}, queue);
+        if (side > 0 && next < 0) add({w, u, with_both}, queue);
       }
     }
   }
 
  private:
-  void add_if_pierces(VertexIndex u, int side, PiercingEdge e, std::vector<PiercingEdge>& queue) {
-    if (side > 0) add(e.below, u, queue);
-    if (side < 0) add(u, e.above, queue);
-  }
-  void add(VertexIndex below, VertexIndex above, std::vector<PiercingEdge>& queue) {
-    if (!seen_.insert({below, above})) return;
-    queue.push_back({below, above});
-    out_.piercing.push_back({below, above});
+  void add(const PiercingEdge& e, std::vector<PiercingEdge>& queue) {
+    if (!seen_.insert({e.below, e.above})) return;
+    queue.push_back(e);
+    out_.piercing.push_back(e);
   }
 
   ConstrainedMesh& mesh_;
@@ -198,7 +196,7 @@ class Tracer {
     const LeftOfEdge left(mesh_, sides_, ring_, {p, q}, right);
     if (const std::size_t i = left.clear_member(); i < n) return accept(p, q, i);
     if (const std::size_t i = left.crossing_edge(); i < n)
-      return piercing_.follow(ring_.ring[i], ring_.ring[(i + 1) % n]);
+      return piercing_.follow(ring_.ring[i], ring_.ring[(i + 1) % n], ring_.cells[i]);
     if (const std::size_t i = left.thin_member(); i < n) return accept(p, q, i);
     if (const std::size_t i = left.touched(); i < n) return fail(out_, FacetTrace::Status::touched, ring_.ring[i]);
     fail(out_, FacetTrace::Status::unclear);
@@ -210,7 +208,7 @@ class Tracer {
     for (std::size_t i = 0; i < n; ++i) {
       const VertexIndex u = ring_.ring[i], w = ring_.ring[(i + 1) % n];
       if (sides_.is_member(u) && u != right && sides_.is_left(p, q, u)) return accept(p, q, i);
-      if (sides_(u) < 0 && sides_(w) > 0) return piercing_.follow(u, w);
+      if (sides_(u) < 0 && sides_(w) > 0) return piercing_.follow(u, w, ring_.cells[i]);
       if (!sides_.is_member(u) && sides_(u) == 0 && sides_.is_left(p, q, u))
         return fail(out_, FacetTrace::Status::touched, u);
     }

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 struct PiercingEdge {
   VertexIndex below = no_vertex, above = no_vertex;
-  friend auto operator<=>(const PiercingEdge&, const PiercingEdge&) = default;
+  CellIndex cell = no_cell;  ///< a cell that had it when it was found: stars of needles are too large to be searched
 };
 
 struct FacetTrace {

@@ -29,10 +29,18 @@ struct RecoveryBudget {
   double doubtful_points_per_vertex_conforming = 10;  ///< where points are cheap and many are normal
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
-  std::size_t few_missing = 20;       ///< segments missing up to which no axis is stretched
-  std::size_t stretch_from = 10;      ///< one missing of so many segments, and more, and axes are stretched
-  std::size_t stretch_gain = 20;      ///< a step of an axis has to save one of so many missing ones
-  int stretch_steps = 12;             ///< powers of two of an axis at most
+  std::size_t few_missing = 20;   ///< segments missing up to which no axis is stretched
+  std::size_t stretch_from = 10;  ///< one missing of so many segments, and more, and axes are stretched
+  std::size_t stretch_gain = 20;  ///< a step of an axis has to save one of so many missing ones
+  int stretch_steps = 12;         ///< powers of two of an axis at most
+  /// Crossings of missing segments for each cell, from which axes are stretched to reduce them. A crossing costs some
+  /// 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of what
+  /// they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models and
+  /// corpus models of recovery_bench have up to 3.7 (chazelle_16).
+  double crossings_per_cell = 4;
+  /// A step that reduces crossings may miss one more of so many segments. Fans miss up to 8 percent more, plates of
+  /// turned needles, which then get more points, 63.
+  std::size_t crossings_loss = 4;
   std::size_t forecast_sample = 300;  ///< segments of each kind that a forecast looks at
   double forecast_reach = 1e6;        ///< half lengths of a segment: empty spheres beyond are no hope
 
@@ -68,6 +76,9 @@ struct RecoveryBudget {
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
   unsigned facet_depth_first = 2;  ///< before its first point; one level between points
+  /// Traces of a facet by which its flips and points are ordered, each O(size of the facet). With none chazelle_16 and
+  /// SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds instead of 20.
+  std::size_t traces_of_facet = 200;
 
   // Steiner points taken out (steiner_removal/).
   unsigned removal_passes = 8;        ///< of all points, while any goes

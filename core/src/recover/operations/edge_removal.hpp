@@ -26,13 +26,14 @@ class EdgeRemover {
   /// Removes edge p-q, with `depth` levels of recursion. Refuses subsegments and edges of locked faces. False: the mesh
   /// is as before (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call. `hint`: see
   /// ConstrainedMesh::find_edge.
-  bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr, unsigned budget = 2000,
-              CellIndex hint = no_cell);
+  bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr,
+              unsigned budget = most_edges, CellIndex hint = no_cell);
 
   /// 2-3 flip of a face: false where it is locked or a new cell would not be positive.
   bool flip_face(FaceRef f);
 
   static constexpr std::size_t max_ring = recovery_budget.ring;
+  static constexpr unsigned most_edges = 2000;  ///< tried in one call
 
  private:
   bool remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mesh/sorted_cells.hpp"
+#include "recover/model/crossing.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
 #include "recover/model/recovery_budget.hpp"
@@ -72,9 +73,9 @@ class StartSearch {
   }
 
   /// Improves `best` while a step of one axis saves a twentieth of what is missing. What the forecast gives no hope for
-  /// is not triangulated.
-  void climb(Candidate& best, std::array<int, 3> exponents) const {
-    constexpr std::size_t whole = recovery_budget.stretch_gain, rest = whole - 1;
+  /// is not triangulated. Returns the exponents of the scales.
+  std::array<int, 3> climb(Candidate& best) const {
+    std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);
     for (const std::size_t axis : axes_by_extent()) {
       for (int step = 0; step < recovery_budget.stretch_steps; ++step) {
@@ -88,9 +89,55 @@ class StartSearch {
         forecast = forecast_from(best);
       }
     }
+    return exponents;
+  }
+
+  /// Scales each axis while that reduces the crossings, and takes a triangulation that misses few more segments. The
+  /// needles of fans stay missing until the last of several steps, while each step lets them cross fewer cells. Nothing
+  /// is tried unless flips would take much longer than all these triangulations.
+  void reduce_crossings(Candidate& best, std::array<int, 3> exponents) const {
+    constexpr std::size_t share = recovery_budget.crossings_loss;
+    double least = n_crossings(best);
+    const std::size_t n_missing = best.n_missing();
+    const double n_cells = static_cast<double>(count_model_cells(best.cells, points_.size() - n_box_corners));
+    if (least < recovery_budget.crossings_per_cell * n_cells) return;
+    for (const std::size_t axis : axes_by_extent()) {
+      while (exponents[axis] < recovery_budget.stretch_steps) {
+        ++exponents[axis];
+        Candidate candidate = triangulate(exponents);
+        const double n = n_crossings(candidate);
+        if (n >= least) {
+          --exponents[axis];
+          break;
+        }
+        least = n;
+        if (share * candidate.n_missing() <= (share + 1) * n_missing) best = std::move(candidate);
+      }
+    }
   }
 
  private:
+  static constexpr std::size_t whole = recovery_budget.stretch_gain, rest = whole - 1;
+
+  /// Simplices that the missing subsegments cross, estimated from a sample of these.
+  double n_crossings(Candidate& candidate) const {
+    std::vector<Index> missing;
+    for (Index s = 0; s < candidate.subsegments.size(); ++s)
+      if (candidate.subsegments[s] == no_cell) missing.push_back(s);
+    const std::size_t n = std::min(recovery_budget.forecast_sample, missing.size());
+    if (n == 0) return 0;
+    std::vector<Vec3> points = points_;
+    ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), points_.size() - n_box_corners);
+    LineCrossings line;
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Subsegment& s = constraints_.subsegments[missing[i * missing.size() / n]];
+      walk_line(mesh, s.a, s.b, line);
+      sum += line.crossings.size();
+    }
+    mesh.release(candidate.cells, points);
+    return static_cast<double>(sum) * static_cast<double>(missing.size()) / static_cast<double>(n);
+  }
   ScaleForecast forecast_from(Candidate& candidate) const {
     std::vector<Vec3> points = points_;
     ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), points_.size() - n_box_corners);
@@ -148,7 +195,7 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const Mo
   out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
   if (frame == StartFrame::may_be_stretched && best.n_missing() > recovery_budget.few_missing &&
       recovery_budget.stretch_from * best.n_missing() > model.constraints.subsegments.size())
-    search.climb(best, {0, 0, 0});
+    search.reduce_crossings(best, search.climb(best));
   remember(best, model.constraints);
   out.mesh = std::move(best.cells);
   return out;

@@ -26,7 +26,8 @@ enum class StartFrame {
   may_be_stretched,  ///< axes scaled by powers of two, where more than one segment in ten is missing
 };
 
-/// Searches the scales by hill climbing, one axis after the other.
+/// Searches the scales by hill climbing, one axis after the other: for fewer missing segments, then, where these cross
+/// several times as many simplices as there are cells, for fewer crossings.
 StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                      const DelaunayOptions& options, const RunContext& context, StartFrame frame);
 
