@@ -72,9 +72,16 @@ class Progress(ProgramTest):
         for stage in ("read", "intersect", "mesh", "verify", "write"):
             self.assertTrue(re.search(r"%s +[0-9.]+ (s|min)" % stage, text), stage)
 
+    def project_with_warnings(self, mesh):
+        """Four points that lie outside of the model: a warning each."""
+        project = self.copy_of_sample("faulted-layers", mesh)
+        with open(project, "a") as file:
+            file.write("points: [%s]\n" % ", ".join("{name: p%d, at: [9000, 2000, %d]}" % (i, -100 * i) for i in range(4)))
+        return project
+
     def test_colours_on_a_terminal_alone_and_not_where_nobody_wants_them(self):
         """Errors red, warnings yellow, a good verdict green."""
-        project = self.copy_of_sample("faulted-layers", "{size: 600}")
+        project = self.project_with_warnings("{size: 600}")
         text = self.on_a_terminal(project, "-o", self.path("out"))
         self.assertRegex(text, "\x1b\\[33;1mwarning:\x1b\\[0m ")
         self.assertRegex(text, "\x1b\\[32;1m[^\n]*fit for solvers")
@@ -130,7 +137,7 @@ class Progress(ProgramTest):
         self.assertTrue(any("and 35 smaller units" in line for line in printed), printed)
 
     def test_what_is_left_out_of_these_lines_is_printed_when_asked_for(self):
-        project = self.copy_of_sample("faulted-layers", None)
+        project = self.project_with_warnings(None)
         short, warned = self.run_apart(project, "-o", self.path("out"))
         long, warned_all = self.run_apart(project, "-o", self.path("out"), "--verbose")
         for region in self.report(self.path("out", "faulted_layers.report.json"))["regions"]:

@@ -8,6 +8,7 @@
 
 #include "check/exact/deviation.hpp"
 #include "check/judged/faults.hpp"
+#include "check/names/name_parts.hpp"
 #include "check/names/sheet_sides.hpp"
 #include "common/union_find.hpp"
 
@@ -204,6 +205,16 @@ std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const ClaimedFaces& c
   return found;
 }
 
+/// Whether the name has a unit next to the horizon: a piece of an older horizon above an unconformity divides nothing.
+bool is_named_beside(const std::string& name, const std::string& horizon, const Claim& claim) {
+  const std::vector<std::string>& column = claim.names.column;
+  const auto at = std::ranges::find(column, horizon);
+  if (at == column.end()) return false;
+  const std::string units = "+" + parts_of(name, names_of_claim(claim)).base + "+";
+  return units.find("+" + *(at - 1) + "+") != std::string::npos ||
+         units.find("+" + *(at + 1) + "+") != std::string::npos;
+}
+
 }  // namespace
 
 void check_gaps(const ClaimedFaces& claimed, CheckResult& result) {
@@ -214,15 +225,17 @@ void check_gaps(const ClaimedFaces& claimed, CheckResult& result) {
   std::optional<MeshWays> ways;
   for (const Index horizon : names.continued) {
     for (const auto& [region, inner] : inner_faces(claimed, horizon)) {
+      const auto name = claimed.mesh().file.region_names.find(region);
+      if (name == claimed.mesh().file.region_names.end() ||
+          !is_named_beside(name->second, claimed.claim().surfaces[horizon].name, claimed.claim()))
+        continue;
       if (!ways) ways.emplace(claimed);
       const auto place =
           GapJudge(claimed, *ways, horizon, region).narrow_gap(inner, share_of_distance * names.continued_within);
       if (!place) continue;
       joined.add(static_cast<std::size_t>(region), *place);
-      const auto name = claimed.mesh().file.region_names.find(region);
       if (joined.count() <= 5)
-        which += (which.empty() ? "" : "; ") + (name == claimed.mesh().file.region_names.end() ? "" : name->second) +
-                 " across " + claimed.claim().surfaces[horizon].name;
+        which += (which.empty() ? "" : "; ") + name->second + " across " + claimed.claim().surfaces[horizon].name;
     }
   }
   joined.report(result,
