@@ -142,6 +142,19 @@ Scale scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& 
   return best.scale;
 }
 
+/// The scale of the sizes alone by which the estimate meets the target; at most `most`, however many elements surfaces
+/// ask for that cross and touch all over. Runs tell whether sizes have to grow sooner.
+double size_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, double target, double most) {
+  double size = 1;
+  for (unsigned n = 0; n < most_tries; ++n) {
+    const double count = estimator.total(scaled_sizes(options, size));
+    if (!(count > 0) || (count <= near_enough * target && count * near_enough >= target)) break;
+    const double before = std::exchange(size, std::min(next_factor(size, count, target), most));
+    if (size == before) break;
+  }
+  return size;
+}
+
 /// What the run promises is what it used, with the sizes and the tolerance of these options.
 void settle(PreparedModel& model, const RefineOptions& options) {
   RefinementSettings& settings = model.refinement;
@@ -245,7 +258,8 @@ RefineOptions scaled_sizes(RefineOptions options, double factor) {
 RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
                              const RefineOptions& options, const RunContext& context) {
   const double target = model.refinement.target_elements;
-  const CountSearch search(target, greatest_scale(model, options, target));
+  const Scale greatest = greatest_scale(model, options, target);
+  const CountSearch search(target, greatest);
   const std::vector<std::string> warnings = model.warnings;
   std::vector<Try> tries;
   struct {
@@ -256,7 +270,7 @@ RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedrali
   Scale scale;
   {
     const StageScope stage(context, "estimate");
-    scale = scale_by_estimate(ElementEstimator(model.plc.plc, mesh, options), options, search, near_enough);
+    scale.size = size_by_estimate(ElementEstimator(model.plc.plc, mesh, options), options, target, greatest.size);
   }
   while (tries.size() < most_tries) {
     model.warnings = warnings;
