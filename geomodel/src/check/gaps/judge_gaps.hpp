@@ -3,6 +3,9 @@
 /// Units that are joined through a gap which the project has closed by default.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "check/judged/claimed_faces.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -13,8 +16,11 @@ namespace geomesh::geomodel::checking {
 /// region that cross no face of a surface, and the faces between both kinds fill it. A gap with nothing before some of
 /// its border is an end in the open, which is no fault.
 ///
+/// Where the run's own warnings say that the horizon stops short or has a hole, or that units join in this region, it
+/// is no fault, and is told among what was checked. `warnings`: of the report beside the mesh.
+///
 /// Shared with the mesher: the distance, which the documents promise. Precondition: a face set. O(n log n) in the cells
 /// of such regions.
-void check_gaps(const ClaimedFaces& claimed, CheckResult& result);
+void check_gaps(const ClaimedFaces& claimed, const std::vector<std::string>& warnings, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking
