@@ -201,7 +201,7 @@ bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vec
   return std::ranges::all_of(members, [&](std::size_t r) { return blocks.insert(block[order[r]]).second; });
 }
 
-/// What regions are numbered and warned by.
+/// Regions in their order, with what decides their numbers and warnings.
 struct NumberedRegions {
   const std::vector<std::size_t>& order;  ///< components by row of region
   const std::vector<Label>& labels;

@@ -45,7 +45,7 @@ double factor_of_empty_volume(const PreparedModel& model, const RefineOptions& o
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
 
-/// What is scaled: sizes, and how soon they grow with the distance from where they are small.
+/// Factors of the sizes, and of how soon these grow with the distance from where they are small.
 struct Scale {
   double size = 1, gradation = 1;
 };

@@ -45,7 +45,7 @@ class HorizonGroup {
   std::size_t first_that_overhangs() const;
   Settling settle();
 
-  // What follows is asked once the group is settled.
+  // The functions below may be called once the group is settled.
 
   SettledStack& told() { return told_; }
   /// A horizon without throw, in the model, oriented as it was.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What is told of a stack that was settled block by block.
+/// Sums up the reports of the blocks in which a stack was settled.
 #pragma once
 
 #include "geomesh/geomodel/stack.hpp"

@@ -2,10 +2,8 @@
 #include "stack/settle_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <numeric>
 #include <set>
 
@@ -39,7 +37,7 @@ class BlockSheets {
       }
   }
 
-  /// Finds what each block has of it.
+  /// Finds the part of the horizon that lies in each block, and continues it there.
   void divide(Index row, const ModelRules& rules, const HorizonBlocks& blocks) {
     const BlockFramework& framework = blocks.framework;
     const HorizonDivision division(given_, row, framework, blocks.cutters, {});
@@ -89,7 +87,7 @@ class BlockSheets {
     const auto at = ends_at_.find(other);
     return at == ends_at_.end() ? 0 : at->second;
   }
-  /// What the block has of it, with a margin beyond the walls, over points of its own.
+  /// The part of the horizon in a block, with a margin beyond the walls. Its points are numbered anew.
   TriangulatedSurface sheet(Index block) const {
     const std::vector<Index>& rows = sheets_[block].given;
     const BlockExtension& extension = sheets_[block].extension;
@@ -229,6 +227,10 @@ class BlockStack {
 
   bool settle() {
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b) settle_block(b);
+    if (n_left_ > 0)
+      built_.notes.push_back("the stack is left as given in " + std::to_string(n_left_) + " of " +
+                             std::to_string(blocks_.framework.n_blocks()) + " fault blocks: in the first of them " +
+                             why_left_);
     if (settled_.empty()) return false;
     std::set<Index> blocks;
     for (const SettledBlock& s : settled_) {
@@ -247,7 +249,8 @@ class BlockStack {
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) {
       const TriangulatedSurface sheet = sheets_[k].sheet(block);
       if (sheet.triangles.empty()) continue;
-      if (!is_single_valued(sheet) || ends_at_wall(sheet, block)) return;
+      if (!is_single_valued(sheet)) return leave(k, "has more than one height over a place of the map");
+      if (ends_at_wall(sheet, block)) return leave(k, "ends at a fault or body and is not continued through it");
       settled.horizons.push_back(k);
       members.stack.rows.push_back(stack_.rows[k]);
       members.data.push_back(block_data(frame_.to_frame(sheet), {}, 0));
@@ -262,7 +265,15 @@ class BlockStack {
     members.stack.keepers = keepers(settled.horizons);
     members.counts = [&framework = blocks_.framework, block](const Vec3& p) { return framework.block_at(p) == block; };
     settled.group = std::make_unique<HorizonGroup>(std::move(members), built_, rules_, frame_);
-    if (settled.group->settle() == Settling::settled) settled_.push_back(std::move(settled));
+    const Settling outcome = settled.group->settle();
+    if (outcome == Settling::overhangs)
+      leave(settled.horizons[settled.group->first_that_overhangs()],
+            "has more than one height over a place of the map");
+    if (outcome == Settling::settled) settled_.push_back(std::move(settled));
+  }
+
+  void leave(std::size_t horizon, const std::string& why) {
+    if (n_left_++ == 0) why_left_ = "horizon " + built_.surfaces[stack_.rows[horizon]].name + " " + why;
   }
 
   /// A horizon that ends at another one gives way to it, where no rule says otherwise.
@@ -298,16 +309,11 @@ class BlockStack {
   /// Whether the sheet has a border inside the block that has a wall near, as continuations have it. One that goes on
   /// beyond the wall has none there.
   bool ends_at_wall(const TriangulatedSurface& sheet, Index block) const {
-    constexpr int n_lines = 4;
     const double radius = rules_.continuation.within_of_horizons / 2;
     for (const BorderEdge& e : border_edges(sheet)) {
       const Vec3 middle = 0.5 * (sheet.points[e.a] + sheet.points[e.b]);
-      if (blocks_.framework.block_at(middle) != block) continue;
-      for (int k = 0; k < n_lines; ++k) {
-        const double angle = std::numbers::pi * k / n_lines;
-        const Vec3 way{radius * std::cos(angle), radius * std::sin(angle), 0};
-        if (blocks_.cutters.first_surface(middle - way, middle + way, no_index)) return true;
-      }
+      if (blocks_.framework.block_at(middle) == block && blocks_.cutters.meets_disc(middle, radius, {0, 0}, no_index))
+        return true;
     }
     return false;
   }
@@ -336,6 +342,8 @@ class BlockStack {
   MapBounds bounds_;
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
+  std::size_t n_left_ = 0;  ///< blocks that cannot be settled
+  std::string why_left_;    ///< the first of these
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, co
 /// once all is intersected. A block stays as it is where nothing asks for settling, where a horizon has more than one
 /// height over a place of the map, and where one ends exactly at a wall: a horizon that is moved along the vertical
 /// would no longer meet it.
+/// A note counts the blocks that are left for the last two reasons.
 ///
 /// Gives whether any block was settled. Cost: as settle_stack, over what each block has.
 bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks);

@@ -35,7 +35,7 @@ class ElementEstimator {
   double total(const RefineOptions& options) const;
   /// Whether the total is above `limit`; sooner known than the total where it is far above.
   bool is_above(double limit, const RefineOptions& options) const;
-  /// The same number by its parts. The first `n_thin` sources are those of thin units.
+  /// Tells how much of that number each cause asks for. The first `n_thin` sources are those of thin units.
   ElementEstimate by_cause(const RefineOptions& options, std::size_t n_thin = 0) const;
 
  private:

@@ -77,7 +77,7 @@ struct RecoveryBudget {
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
   unsigned facet_depth_first = 2;  ///< before its first point; one level between points
   /// Traces of a facet by which its flips and points are ordered, each O(size of the facet). With none chazelle_16 and
-  /// SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds instead of 20.
+  /// SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
   std::size_t traces_of_facet = 200;
 
   // Steiner points taken out (steiner_removal/).

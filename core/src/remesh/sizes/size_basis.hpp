@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What sizes follow from: edges and bends of the surfaces, which are the same however large the sizes are.
+/// Edges and bends of the surfaces, from which sizes follow. They are the same however large the sizes are.
 #pragma once
 
 #include <algorithm>

@@ -22,7 +22,7 @@ struct SizeFields {
 };
 SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
-/// The same for one call, without a basis that others use.
+/// Builds the size field where it is needed once: the basis is made here and not kept.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
 /// The same with the tolerance that the options ask for.

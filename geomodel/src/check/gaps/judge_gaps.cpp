@@ -19,8 +19,6 @@ namespace {
 constexpr double share_of_distance = 0.5;
 /// Cosine between the way on and that to the nearest place of a wall: a horizon next below or above is no wall ahead.
 constexpr double least_ahead = 0.25;
-/// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side.
-constexpr double least_cosine = 0.1;
 
 /// The faces of each cell, and which of them surfaces have.
 struct MeshWays {
@@ -220,7 +218,7 @@ bool is_told(const std::vector<std::string>& warnings, const std::string& horizo
   return std::ranges::any_of(warnings, [&](const std::string& text) {
     const bool is_open = text.find("stops short") != std::string::npos || text.find(" hole") != std::string::npos;
     return is_open && ((" " + text).find(" " + horizon + " ") != std::string::npos ||
-                       text.find("region " + region) != std::string::npos);
+                       text.find("(region " + region + ")") != std::string::npos);
   });
 }
 

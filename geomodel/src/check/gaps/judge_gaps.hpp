@@ -16,8 +16,8 @@ namespace geomesh::geomodel::checking {
 /// region that cross no face of a surface, and the faces between both kinds fill it. A gap with nothing before some of
 /// its border is an end in the open, which is no fault.
 ///
-/// Where the run's own warnings say that the horizon stops short or has a hole, or that units join in this region, it
-/// is no fault, and is told among what was checked. `warnings`: of the report beside the mesh.
+/// Such a gap is no fault where the run's own warnings say that the horizon stops short or has a hole, or that units
+/// join in this region: it is told among what was checked. `warnings`: of the report beside the mesh.
 ///
 /// Shared with the mesher: the distance, which the documents promise. Precondition: a face set. O(n log n) in the cells
 /// of such regions.

@@ -10,12 +10,10 @@
 #include "check/judged/faults.hpp"
 #include "check/names/name_parts.hpp"
 #include "check/names/region_labels.hpp"
+#include "check/names/sheet_sides.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
-
-/// Cosine of the angle between a face and its source triangle below which rounding and the tolerance decide its side.
-constexpr double least_cosine = 0.1;
 
 /// Of the angle between the normals of the face and of its source triangle; 1 where there is no such triangle.
 double agreement_with_source(const ClaimedFaces& claimed, Index face) {

@@ -9,6 +9,11 @@
 
 namespace geomesh::geomodel::checking {
 
+/// Of the angle between a face and the triangle that it stands for. Below it, rounding and the tolerance decide which
+/// side the face shows, so it shows neither: where a horizon ends on a fault within the tolerance, faces of the fault
+/// bear it, too.
+inline constexpr double least_cosine = 0.1;
+
 /// Per triangle: +1 where the normal as stored points to the upper side of its sheet, else -1. Sheets are joined across
 /// edges with just two triangles. A sheet that cannot be oriented is judged triangle by triangle.
 std::vector<int> upper_sides(const TriangulatedSurface& surface);

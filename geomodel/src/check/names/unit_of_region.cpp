@@ -15,9 +15,6 @@ namespace {
 
 /// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
 constexpr double close_share = 0.45;
-/// Cosine of the angle between a face and the triangle that it stands for, below which it shows neither side: where a
-/// horizon ends on a fault within the tolerance, faces of the fault bear it, too.
-constexpr double least_cosine = 0.1;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
   const auto at = areas.find(h);

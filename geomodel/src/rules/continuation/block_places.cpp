@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "naming/sums.hpp"
 
@@ -72,18 +71,11 @@ bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
 /// A disc about a place of the horizon ends in the open, unless it meets a wall, along the sheet in four directions of
 /// the map, or the disc of twice its radius meets walls on opposite sides. A wall that holds the place counts.
 bool BlockPlaces::ends_in_the_open(std::size_t v) const {
-  constexpr int n_lines = 4;
   const Vec3& centre = points_[v];
-  for (int k = 0; k < n_lines; ++k) {
-    const double angle = std::numbers::pi * k / n_lines;
-    const double x = radius_ * std::cos(angle), y = radius_ * std::sin(angle);
-    const Vec3 way{x, y, slope_[v].x * x + slope_[v].y * y};
-    if (s_.walls.first_hit(centre - way, centre + way, s_.row)) return false;
-    if (s_.walls.first_hit(centre, centre + 2.0 * way, s_.row) &&
-        s_.walls.first_hit(centre, centre - 2.0 * way, s_.row))
-      return false;
-  }
-  return true;
+  if (s_.walls.meets_disc(centre, radius_, slope_[v], s_.row)) return false;
+  return std::ranges::none_of(Walls::lines_of_disc(2 * radius_, slope_[v]), [&](const Vec3& way) {
+    return s_.walls.first_hit(centre, centre + way, s_.row) && s_.walls.first_hit(centre, centre - way, s_.row);
+  });
 }
 
 bool BlockPlaces::is_open(const Vec3& p) const {

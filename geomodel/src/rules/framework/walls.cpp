@@ -2,6 +2,8 @@
 #include "rules/framework/walls.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "geomesh/core/predicates.hpp"
 
@@ -75,6 +77,22 @@ std::optional<Walls::Hit> Walls::first_surface(const Vec3& a, const Vec3& b, Ind
     if (hit.surface != side_of_volume && hit.surface != but_not) keep_first(first, hit);
   });
   return first;
+}
+
+std::array<Vec3, 4> Walls::lines_of_disc(double radius, const Vec2& slope) {
+  std::array<Vec3, 4> lines;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(lines.size());
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    lines[k] = {x, y, slope.x * x + slope.y * y};
+  }
+  return lines;
+}
+
+bool Walls::meets_disc(const Vec3& centre, double radius, const Vec2& slope, Index but_not) const {
+  return std::ranges::any_of(lines_of_disc(radius, slope), [&](const Vec3& way) {
+    return first_hit(centre - way, centre + way, but_not).has_value();
+  });
 }
 
 std::vector<Index> Walls::surfaces_on(const Vec3& a, const Vec3& b) const {

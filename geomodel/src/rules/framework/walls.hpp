@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -37,6 +38,12 @@ class Walls {
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
   /// Like first_hit, but ignores the sides of the model volume.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
+
+  /// Whether a wall meets the disc about `centre`, along four lines of the map that rise with `slope`. A wall that
+  /// holds the centre counts.
+  bool meets_disc(const Vec3& centre, double radius, const Vec2& slope, Index but_not) const;
+  /// The ways from the centre of a disc to its rim along these lines.
+  static std::array<Vec3, 4> lines_of_disc(double radius, const Vec2& slope);
 
   /// All surfaces that meet the way, ascending, without the sides of the model volume.
   std::vector<Index> surfaces_on(const Vec3& a, const Vec3& b) const;
