@@ -132,13 +132,14 @@ struct SettledBlock {
 /// A horizon put together again from its blocks.
 class Rebuilt {
  public:
-  Rebuilt(const BlockSheets& sheets, const HorizonBlocks& blocks)
-      : continued_(sheets.continued()), sheets_(sheets), blocks_(blocks), surface_(continued_) {
+  /// `tolerance`: how far the arrangement may move the horizon.
+  Rebuilt(const BlockSheets& sheets, const HorizonBlocks& blocks, double tolerance)
+      : continued_(sheets.continued()), sheets_(sheets), blocks_(blocks), tolerance_(tolerance), surface_(continued_) {
     surface_.triangles.clear();
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// What lies in blocks that stay as they are. Triangles that reach into a settled one end at the wall.
+  /// What lies in blocks in which nothing was to be settled. Triangles that reach into another one end at the wall.
   void keep(const std::set<Index>& settled) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
@@ -151,7 +152,7 @@ class Rebuilt {
     }
   }
 
-  /// The settled sheet of a block, with what lies beyond its walls as a part of its own.
+  /// The settled sheet of a block. Triangles that cross its walls are a part of their own; those beyond are left out.
   void add(const TriangulatedSurface& sheet, Index block) {
     const Index beyond = n_parts_++;
     const auto shift = static_cast<VertexIndex>(surface_.points.size());
@@ -163,8 +164,9 @@ class Rebuilt {
       is_inside.push_back(is_centred.back() && !meets_wall(a, b) && !meets_wall(b, c) && !meets_wall(c, a));
     }
     if (std::ranges::none_of(is_inside, std::identity{})) is_inside = is_centred;  // a narrow block
+    const std::vector<bool> is_needed = reaches_walls(sheet, block);
     for (Index t = 0; t < sheet.triangles.size(); ++t)
-      add(sheet.triangles[t], shift, is_inside[t] ? given_part : beyond);
+      if (is_inside[t] || is_needed[t]) add(sheet.triangles[t], shift, is_inside[t] ? given_part : beyond);
   }
 
   void replace_in(BuiltSurfaces& built, Index row, const std::set<Index>& stack) {
@@ -189,6 +191,21 @@ class Rebuilt {
     surface_.triangles = std::move(triangles);
     std::ranges::sort(part_);
   }
+  /// Per triangle of a block's sheet: whether some of it lies in the block, or it touches such a triangle so near a
+  /// wall that the arrangement, which moves what is near, might leave a gap without it.
+  std::vector<bool> reaches_walls(const TriangulatedSurface& sheet, Index block) const {
+    std::vector<bool> reaches, is_at_wall(sheet.points.size(), false);
+    for (const auto& [a, b, c] : sheet.triangles) {
+      reaches.push_back(blocks_.framework.overlaps(block, {sheet.points[a], sheet.points[b], sheet.points[c]}));
+      for (const VertexIndex v : {a, b, c})
+        if (reaches.back() && !is_at_wall[v])
+          is_at_wall[v] = blocks_.cutters.meets_disc(sheet.points[v], tolerance_, {0, 0}, no_index);
+    }
+    for (Index t = 0; t < reaches.size(); ++t)
+      for (const VertexIndex v : sheet.triangles[t])
+        if (is_at_wall[v]) reaches[t] = true;
+    return reaches;
+  }
   bool meets_wall(const Vec3& a, const Vec3& b) {
     const std::vector<Index> walls = blocks_.cutters.surfaces_on(a, b);
     walls_.insert(walls.begin(), walls.end());
@@ -203,6 +220,7 @@ class Rebuilt {
   const TriangulatedSurface& continued_;
   const BlockSheets& sheets_;
   const HorizonBlocks& blocks_;
+  double tolerance_;
   TriangulatedSurface surface_;
   std::vector<Index> part_;
   Index n_parts_;
@@ -225,12 +243,15 @@ class BlockStack {
     }
   }
 
+  /// In all blocks or in none.
   bool settle() {
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b) settle_block(b);
-    if (n_left_ > 0)
-      built_.notes.push_back("the stack is left as given in " + std::to_string(n_left_) + " of " +
-                             std::to_string(blocks_.framework.n_blocks()) + " fault blocks: in the first of them " +
+    if (n_left_ > 0) {
+      built_.notes.push_back("the stack is left as given: in " + std::to_string(n_left_) + " of " +
+                             std::to_string(blocks_.framework.n_blocks()) + " fault blocks, in the first of them " +
                              why_left_);
+      return false;
+    }
     if (settled_.empty()) return false;
     std::set<Index> blocks;
     for (const SettledBlock& s : settled_) {
@@ -321,7 +342,7 @@ class BlockStack {
   void replace(std::size_t k, const std::set<Index>& blocks, const std::set<Index>& rows) {
     const Index row = stack_.rows[k];
     const std::size_t n_given = built_.surfaces[row].triangles.size();
-    Rebuilt rebuilt(sheets_[k], blocks_);
+    Rebuilt rebuilt(sheets_[k], blocks_, rules_.stack.tolerance);
     rebuilt.keep(blocks);
     for (const SettledBlock& s : settled_)
       for (std::size_t i = 0; i < s.horizons.size(); ++i)

@@ -156,9 +156,11 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
+  // Where the input forces many, nearly all are tried in vain; those that nothing forces are searched in the end.
   passes.once(
       "bad cells mended by looking ahead",
-      [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); }, rescues_bad);
+      [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
+      rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_flat);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
   // Cells that solvers refuse are worth the effort at every level.
   passes.once(

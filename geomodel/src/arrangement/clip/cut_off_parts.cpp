@@ -5,7 +5,6 @@
 #include <array>
 
 #include "arrangement/clip/clip.hpp"
-#include "common/equal_points.hpp"
 #include "common/union_find.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -14,8 +13,7 @@ namespace {
 /// The facets of the surface, each counted once for each of the surface's triangles that it stands for.
 class PartFacets {
  public:
-  PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in)
-      : of_(of), in_(in), merged_(merge_equal_points(in.surface.points)) {
+  PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in) : of_(of), in_(in) {
     for (Index f = 0; f < of.facets.size(); ++f) {
       const std::size_t before = triangle_.size();
       for (const PolygonSoup::Origin& o : of.origins_of(f))
@@ -87,13 +85,12 @@ class PartFacets {
     if (in_.part[s] != 0 && in_.part[t] != 0) return false;
     for (const VertexIndex v : in_.surface.triangles[s])
       for (const VertexIndex w : in_.surface.triangles[t])
-        if (merged_[v] == merged_[w]) return true;
+        if (v == w) return true;
     return false;
   }
 
   const FacetsWithOrigins& of_;
   const SurfaceInParts& in_;
-  std::vector<VertexIndex> merged_;
   std::vector<Index> facets_;    ///< ascending
   std::vector<Index> first_;     ///< per facet of these
   std::vector<Index> triangle_;  ///< of the surface

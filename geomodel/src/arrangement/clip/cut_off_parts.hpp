@@ -25,7 +25,8 @@ struct FacetsWithOrigins {
 /// Facet, row of the surface and its triangle, for each part of a facet that was found to be cut off.
 using LostParts = std::set<std::array<Index, 3>>;
 
-/// A surface in parts: part 0 is what was given, each other one continues it.
+/// A surface in parts: part 0 is what was given, each other one continues it. A part shares the points (by row) where it
+/// begins with what it continues; sheets of several blocks may have equal points that are none of these.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface
@@ -35,7 +36,7 @@ struct SurfaceInParts {
 };
 
 /// Facets, each with a triangle of the surface for which it stands, that walls cut off from what was given; ascending.
-/// A part hangs together with what was given where both share a corner of the surface, and with no other part:
+/// A part hangs together with what was given where both share a point of the surface, and with no other part:
 /// continuations from both sides of a fault cross each other beyond it. O(n log m) for n facets of the surface among m,
 /// and one pass over these.
 std::vector<std::pair<Index, Index>> parts_cut_off(const FacetsWithOrigins& of, const SurfaceInParts& in);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "common/equal_points.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/continuation/apron.hpp"
@@ -80,8 +81,12 @@ class Continuing {
  private:
   TriangulatedSurface& surface() { return built_.surfaces[row_]; }
 
+  /// Triangles that meet share their points from here on, which tells what a continuation belongs to.
   void begin() {
     n_given_points_ = surface().points.size();
+    const std::vector<VertexIndex> merged = merge_equal_points(surface().points);
+    for (Triangle& t : surface().triangles)
+      for (VertexIndex& v : t) v = merged[v];
     part_.assign(surface().triangles.size(), given_part);
   }
 

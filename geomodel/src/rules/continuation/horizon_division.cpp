@@ -21,11 +21,12 @@ HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, 
     const Vec3 &p = horizon.points[edge.first], &q = horizon.points[edge.second];
     is_cut[edge] = cutters.first_surface(p, q, row) || cutters.first_surface(q, p, row);
   }
+  Index last = no_index;
   for (Index t = 0; t < triangles_.size(); ++t) {
     bool crosses = false;
     for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { crosses |= is_cut.at(std::minmax(a, b)); });
     crosses_.push_back(crosses);
-    block_.push_back(crosses ? no_index : block_of(t));
+    block_.push_back(crosses ? no_index : block_of(t, last));
   }
 }
 
@@ -56,12 +57,12 @@ std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   return sheet;
 }
 
-/// By the first of some places of the triangle that lies in the model.
-Index HorizonDivision::block_of(Index t) const {
+/// By the first of some places of the triangle that lies in the model. `last`: of BlockFramework::block_at.
+Index HorizonDivision::block_of(Index t, Index& last) const {
   const auto [a, b, c] = corners(t);
   const Vec3 centre = (1.0 / 3) * (a + b + c);
   for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
-    if (const Index block = framework_.block_at(p); block != no_index) return block;
+    if (const Index block = framework_.block_at(p, last); block != no_index) return block;
   return no_index;
 }
 

@@ -37,7 +37,7 @@ class HorizonDivision {
   void for_each_edge_of(Index t, F&& visit) const {
     for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
-  Index block_of(Index t) const;
+  Index block_of(Index t, Index& last) const;
   std::array<Vec3, 3> corners(Index t) const {
     const auto& [a, b, c] = triangles_[t];
     return {horizon_.points[a], horizon_.points[b], horizon_.points[c]};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "geomesh/core/predicates.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/region_facts.hpp"
@@ -14,14 +13,6 @@
 
 namespace geomesh::geomodel {
 namespace {
-
-/// The side of each corner: negative where p lies beyond the face opposite to it.
-bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
-  return orient3d(t[0], t[1], t[2], p) != -orient3d(t[0], t[1], t[2], t[3]) &&
-         orient3d(t[0], t[3], t[1], p) != -orient3d(t[0], t[3], t[1], t[2]) &&
-         orient3d(t[1], t[3], t[2], p) != -orient3d(t[1], t[3], t[2], t[0]) &&
-         orient3d(t[0], t[2], t[3], p) != -orient3d(t[0], t[2], t[3], t[1]);
-}
 
 /// The part of a convex polygon on the inner side of the face of a tetrahedron that is opposite to a corner.
 std::vector<Vec3> cut_at_face(const std::vector<Vec3>& polygon, const std::array<Vec3, 4>& t, std::size_t corner) {
@@ -75,19 +66,11 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
       side_[{below, horizon}] -= up;
     }
   }
-  points_ = std::move(mesh.points);
-  tetrahedra_ = std::move(mesh.tetrahedra);
   block_ = std::move(mesh.component);
   bounds_.resize(n_blocks());
-  std::vector<Box3> boxes;
-  for (std::size_t t = 0; t < tetrahedra_.size(); ++t) {
-    Box3& box = boxes.emplace_back();
-    for (const VertexIndex v : tetrahedra_[t]) {
-      box.add(points_[v]);
-      bounds_[block_[t]].add(points_[v]);
-    }
-  }
-  tree_ = std::make_unique<arrangement::BoxTree>(boxes);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    for (const VertexIndex v : mesh.tetrahedra[t]) bounds_[block_[t]].add(mesh.points[v]);
+  search_ = std::make_unique<TetrahedronSearch>(std::move(mesh.points), std::move(mesh.tetrahedra));
 }
 
 int BlockFramework::side_of_unconformity(Index block, Index horizon) const {
@@ -96,26 +79,25 @@ int BlockFramework::side_of_unconformity(Index block, Index horizon) const {
 }
 
 Index BlockFramework::block_at(const Vec3& p) const {
-  Box3 place;
-  place.add(p);
-  Index found = no_index;
-  tree_->boxes_meeting(place, [&](Index t) {
-    const Tetrahedron& v = tetrahedra_[t];
-    if (t < found && holds({points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]}, p)) found = t;
-  });
-  return found == no_index ? no_index : block_[found];
+  Index last = no_index;
+  return block_at(p, last);
+}
+
+Index BlockFramework::block_at(const Vec3& p, Index& last) const {
+  const Index found = search_->find(p, last);
+  if (found == no_index) return no_index;
+  last = found;
+  return block_[found];
 }
 
 bool BlockFramework::overlaps(Index block, const std::array<Vec3, 3>& triangle) const {
   Box3 box;
   for (const Vec3& p : triangle) box.add(p);
   bool found = false;
-  tree_->boxes_meeting(box, [&](Index t) {
+  search_->boxes().boxes_meeting(box, [&](Index t) {
     if (found || block_[t] != block) return;
-    const Tetrahedron& v = tetrahedra_[t];
-    const std::array<Vec3, 4> corners{points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]]};
     std::vector<Vec3> polygon(triangle.begin(), triangle.end());
-    for (std::size_t k = 0; k < 4; ++k) polygon = cut_at_face(polygon, corners, k);
+    for (std::size_t k = 0; k < 4; ++k) polygon = cut_at_face(polygon, search_->corners(t), k);
     found = has_area(polygon);
   });
   return found;

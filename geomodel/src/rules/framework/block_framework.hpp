@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "arrangement/search/bvh.hpp"
 #include "geomesh/core/run_context.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
+#include "rules/framework/tetrahedron_search.hpp"
 
 namespace geomesh::geomodel {
 
@@ -29,7 +29,9 @@ class BlockFramework {
 
   Index n_blocks() const { return static_cast<Index>(has_tip_.size()); }
   /// The block that holds p, no_index outside of the model. On a wall the block of a tetrahedron that touches it.
-  /// O(log n) for tetrahedra of like size.
+  /// `last` makes it fast for places one after another: the tetrahedron of the last one, no_index at first. Cost: of
+  /// TetrahedronSearch::find.
+  Index block_at(const Vec3& p, Index& last) const;
   Index block_at(const Vec3& p) const;
   /// Whether some of the triangle lies in the block. Decided by clipping in doubles: a triangle that reaches in by no
   /// more than rounding may be told either way. O(log n + k) for the k tetrahedra near the triangle.
@@ -42,14 +44,12 @@ class BlockFramework {
   const Box3& bounds(Index block) const { return bounds_[block]; }
 
  private:
-  std::vector<Vec3> points_;
-  std::vector<Tetrahedron> tetrahedra_;
   std::vector<Index> block_;  ///< per tetrahedron
   std::vector<bool> has_tip_;
   std::map<std::pair<Index, Index>, double>
       side_;  ///< by block and unconformity: area above it less area below, in the map
   std::vector<Box3> bounds_;
-  std::unique_ptr<arrangement::BoxTree> tree_;
+  std::unique_ptr<TetrahedronSearch> search_;
 };
 
 }  // namespace geomesh::geomodel
