@@ -45,14 +45,19 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   return report;
 }
 
-std::vector<std::string> warnings_beside(const std::filesystem::path& mesh) {
-  std::vector<std::string> warnings;
+/// `open_borders` of the report.
+std::vector<ToldGap> gaps_told_beside(const std::filesystem::path& mesh) {
+  std::vector<ToldGap> told;
   const auto report = report_beside(mesh);
-  if (!report || !report->is_object() || !report->contains("warnings") || !report->at("warnings").is_array())
-    return warnings;
-  for (const nlohmann::json& text : report->at("warnings"))
-    if (text.is_string()) warnings.push_back(text.get<std::string>());
-  return warnings;
+  if (!report || !report->is_object() || !report->contains("open_borders")) return told;
+  const auto text_of = [](const nlohmann::json& entry, const char* key) {
+    return entry.contains(key) && entry.at(key).is_string() ? entry.at(key).get<std::string>() : std::string();
+  };
+  for (const nlohmann::json& entry : report->at("open_borders"))
+    if (entry.is_object())
+      told.push_back(
+          {text_of(entry, "horizon"), text_of(entry, "region"), entry.value("joins_units", nlohmann::json()) == true});
+  return told;
 }
 
 /// The distance between neighbouring numbers at the mesh's largest coordinate.
@@ -145,7 +150,7 @@ void judge_contract(const CheckRequest& request, const JudgedFiles& files, const
   }
   check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
   check_region_names(claimed, {claim.within, rounding}, result);
-  check_gaps(claimed, warnings_beside(request.mesh), result);
+  check_gaps(claimed, gaps_told_beside(request.mesh), result);
   check_unit_arrays(claimed, result);
   const double ulp = unit_in_last_place(files.mesh.file);
   check_cell_arrays(claimed, ulp, result);

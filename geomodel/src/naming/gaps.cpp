@@ -95,26 +95,55 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// "tertiary and chalk join" or "it ends inside chalk" for the component at a border.
-std::string consequence(Index component, Index horizon, const Column& column, const NamedRegions& named) {
-  if (component == no_index) return "outside of all regions";
+/// What a border of the horizon does in the component at it.
+OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
+  OpenBorders open;
+  open.horizon = name;
+  if (component == no_index) return open;
   const UnitVerdict& verdict = named.verdicts[component];
-  const std::string& region = named.regions[static_cast<std::size_t>(named.id_of_component[component] - 1)].name;
-  if (verdict.kind == UnitVerdict::Kind::joined && verdict.first <= horizon && horizon < verdict.last) {
-    std::string units;
-    for (Index u = verdict.first; u <= verdict.last; ++u)
-      units += (u == verdict.first ? "" : u == verdict.last ? " and " : ", ") + column.units[u];
-    return units + " join there (region " + region +
-           "); a larger rules.continue_within, or extend, fill_holes or throw_at of the horizon, can close it";
-  }
-  return "it ends there inside region " + region;
+  open.region = named.regions[static_cast<std::size_t>(named.id_of_component[component] - 1)].name;
+  open.joins_units = verdict.kind == UnitVerdict::Kind::joined && verdict.first <= horizon && horizon < verdict.last;
+  return open;
+}
+
+/// "tertiary and chalk join" or "it ends inside chalk".
+std::string consequence(const OpenBorders& open, Index component, const Column& column, const NamedRegions& named) {
+  if (open.region.empty()) return "outside of all regions";
+  if (!open.joins_units) return "it ends there inside region " + open.region;
+  const UnitVerdict& verdict = named.verdicts[component];
+  std::string units;
+  for (Index u = verdict.first; u <= verdict.last; ++u)
+    units += (u == verdict.first ? "" : u == verdict.last ? " and " : ", ") + column.units[u];
+  return units + " join there (region " + open.region +
+         "); a larger rules.continue_within, or extend, fill_holes or throw_at of the horizon, can close it";
+}
+
+std::string in_words(const OpenBorders& open) {
+  const std::string n = std::to_string(open.count);
+  const std::string what = open.are_holes ? (open.count == 1 ? "has a hole" : "has " + n + " holes")
+                                          : "stops short along " + (open.count == 1 ? "one border" : n + " borders");
+  return "horizon " + open.horizon + " " + what + " (border length " + to_text(open.length) + ", " +
+         (open.count == 1 ? "near " : "the longest near ") + to_text(open.place) + "): ";
+}
+
+/// Holes, or borders, in one component.
+OpenBorders together(OpenBorders open, const std::vector<FreeBorder>& borders) {
+  const FreeBorder& longest = *std::ranges::max_element(borders, {}, &FreeBorder::length);
+  CompensatedSum length;
+  for (const FreeBorder& b : borders) length.add(b.length);
+  open.are_holes = longest.hole;
+  open.count = borders.size();
+  open.length = length.value();
+  open.place = longest.place;
+  return open;
 }
 
 }  // namespace
 
-void warn_of_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
-                  std::vector<std::string>& warnings) {
-  if (!column.given()) return;
+std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
+                                   std::vector<std::string>& warnings) {
+  std::vector<OpenBorders> found;
+  if (!column.given()) return found;
   const auto& [mesh, soup, plc, surfaces, moved] = model;
   std::vector<std::vector<Index>> rows_of_facet(soup.facets.size());
   std::vector<bool> present(column.horizons.size(), false);
@@ -143,20 +172,12 @@ void warn_of_gaps(const MeshedModel& model, const Column& column, const NamedReg
     std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // hole first, then by component
     for (const FreeBorder& border : find_borders(soup, edges[h]))
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
-    for (auto& [key, borders] : by_kind) {
-      const FreeBorder& largest = *std::max_element(borders.begin(), borders.end(),
-                                                    [](const auto& p, const auto& q) { return p.length < q.length; });
-      CompensatedSum length;
-      for (const FreeBorder& b : borders) length.add(b.length);
-      const std::string n = std::to_string(borders.size());
-      const std::string what = largest.hole
-                                   ? (borders.size() == 1 ? "has a hole" : "has " + n + " holes")
-                                   : "stops short along " + (borders.size() == 1 ? "one border" : n + " borders");
-      warnings.push_back("horizon " + name + " " + what + " (border length " + to_text(length.value()) + ", " +
-                         (borders.size() == 1 ? "near " : "the longest near ") + to_text(largest.place) +
-                         "): " + consequence(key.second, h, column, named));
+    for (const auto& [key, borders] : by_kind) {
+      found.push_back(together(open_in(key.second, h, name, named), borders));
+      warnings.push_back(in_words(found.back()) + consequence(found.back(), key.second, column, named));
     }
   }
+  return found;
 }
 
 }  // namespace geomesh::geomodel

@@ -209,9 +209,8 @@ ModelMesh name_components(const MeshedModel& meshed, const std::vector<NamedPoin
   const ConstrainedTetrahedralization& mesh = meshed.mesh;
   const Column column = make_column(rules.column, meshed.surfaces, warnings);
   NamedRegions named = name_regions(meshed, rules, column, warnings);
-  warn_of_gaps(meshed, column, named, warnings);
-
   ModelMesh model;
+  model.open_borders = find_gaps(meshed, column, named, warnings);
   model.regions = std::move(named.regions);
   const std::vector<VertexIndex> row = fill_points(meshed, threads, model);
   fill_tetrahedra(mesh, row, named.id_of_component, threads, model);

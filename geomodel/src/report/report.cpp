@@ -134,6 +134,21 @@ json continued_json(std::span<const ContinuedSurface> continued) {
   return list;
 }
 
+json open_borders_json(std::span<const OpenBorders> borders) {
+  json list = json::array();
+  for (const OpenBorders& open : borders) {
+    json entry{{"horizon", open.horizon},
+               {"holes", open.are_holes},
+               {"count", open.count},
+               {"length", open.length},
+               {"where", {open.place.x, open.place.y, open.place.z}},
+               {"joins_units", open.joins_units}};
+    if (!open.region.empty()) entry["region"] = open.region;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
 json tolerance_json(const ToleranceLedger& ledger) {
   json uses = json::array();
   for (const ToleranceUse& use : ledger.uses()) {
@@ -258,6 +273,8 @@ std::string to_json(const Report& report) {
   if (report.tolerance) add_tolerance(*report.tolerance, root);
   if (report.stack) root["stack"] = stack_json(*report.stack);
   if (!report.continued.empty()) root["continued"] = continued_json(report.continued);
+  if (report.mesh && !report.mesh->open_borders.empty())
+    root["open_borders"] = open_borders_json(report.mesh->open_borders);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
   if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
   if (report.refinement && report.mesh) root["refinement"]["mean_edge"] = mean_edge(*report.mesh);

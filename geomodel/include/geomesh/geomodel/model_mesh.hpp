@@ -101,6 +101,17 @@ struct NodeSet {
   std::vector<VertexIndex> nodes;
 };
 
+/// Borders at which a horizon of the column stops short inside one region, or its holes there.
+struct OpenBorders {
+  std::string horizon;
+  std::string region;        ///< empty: outside of all regions
+  bool joins_units = false;  ///< units on both sides of the horizon are one region there
+  bool are_holes = false;
+  std::size_t count = 0;
+  double length = 0;  ///< of all, m
+  Vec3 place;         ///< on the longest, or in the middle of the longest hole's box
+};
+
 /// Named mesh, plain data.
 ///
 /// Invariants (validate_model_mesh): every tetrahedron positive and of a named region; no unused point; no two equal
@@ -137,6 +148,7 @@ struct ModelMesh {
   std::vector<MarkedPoint> marked_points;
 
   std::vector<Region> regions;
+  std::vector<OpenBorders> open_borders;
   std::vector<RegionAttribute> attributes;
   std::vector<CellArray> cell_arrays;
   std::vector<PointArray> point_arrays;

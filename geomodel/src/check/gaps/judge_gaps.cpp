@@ -213,18 +213,15 @@ bool is_named_beside(const std::string& name, const std::string& horizon, const 
          units.find("+" + *(at + 1) + "+") != std::string::npos;
 }
 
-/// Whether a warning says that the horizon is open somewhere, or that units join in the region.
-bool is_told(const std::vector<std::string>& warnings, const std::string& horizon, const std::string& region) {
-  return std::ranges::any_of(warnings, [&](const std::string& text) {
-    const bool is_open = text.find("stops short") != std::string::npos || text.find(" hole") != std::string::npos;
-    return is_open && ((" " + text).find(" " + horizon + " ") != std::string::npos ||
-                       text.find("(region " + region + ")") != std::string::npos);
-  });
+/// Whether the run told that the horizon is open somewhere, or that units join in the region.
+bool is_told(const std::vector<ToldGap>& told, const std::string& horizon, const std::string& region) {
+  return std::ranges::any_of(
+      told, [&](const ToldGap& gap) { return gap.horizon == horizon || (gap.joins_units && gap.region == region); });
 }
 
 }  // namespace
 
-void check_gaps(const ClaimedFaces& claimed, const std::vector<std::string>& warnings, CheckResult& result) {
+void check_gaps(const ClaimedFaces& claimed, const std::vector<ToldGap>& told, CheckResult& result) {
   const ClaimedNames& names = claimed.claim().names;
   if (!(names.continued_within > 0) || claimed.mesh().file.region.empty()) return;
   FaultCollector joined("units_joined_by_gap");
@@ -241,7 +238,7 @@ void check_gaps(const ClaimedFaces& claimed, const std::vector<std::string>& war
           GapJudge(claimed, *ways, horizon, region).narrow_gap(inner, share_of_distance * names.continued_within);
       if (!place) continue;
       const std::string& surface = claimed.claim().surfaces[horizon].name;
-      if (is_told(warnings, surface, name->second)) {
+      if (is_told(told, surface, name->second)) {
         result.checks_done.push_back("units join across " + surface + " in region " + name->second +
                                      ", through a gap of which the run warned");
         continue;

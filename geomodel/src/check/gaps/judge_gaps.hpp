@@ -10,17 +10,23 @@
 
 namespace geomesh::geomodel::checking {
 
+/// Where the run told that a horizon stops short or has holes (`open_borders` of its report).
+struct ToldGap {
+  std::string horizon, region;
+  bool joins_units;
+};
+
 /// A region that lies on both sides of a horizon of the column through a gap that has something else before all of its
 /// border, nearer than half of the distance over which horizons are continued (`units_joined_by_gap`). The mesh itself
 /// tells the gap: the cells of the region are divided by which side of the horizon is nearer, along ways through the
 /// region that cross no face of a surface, and the faces between both kinds fill it. A gap with nothing before some of
 /// its border is an end in the open, which is no fault.
 ///
-/// Such a gap is no fault where the run's own warnings say that the horizon stops short or has a hole, or that units
-/// join in this region: it is told among what was checked. `warnings`: of the report beside the mesh.
+/// Such a gap is no fault where the run itself told that the horizon stops short or has a hole, or that units join in
+/// this region: it is told among what was checked. `told`: of the report beside the mesh.
 ///
 /// Shared with the mesher: the distance, which the documents promise. Precondition: a face set. O(n log n) in the cells
 /// of such regions.
-void check_gaps(const ClaimedFaces& claimed, const std::vector<std::string>& warnings, CheckResult& result);
+void check_gaps(const ClaimedFaces& claimed, const std::vector<ToldGap>& told, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking
