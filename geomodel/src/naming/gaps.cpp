@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "common/edge_uses.hpp"
 #include "common/union_find.hpp"
@@ -45,12 +46,14 @@ std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vect
   return result;
 }
 
-FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges) {
+/// Its facet is one that is there in the mesh, if any is: remeshing may have left none of a narrow one.
+FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges,
+                          const std::vector<Index>& component_at) {
   FreeBorder border;
   CompensatedSum length;
   std::map<VertexIndex, int> degree;
   Box3 box;
-  double longest = -1;
+  std::pair<bool, double> longest{false, -1};
   for (const EdgeUse& e : edges) {
     const double l = norm(soup.points[e.b] - soup.points[e.a]);
     length.add(l);
@@ -58,8 +61,9 @@ FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& e
       ++degree[v];
       box.add(soup.points[v]);
     }
-    if (l > longest) {
-      longest = l;
+    const bool is_there = component_at[e.facet] != no_index;
+    if (std::pair(is_there, l) > longest) {
+      longest = {is_there, l};
       border.place = 0.5 * (soup.points[e.a] + soup.points[e.b]);
       border.facet = e.facet;
     }
@@ -72,7 +76,8 @@ FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& e
 
 /// Splits the free edges into borders. A closed border is a hole, but for the longest one of a sheet that ends on
 /// nothing else.
-std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges& edges) {
+std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges& edges,
+                                     const std::vector<Index>& component_at) {
   UnionFind by_vertex(soup.points.size()), sheets(soup.facets.size());
   for (const EdgeUse& e : edges.free) by_vertex.unite(e.a, e.b);
   for (std::size_t i = 1; i < edges.within.size(); ++i)
@@ -85,7 +90,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   std::vector<FreeBorder> borders;
   std::map<Index, std::size_t> outer;  // longest closed border by floating sheet
   for (const auto& [vertex, group] : groups) {
-    borders.push_back(measure_border(soup, group));
+    borders.push_back(measure_border(soup, group, component_at));
     const Index sheet = sheets.find(borders.back().facet);
     if (!borders.back().hole || anchored[sheet]) continue;
     const auto [at, is_new] = outer.emplace(sheet, borders.size() - 1);
@@ -170,7 +175,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
       continue;
     }
     std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // hole first, then by component
-    for (const FreeBorder& border : find_borders(soup, edges[h]))
+    for (const FreeBorder& border : find_borders(soup, edges[h], component_at))
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
     for (const auto& [key, borders] : by_kind) {
       found.push_back(together(open_in(key.second, h, name, named), borders));
