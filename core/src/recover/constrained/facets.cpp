@@ -113,10 +113,11 @@ class FacetRecovery {
   }
 
   /// Whether flips and points may be ordered by a new trace each time.
-  bool may_trace_again() const { return n_traces_ < recovery_budget.traces_of_facet; }
+  bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
     ++n_traces_;
+    n_traced_ += trace.faces.size() + trace.piercing.size();
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
     if (trace.status == FacetTrace::Status::touched) {
       if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
@@ -277,7 +278,7 @@ class FacetRecovery {
   FacetSides sides_;
   bool is_plain_ = true;         ///< a triangle to which no point has been added
   bool has_been_split_ = false;  ///< got a point here
-  std::size_t n_traces_ = 0;     ///< for the budget's traces_of_facet
+  std::size_t n_traced_ = 0;     ///< for the budget's traced_of_facet
 };
 
 }  // namespace

@@ -76,9 +76,9 @@ struct RecoveryBudget {
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
   unsigned facet_depth_first = 2;  ///< before its first point; one level between points
-  /// Traces of a facet by which its flips and points are ordered, each O(size of the facet). With none chazelle_16 and
-  /// SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
-  std::size_t traces_of_facet = 200;
+  /// Faces and piercing edges found by the traces of a facet that order its flips and points. With no such trace
+  /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
+  std::size_t traced_of_facet = 20000;
 
   // Steiner points taken out (steiner_removal/).
   unsigned removal_passes = 8;        ///< of all points, while any goes
