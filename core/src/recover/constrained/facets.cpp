@@ -293,10 +293,20 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
     return std::all_of(c.piece_of(subfacet).members.begin(), c.piece_of(subfacet).members.end(), in_mesh);
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
+/// Across a missing edge a trace of the piece would leave it and follow its plane through the whole mesh.
+bool has_all_edges(Recovery& recovery, Index piece) {
+  Constraints& c = recovery.constraints;
+  const std::vector<DirectedEdge>& border = c.piece_of(piece).border;
+  return std::all_of(border.begin(), border.end(), [&](const DirectedEdge& e) {
+    return cell_of_subsegment(recovery.mesh, c, c.subsegment_of(e[0], e[1])) != no_cell;
+  });
+}
+
 
 bool is_present(Recovery& recovery, Index subfacet) {
   if (recovery.constraints.is_piece(subfacet))
-    return trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
+    return has_all_edges(recovery, subfacet) &&
+           trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
   return face_of_subfacet(recovery.mesh, recovery.constraints, subfacet).valid();
 }
 
