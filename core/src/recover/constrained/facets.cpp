@@ -116,9 +116,8 @@ class FacetRecovery {
   bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
-    ++n_traces_;
-    n_traced_ += trace.faces.size() + trace.piercing.size();
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
+    n_traced_ += trace.faces.size() + trace.piercing.size();
     if (trace.status == FacetTrace::Status::touched) {
       if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
       trace.status = FacetTrace::Status::unclear;
@@ -293,6 +292,7 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
     return std::all_of(c.piece_of(subfacet).members.begin(), c.piece_of(subfacet).members.end(), in_mesh);
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
+
 /// Across a missing edge a trace of the piece would leave it and follow its plane through the whole mesh.
 bool has_all_edges(Recovery& recovery, Index piece) {
   Constraints& c = recovery.constraints;
@@ -301,7 +301,6 @@ bool has_all_edges(Recovery& recovery, Index piece) {
     return cell_of_subsegment(recovery.mesh, c, c.subsegment_of(e[0], e[1])) != no_cell;
   });
 }
-
 
 bool is_present(Recovery& recovery, Index subfacet) {
   if (recovery.constraints.is_piece(subfacet))
@@ -312,11 +311,15 @@ bool is_present(Recovery& recovery, Index subfacet) {
 
 }  // namespace
 
-std::size_t count_missing_subfacets(Recovery& recovery) {
-  std::size_t n = 0;
-  for (Index f = 0; f < recovery.constraints.subfacets.size(); ++f)
-    if (recovery.constraints.subfacets[f].live && !is_present(recovery, f)) ++n;
-  return n;
+MissingSubfacets count_missing_subfacets(Recovery& recovery) {
+  MissingSubfacets out;
+  const Constraints& c = recovery.constraints;
+  for (Index f = 0; f < c.subfacets.size(); ++f) {
+    if (!c.subfacets[f].live || is_present(recovery, f)) continue;
+    ++out.n;
+    if (c.is_piece(f)) out.inner_edges += c.piece_of(f).border.size() - 3;
+  }
+  return out;
 }
 
 void recover_facets(Recovery& recovery) {

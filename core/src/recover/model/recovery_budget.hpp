@@ -41,6 +41,7 @@ struct RecoveryBudget {
   /// A step that reduces crossings may miss one more of so many segments. Fans miss up to 8 percent more, plates of
   /// turned needles, which then get more points, 63.
   std::size_t crossings_loss = 4;
+  double slope_step = 0x1p-10;        ///< of a shear: plates of the tilted families have whole slopes
   std::size_t forecast_sample = 300;  ///< segments of each kind that a forecast looks at
   double forecast_reach = 1e6;        ///< half lengths of a segment: empty spheres beyond are no hope
 
