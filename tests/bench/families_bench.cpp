@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// families_bench [--every K] [--limit SECONDS] [--peer SWITCHES] [--list] [FAMILY...]
+// families_bench [--every K] [--limit SECONDS] [--peer SWITCHES] [--kept] [--largest N] [--growth] [--list] [FAMILY...]
 //
 // The families of recovery_families.hpp, and networks of discs where geomodel is built, each model in a process of its
 // own on one core. A model must be meshed and pass the exact checker, fill its volume to 1e-9, get few added points,
 // take at most 20 times its family's median time a facet, and at most 60 CPU seconds for each 50,000 facets. Exit
 // status 1 where one does not. --every K: each K-th model alone. --peer: TetGen with these switches beside it, "p" or
-// "pY".
+// "pY". --kept: all given triangles stay and no point is added on them (preserve_boundary). --largest N: models of at
+// most N facets. --growth: recovery of 1,000 discs over that of 200 too, which may be at most 8.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -27,12 +28,13 @@ using bench::Measurement;
 struct Options {
   unsigned every = 1, limit = 600;
   std::string peer;
-  bool lists = false;
+  bool lists = false, keeps_boundary = false, has_growth = false;
+  double largest = 1e9;  ///< facets
   std::vector<std::string> families;
 };
 
 struct Row {
-  std::string name, fault;
+  std::string name, fault, peer_fault;
   double facets = 0, points = 0, cpu_s = 0, added = 0, ratio = 0;  ///< ratio: of TetGen's time; 0 where it has none
   double per_facet() const { return cpu_s / facets; }
 };
@@ -48,8 +50,14 @@ Options options_of(int argc, char** argv) {
       out.limit = static_cast<unsigned>(std::stoul(argv[++i]));
     else if (word == "--peer" && has_value)
       out.peer = argv[++i];
+    else if (word == "--largest" && has_value)
+      out.largest = std::stod(argv[++i]);
     else if (word == "--list")
       out.lists = true;
+    else if (word == "--kept")
+      out.keeps_boundary = true;
+    else if (word == "--growth")
+      out.has_growth = true;
     else
       out.families.push_back(word);
   }
@@ -62,12 +70,21 @@ double most_added(const std::string& family, const Row& row) {
   return std::max(1.0, std::max(0.005, of_needles) * row.points);
 }
 
+/// Facets of a model; lines have more points than facets.
+double size_of(const test::FamilyModel& model) {
+  return static_cast<double>(std::max(model.plc.points.size(), bench::n_triangles(model.plc)));
+}
+
+TetrahedralizeOptions mode_of(const Options& options) {
+  return options.keeps_boundary ? test::preserving_mode() : test::constrained_mode();
+}
+
 Row run(const std::string& family, const test::FamilyModel& model, const Options& options) {
   Row row;
   row.name = model.name;
   row.points = static_cast<double>(model.plc.points.size());
-  row.facets = std::max(row.points, static_cast<double>(bench::n_triangles(model.plc)));  // lines have no more
-  const Measurement ours = bench::measure_ours(model.plc, test::constrained_mode(), options.limit);
+  row.facets = size_of(model);
+  const Measurement ours = bench::measure_ours(model.plc, mode_of(options), options.limit);
   row.cpu_s = ours.cpu_s;
   row.added = static_cast<double>(ours.answer.added_points);
   if (!ours.ok)
@@ -81,8 +98,20 @@ Row run(const std::string& family, const test::FamilyModel& model, const Options
   if (!options.peer.empty()) {
     const Measurement theirs = bench::measure_tetgen(model.plc, options.peer + "Q", options.limit);
     if (theirs.ok && ours.ok) row.ratio = row.cpu_s / theirs.cpu_s;
+    if (!theirs.ok) row.peer_fault = theirs.message;
   }
   return row;
+}
+
+/// Geometric mean over all rows that have both times.
+std::string mean_ratio(const std::vector<Row>& rows) {
+  double sum = 0;
+  int n = 0;
+  for (const Row& row : rows)
+    if (row.ratio > 0) sum += std::log(row.ratio), ++n;
+  char text[60];
+  std::snprintf(text, sizeof text, "%.2f over %d", n ? std::exp(sum / n) : 0.0, n);
+  return text;
 }
 
 /// Returns whether all bounds are kept.
@@ -91,26 +120,43 @@ bool report(const std::string& family, std::vector<Row> rows, const Options& opt
   for (const Row& row : rows) times.push_back(row.per_facet());
   std::sort(times.begin(), times.end());
   const double median = times[times.size() / 2];
-  double worst = 0, longest = 0, added = 0, points = 0, sum = 0;
-  int n_compared = 0, n_faults = 0;
+  double worst = 0, longest = 0, added = 0, points = 0;
+  int n_faults = 0;
   for (Row& row : rows) {
     if (row.fault.empty() && row.per_facet() > 20 * median) row.fault = "over 20 times the median time a facet";
     worst = std::max(worst, row.per_facet() / median);
     longest = std::max(longest, row.cpu_s);
     added += row.added;
     points += row.points;
-    if (row.ratio > 0) sum += std::log(row.ratio), ++n_compared;
     if (options.lists || !row.fault.empty())
-      std::printf("  %-36s %8.0f facets %8.3f s %6.1f us/facet %6.0f added %6.2f %s\n", row.name.c_str(), row.facets,
-                  row.cpu_s, 1e6 * row.per_facet(), row.added, row.ratio, row.fault.c_str());
+      std::printf("  %-36s %8.0f facets %8.3f s %6.1f us/facet %6.0f added %6.2f %s%s%s\n", row.name.c_str(),
+                  row.facets, row.cpu_s, 1e6 * row.per_facet(), row.added, row.ratio, row.fault.c_str(),
+                  row.peer_fault.empty() ? "" : " TetGen: ", row.peer_fault.c_str());
     n_faults += !row.fault.empty();
   }
-  std::printf("| %s | %zu | %d | %.1f | %.1f | %.1f | %.3f %% | %.2f over %d |\n", family.c_str(), rows.size(),
-              n_faults, 1e6 * median, worst, longest, 100 * added / points,
-              n_compared ? std::exp(sum / n_compared) : 0.0, n_compared);
+  std::printf("| %s | %zu | %d | %.1f | %.1f | %.1f | %.3f %% | %s |\n", family.c_str(), rows.size(), n_faults,
+              1e6 * median, worst, longest, 100 * added / points, mean_ratio(rows).c_str());
   std::fflush(stdout);
   return n_faults == 0;
 }
+
+#ifdef GEOMESH_BENCH_GEOMODEL
+/// Recovery of 1,000 discs over that of 200 in the same cube, the number of discs that one meets the same.
+bool report_growth(const Options& options) {
+  double seconds[2] = {0, 0}, facets[2] = {0, 0};
+  const unsigned sizes[2] = {200, 1000};
+  for (const unsigned k : {0u, 1u}) {
+    const test::FamilyModel model = geomodel::testing::disc_network(1, sizes[k]);
+    const Measurement m = bench::measure_ours(model.plc, mode_of(options), options.limit);
+    if (!m.ok) std::printf("%s: %s\n", model.name.c_str(), m.message.c_str());
+    seconds[k] = m.ok ? m.answer.stage_cpu_s[1] : 1e9;
+    facets[k] = size_of(model);
+  }
+  std::printf("Recovery of 200 discs (%.0f facets) %.2f s, of 1,000 (%.0f facets) %.2f s: %.1f times\n", facets[0],
+              seconds[0], facets[1], seconds[1], seconds[1] / seconds[0]);
+  return seconds[1] <= 8 * seconds[0];
+}
+#endif
 
 }  // namespace
 
@@ -124,13 +170,24 @@ int main(int argc, char** argv) {
       "| family | models | faults | median us/facet | worst/median | longest s | added | time over TetGen |\n"
       "|---|---|---|---|---|---|---|---|\n");
   bool all_kept = true;
+  std::vector<Row> all;
   for (const test::ModelFamily& family : families) {
     const auto& wanted = options.families;
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), family.name) == wanted.end()) continue;
     std::vector<Row> rows;
-    for (unsigned i = options.every / 2; i < test::ModelFamily::n_models; i += options.every)
-      rows.push_back(run(family.name, family.make(i), options));
+    for (unsigned i = options.every / 2; i < test::ModelFamily::n_models; i += options.every) {
+      const test::FamilyModel model = family.make(i);
+      if (size_of(model) <= options.largest) rows.push_back(run(family.name, model, options));
+    }
+    if (rows.empty()) continue;
     all_kept = report(family.name, rows, options) && all_kept;
+    all.insert(all.end(), rows.begin(), rows.end());
   }
+  if (!options.peer.empty())
+    std::printf("Time over TetGen `%s` on all models, geometric mean: %s\n", options.peer.c_str(),
+                mean_ratio(all).c_str());
+#ifdef GEOMESH_BENCH_GEOMODEL
+  if (options.has_growth) all_kept = report_growth(options) && all_kept;
+#endif
   return all_kept ? 0 : 1;
 }

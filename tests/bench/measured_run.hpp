@@ -25,7 +25,8 @@ struct Answer {
   double volume = 0;             ///< recovery only: of all regions together
   ElementShapes shapes;          ///< refinement only
   double meshing_cpu_s = 0;  ///< refinement only: from the start of the run to the mesh, its shapes not yet measured
-  std::array<double, 4> stage_cpu_s{};  ///< refinement only: delaunay, recover and classify, refine, improve
+  /// Refinement: delaunay, recover and classify, refine, improve. Recovery: delaunay, recover, classify.
+  std::array<double, 4> stage_cpu_s{};
 };
 using Job = std::function<Answer()>;
 

@@ -89,8 +89,15 @@ Measurement measure_ours(const PiecewiseLinearComplex& plc, const Tetrahedralize
   one_core.threads = 1;
   const Job mesh = [&] {
     alarm(limit_seconds);
-    const ConstrainedTetrahedralization out = tetrahedralize(plc, options, one_core);
     Answer answer;
+    double began = 0;
+    RunContext timed = one_core;
+    timed.stage = [&](std::string_view stage, bool begins) {
+      const std::size_t row = stage == "delaunay" ? 0 : stage == "recover" ? 1 : 2;
+      answer.stage_cpu_s[row] += begins ? 0 : test::thread_cpu_seconds() - began;
+      began = test::thread_cpu_seconds();
+    };
+    const ConstrainedTetrahedralization out = tetrahedralize(plc, options, timed);
     answer.tetrahedra = out.tetrahedra.size();
     for (VertexIndex row : out.input_vertex) answer.added_points += row == no_vertex;
     answer.volume = test::volume_of(out);

@@ -132,25 +132,37 @@ class Merger {
     out_.plc.facet_provenance.clear();
     out_.plc.facet_segments.clear();
     out_.plc.facet_points.clear();
+    const bool merges = std::any_of(patches_.begin(), patches_.end(),
+                                    [&](const Patch& patch) { return patch.facets.size() > 1 && is_far(patch); });
     for (const Patch& patch : patches_) {
-      if (patch.facets.size() > 1 && write_polygon(patch)) continue;
+      if (merges && patch.facets.size() > 1 && write_polygon(patch)) continue;
       for (const Index f : patch.facets) write_as_is(f);
     }
     copy_inner_items();
   }
 
-  bool write_polygon(const Patch& patch) {
+  std::optional<FlatPatch> flat(const Patch& patch) const {
     std::vector<Triangle> triangles;
     for (const Index f : patch.facets) {
       const auto loop = plc_.outer_loop(f);
       triangles.push_back({loop[0], loop[1], loop[2]});
     }
-    const std::optional<FlatPatch> flat = FlatPatch::of(plc_.points, std::move(triangles));
-    if (!flat) return false;
-    const auto n_edges = static_cast<double>(flat->inner_edges().size());
+    return FlatPatch::of(plc_.points, std::move(triangles));
+  }
+
+  /// Whether the patch's own edges cross those of the Delaunay triangulation much.
+  bool is_far(const Patch& patch) const {
+    const std::optional<FlatPatch> flat_patch = flat(patch);
+    if (!flat_patch) return false;
+    const auto n_edges = static_cast<double>(flat_patch->inner_edges().size());
     const auto most = static_cast<std::size_t>(most_crossings_ * n_edges);
-    if (flat->crossings_with_delaunay(most) <= most) return false;
-    const FacetPolygon polygon = flat->polygon(patch.segments);
+    return flat_patch->crossings_with_delaunay(most) > most;
+  }
+
+  bool write_polygon(const Patch& patch) {
+    const std::optional<FlatPatch> flat_patch = flat(patch);
+    if (!flat_patch) return false;
+    const FacetPolygon polygon = flat_patch->polygon(patch.segments);
     FacetFault fault;
     const auto draft = triangulate_facet(plc_.points, polygon, fault);
     if (!draft || !draft->exactly_planar) return false;

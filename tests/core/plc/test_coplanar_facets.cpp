@@ -60,6 +60,13 @@ TEST_CASE("coplanar facets: a triangulation near to Delaunay is kept", "[plc][co
   CHECK(!merged(flat_sheets(2, 4, 0.1).plc, 1).has_merged());
 }
 
+TEST_CASE("coplanar facets: the walls of a plate are merged with a cap that is far from Delaunay", "[plc][coplanar]") {
+  PlateOptions options;
+  options.n = 40;
+  const MergedFacets out = merged(plate_of_needles(options).plc, 2);
+  CHECK(out.plc.n_facets() == 2 + options.n);
+}
+
 TEST_CASE("coplanar facets: a polygon with a hole has two loops", "[plc][coplanar]") {
   PlateOptions options;
   options.n = 40;

@@ -47,7 +47,7 @@ bool ConformingRecovery::run() {
   for (Index s = 0; s < constraints_.subsegments.size(); ++s)
     if (cell_of_subsegment(mesh_, constraints_, s) == no_cell) queue_segment(s);
   recover_queued_segments();
-  recovery_.statistics.missing_facets_initial = count_missing_subfacets(recovery_);
+  recovery_.statistics.missing_facets_initial = count_missing_subfacets(recovery_).n;
   for (Index f = 0; f < constraints_.subfacets.size(); ++f)
     if (constraints_.subfacets[f].live && !facet_is_given_up_[f]) queue_facet(f);
   recover_queued_facets();

@@ -113,11 +113,11 @@ class FacetRecovery {
   }
 
   /// Whether flips and points may be ordered by a new trace each time.
-  bool may_trace_again() const { return n_traces_ < recovery_budget.traces_of_facet; }
+  bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
-    ++n_traces_;
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
+    n_traced_ += trace.faces.size() + trace.piercing.size();
     if (trace.status == FacetTrace::Status::touched) {
       if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
       trace.status = FacetTrace::Status::unclear;
@@ -277,7 +277,7 @@ class FacetRecovery {
   FacetSides sides_;
   bool is_plain_ = true;         ///< a triangle to which no point has been added
   bool has_been_split_ = false;  ///< got a point here
-  std::size_t n_traces_ = 0;     ///< for the budget's traces_of_facet
+  std::size_t n_traced_ = 0;     ///< for the budget's traced_of_facet
 };
 
 }  // namespace
@@ -293,19 +293,33 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
 
+/// Across a missing edge a trace of the piece would leave it and follow its plane through the whole mesh.
+bool has_all_edges(Recovery& recovery, Index piece) {
+  Constraints& c = recovery.constraints;
+  const std::vector<DirectedEdge>& border = c.piece_of(piece).border;
+  return std::all_of(border.begin(), border.end(), [&](const DirectedEdge& e) {
+    return cell_of_subsegment(recovery.mesh, c, c.subsegment_of(e[0], e[1])) != no_cell;
+  });
+}
+
 bool is_present(Recovery& recovery, Index subfacet) {
   if (recovery.constraints.is_piece(subfacet))
-    return trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
+    return has_all_edges(recovery, subfacet) &&
+           trace_piece(recovery.mesh, recovery.constraints, subfacet).status == FacetTrace::Status::complete;
   return face_of_subfacet(recovery.mesh, recovery.constraints, subfacet).valid();
 }
 
 }  // namespace
 
-std::size_t count_missing_subfacets(Recovery& recovery) {
-  std::size_t n = 0;
-  for (Index f = 0; f < recovery.constraints.subfacets.size(); ++f)
-    if (recovery.constraints.subfacets[f].live && !is_present(recovery, f)) ++n;
-  return n;
+MissingSubfacets count_missing_subfacets(Recovery& recovery) {
+  MissingSubfacets out;
+  const Constraints& c = recovery.constraints;
+  for (Index f = 0; f < c.subfacets.size(); ++f) {
+    if (!c.subfacets[f].live || is_present(recovery, f)) continue;
+    ++out.n;
+    if (c.is_piece(f)) out.inner_edges += c.piece_of(f).border.size() - 3;
+  }
+  return out;
 }
 
 void recover_facets(Recovery& recovery) {

@@ -94,8 +94,12 @@ enum class RefilledCells {
 /// Takes one added point off its segment or facet (boundary_points_inward.cpp). False: nothing has changed.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
-/// Counts declared subfacets that are not in the mesh.
-std::size_t count_missing_subfacets(Recovery& recovery);
+/// Declared subfacets that are not in the mesh.
+struct MissingSubfacets {
+  std::size_t n = 0;
+  std::size_t inner_edges = 0;  ///< of the pieces among them: as many as a triangulation of their borders has
+};
+MissingSubfacets count_missing_subfacets(Recovery& recovery);
 
 /// Links, locks and signs of the cells, after any stage; throws InternalError where one is wrong. O(cells).
 void validate_cells(const ConstrainedMesh& mesh);

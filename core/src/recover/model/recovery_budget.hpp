@@ -41,6 +41,7 @@ struct RecoveryBudget {
   /// A step that reduces crossings may miss one more of so many segments. Fans miss up to 8 percent more, plates of
   /// turned needles, which then get more points, 63.
   std::size_t crossings_loss = 4;
+  double slope_step = 0x1p-10;        ///< of a shear: plates of the tilted families have whole slopes
   std::size_t forecast_sample = 300;  ///< segments of each kind that a forecast looks at
   double forecast_reach = 1e6;        ///< half lengths of a segment: empty spheres beyond are no hope
 
@@ -76,9 +77,9 @@ struct RecoveryBudget {
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
   unsigned facet_depth_first = 2;  ///< before its first point; one level between points
-  /// Traces of a facet by which its flips and points are ordered, each O(size of the facet). With none chazelle_16 and
-  /// SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
-  std::size_t traces_of_facet = 200;
+  /// Faces and piercing edges found by the traces of a facet that order its flips and points. With no such trace
+  /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
+  std::size_t traced_of_facet = 20000;
 
   // Steiner points taken out (steiner_removal/).
   unsigned removal_passes = 8;        ///< of all points, while any goes

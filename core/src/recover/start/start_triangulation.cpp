@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mesh/sorted_cells.hpp"
 #include "recover/model/crossing.hpp"
 #include "recover/model/presence.hpp"
 #include "recover/model/recover.hpp"
 #include "recover/model/recovery_budget.hpp"
+#include "recover/start/level_frame.hpp"
 #include "recover/start/scale_forecast.hpp"
 
 namespace geomesh::recover {
@@ -72,13 +74,13 @@ class StartSearch {
     return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
-  /// Improves `best` while a step of one axis saves a twentieth of what is missing. What the forecast gives no hope for
-  /// is not triangulated. Returns the exponents of the scales.
+  /// Improves `best` while a step of one axis saves a twentieth of what is missing, if anything is. What the forecast
+  /// gives no hope for is not triangulated. Returns the exponents of the scales.
   std::array<int, 3> climb(Candidate& best) const {
     std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);
     for (const std::size_t axis : axes_by_extent()) {
-      for (int step = 0; step < recovery_budget.stretch_steps; ++step) {
+      for (int step = 0; step < recovery_budget.stretch_steps && best.n_missing() > 0; ++step) {
         std::array<int, 3> trial = exponents;
         ++trial[axis];
         if (whole * forecast.n_missing(trial) > rest * forecast.n_missing(exponents)) break;
@@ -162,22 +164,46 @@ class StartSearch {
   const RunContext& context_;
 };
 
+bool is_many(std::size_t n_missing, const Constraints& constraints) {
+  return n_missing > recovery_budget.few_missing &&
+         recovery_budget.stretch_from * n_missing > constraints.subsegments.size();
+}
+
+/// Searches with the facets level, if they can be made so, and in the frame as given if many segments are missing then
+/// still. A level frame is tried as well where polygons lack inner edges, which the scales of axes do not count.
+void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& points, const Constraints& constraints,
+             const DelaunayOptions& options, const RunContext& context) {
+  if (!is_many(best.n_missing() + inner_edges, constraints)) return;
+  std::optional<Candidate> candidate;
+  if (const std::optional<std::vector<Vec3>> level = with_level_facets(points, constraints)) {
+    const StartSearch search(*level, constraints, options, context);
+    candidate = search.triangulate({0, 0, 0});
+    search.reduce_crossings(*candidate, search.climb(*candidate));
+  }
+  if (is_many((candidate ? *candidate : best).n_missing(), constraints)) {
+    const StartSearch search(points, constraints, options, context);
+    search.reduce_crossings(best, search.climb(best));
+  }
+  if (candidate && candidate->n_missing() < best.n_missing()) best = std::move(*candidate);
+}
+
 void remember(const Candidate& candidate, Constraints& constraints) {
   for (Index s = 0; s < constraints.subsegments.size(); ++s)
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
 /// `points` as they were afterwards.
-std::size_t count_missing_facets(Candidate& candidate, std::vector<Vec3>& points, const PiecewiseLinearComplex& plc,
-                                 const ModelNames& names, DeclaredModel& model, const RunContext& context) {
+MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
+                                      const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
+                                      const RunContext& context) {
   remember(candidate, model.constraints);
   ConstrainedMesh mesh(std::move(candidate.cells), std::move(points), model.input_vertex.size());
   RecoveryStatistics unused;
   CrossingsOf crossings(plc);
   Recovery recovery{mesh, model.constraints, unused, context, model.input_vertex, plc, names, crossings};
-  const std::size_t n = count_missing_subfacets(recovery);
+  const MissingSubfacets out = count_missing_subfacets(recovery);
   mesh.release(candidate.cells, points);
-  return n;
+  return out;
 }
 
 }  // namespace
@@ -187,15 +213,14 @@ StartTriangulation triangulate_start(const PiecewiseLinearComplex& plc, const Mo
   StartTriangulation out;
   out.points = vertices_with_box(plc, model);
   model.constraints.vertices.resize(out.points.size());
-  const StartSearch search(out.points, model.constraints, options, context);
-  Candidate best = search.triangulate({0, 0, 0});
+  Candidate best = StartSearch(out.points, model.constraints, options, context).triangulate({0, 0, 0});
   out.statistics = best.statistics;
   out.tetrahedra = count_model_cells(best.cells, model.input_vertex.size());
   out.missing_edges = best.n_missing();
-  out.missing_facets = count_missing_facets(best, out.points, plc, names, model, context);
-  if (frame == StartFrame::may_be_stretched && best.n_missing() > recovery_budget.few_missing &&
-      recovery_budget.stretch_from * best.n_missing() > model.constraints.subsegments.size())
-    search.reduce_crossings(best, search.climb(best));
+  const MissingSubfacets facets = count_missing_facets(best, out.points, plc, names, model, context);
+  out.missing_facets = facets.n;
+  if (frame == StartFrame::may_be_stretched)
+    stretch(best, facets.inner_edges, out.points, model.constraints, options, context);
   remember(best, model.constraints);
   out.mesh = std::move(best.cells);
   return out;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "recover/start/level_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/geometry.hpp"
+#include "recover/model/recovery_budget.hpp"
+
+namespace geomesh::recover {
+
+namespace {
+
+std::vector<DirectedEdge> border_of(const Constraints& constraints, Index subfacet) {
+  if (constraints.is_piece(subfacet)) return constraints.piece_of(subfacet).border;
+  const Triangle& t = constraints.subfacets[subfacet].vertices;
+  return {{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}};
+}
+
+/// Twice the area, along the normal.
+Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, Index subfacet) {
+  const Vec3& origin = points[constraints.subfacets[subfacet].vertices[0]];
+  Vec3 sum;
+  for (const DirectedEdge& e : border_of(constraints, subfacet))
+    sum = sum + cross(points[e[0]] - origin, points[e[1]] - origin);
+  return sum;
+}
+
+/// x + y, or nothing where that is rounded.
+std::optional<double> exact_sum(double x, double y) {
+  const double sum = x + y, of_y = sum - x, of_x = sum - of_y;
+  if (of_y != y || of_x != x) return std::nullopt;
+  return sum;
+}
+std::optional<double> exact_product(double x, double y) {
+  const double product = x * y;
+  if (std::fma(x, y, -product) != 0) return std::nullopt;
+  return product;
+}
+
+/// Coordinate `axis` plus slope times the next one and slope times the one after that.
+class Shear {
+ public:
+  Shear(const Vec3& normal, std::size_t axis) : axis_(axis) {
+    for (std::size_t k = 0; k < 2; ++k)
+      slopes_[k] =
+          std::round(normal[other(k)] / normal[axis] / recovery_budget.slope_step) * recovery_budget.slope_step;
+  }
+
+  bool is_none() const { return slopes_[0] == 0 && slopes_[1] == 0; }
+  std::optional<double> height(const Vec3& p) const {
+    std::optional<double> sum = p[axis_];
+    for (std::size_t k = 0; k < 2 && sum; ++k) {
+      const std::optional<double> part = exact_product(slopes_[k], p[other(k)]);
+      sum = part ? exact_sum(*sum, *part) : std::nullopt;
+    }
+    return sum;
+  }
+  bool makes_level(const std::vector<Vec3>& points, const Triangle& t) const {
+    const std::optional<double> at = height(points[t[0]]);
+    return at && height(points[t[1]]) == at && height(points[t[2]]) == at;
+  }
+  bool makes_most_level(const std::vector<Vec3>& points, const Constraints& constraints) const {
+    double level = 0, all = 0;
+    for (Index f = 0; f < constraints.subfacets.size(); ++f) {
+      const double area = length(area_of(points, constraints, f));
+      all += area;
+      if (makes_level(points, constraints.subfacets[f].vertices)) level += area;
+    }
+    return 2 * level > all;
+  }
+  std::optional<std::vector<Vec3>> of(std::vector<Vec3> points) const {
+    for (Vec3& p : points) {
+      const std::optional<double> at = height(p);
+      if (!at) return std::nullopt;
+      p[axis_] = *at;
+    }
+    return points;
+  }
+
+ private:
+  std::size_t other(std::size_t k) const { return (axis_ + 1 + k) % 3; }
+
+  std::size_t axis_;
+  std::array<double, 2> slopes_{};
+};
+
+}  // namespace
+
+std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints) {
+  Index largest = no_index;
+  Vec3 normal;
+  for (Index f = 0; f < constraints.subfacets.size(); ++f) {
+    const Vec3 area = area_of(points, constraints, f);
+    if (!(dot(area, area) > dot(normal, normal))) continue;
+    largest = f;
+    normal = area;
+  }
+  if (largest == no_index) return std::nullopt;
+  std::array<std::size_t, 3> axes{2, 1, 0};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](std::size_t a, std::size_t b) { return std::fabs(normal[a]) > std::fabs(normal[b]); });
+  for (const std::size_t axis : axes) {
+    if (normal[axis] == 0) continue;
+    const Shear shear(normal, axis);
+    if (shear.is_none()) return std::nullopt;
+    if (!shear.makes_level(points, constraints.subfacets[largest].vertices)) continue;
+    if (!shear.makes_most_level(points, constraints)) return std::nullopt;
+    if (auto out = shear.of(points)) return out;
+  }
+  return std::nullopt;
+}
+
+}  // namespace geomesh::recover

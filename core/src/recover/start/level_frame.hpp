@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// The shear that makes a model's facets level. A thin plate that is tilted looks thick along every axis, so no
+/// scale of an axis brings its segments into the Delaunay triangulation; once it is level, one does.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "recover/model/constraints.hpp"
+
+namespace geomesh::recover {
+
+/// The points, sheared along an axis so that the plane of the largest facet runs along the other two axes. Returns
+/// nothing where it does so already, where most of all facets' area is not parallel to it, and where a sum would be
+/// rounded. So the shear is exact: orientations are the same as before, and a triangulation of the sheared points is
+/// one of the given points. O(n).
+std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints);
+
+}  // namespace geomesh::recover
