@@ -101,7 +101,7 @@ class Families(ProgramTest):
                     file.write(text + "rules: {continue_within: 0}\n")
                 self.run_program(os.path.join(folder, "open.yaml"), "--quiet")
                 self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "open.yaml"))
-                os.remove(os.path.join(folder, "out", "model.report.json"))  # its warnings tell of the gaps
+                os.remove(os.path.join(folder, "out", "model.report.json"))  # it tells of the gaps
                 found = self.check(os.path.join(folder, "out", "model.vtu"), "--project", project, status=BAD_INPUT)
                 self.assertIn("units_joined_by_gap", [fault["id"] for fault in found["faults"]])
 
