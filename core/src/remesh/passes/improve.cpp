@@ -156,7 +156,7 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // Where the input forces many, nearly all are tried in vain; those that nothing forces are searched in the end.
+  // Almost no attempt succeeds where the input forces many cells. Those that nothing forces are searched at the end.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },

@@ -25,8 +25,8 @@ struct FacetsWithOrigins {
 /// Facet, row of the surface and its triangle, for each part of a facet that was found to be cut off.
 using LostParts = std::set<std::array<Index, 3>>;
 
-/// A surface in parts: part 0 is what was given, each other one continues it. A part shares the points (by row) where it
-/// begins with what it continues; sheets of several blocks may have equal points that are none of these.
+/// A surface in parts: part 0 is what was given, each other one continues it. A part shares the points (by row) where
+/// it begins with what it continues; sheets of several blocks may have equal points that are none of these.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface

@@ -21,6 +21,13 @@ namespace {
 
 constexpr Index given_part = 0;  ///< part of the triangles that no continuation made
 
+/// Triangles that meet have the same points, which tells what a continuation belongs to.
+void share_points(TriangulatedSurface& surface) {
+  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
+  for (Triangle& t : surface.triangles)
+    for (VertexIndex& v : t) v = merged[v];
+}
+
 /// One surface on its way to its walls.
 class Continuing {
  public:
@@ -81,12 +88,9 @@ class Continuing {
  private:
   TriangulatedSurface& surface() { return built_.surfaces[row_]; }
 
-  /// Triangles that meet share their points from here on, which tells what a continuation belongs to.
   void begin() {
     n_given_points_ = surface().points.size();
-    const std::vector<VertexIndex> merged = merge_equal_points(surface().points);
-    for (Triangle& t : surface().triangles)
-      for (VertexIndex& v : t) v = merged[v];
+    share_points(surface());
     part_.assign(surface().triangles.size(), given_part);
   }
 
