@@ -4,6 +4,7 @@ more by night.
 
     GEOMESH_RANDOM_OPTIONS=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_options     another number, other seeds
 """
+import json
 import os
 import sys
 from unittest.mock import patch
@@ -42,6 +43,7 @@ class RandomOptionsTest(ProgramTest):
         class ThinZone(RandomOptions):
             def write(self, folder):
                 self.project["output"]["fault_zone"]["f2_twin"]["thickness"] = 12
+                self.text = json.dumps(self.project)
                 return super().write(folder)
         with patch("run_random_models.RandomOptions", ThinZone):
             self.assertEqual(outcome_of(3241, self.path("zone"), PROGRAM, 120, light=True, options=True), ("passes", ""))
@@ -52,6 +54,7 @@ class RandomOptionsTest(ProgramTest):
         class OpenBorders(RandomOptions):
             def write(self, folder):
                 self.project.setdefault("rules", {})["continue_within"] = 0
+                self.text = json.dumps(self.project)
                 return super().write(folder)
         for options in (RandomOptions, OpenBorders):
             with self.subTest(options=options.__name__), patch("run_random_models.RandomOptions", options):
