@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Models of the families whose unit is known at each place, as a new user gives them: at most one point in a thousand lies in the wrong unit.
 tests/families/measure.py runs more of them."""
+import json
 import os
 import sys
 
@@ -101,7 +102,13 @@ class Families(ProgramTest):
                     file.write(text + "rules: {continue_within: 0}\n")
                 self.run_program(os.path.join(folder, "open.yaml"), "--quiet")
                 self.check(os.path.join(folder, "out", "model.vtu"), "--project", os.path.join(folder, "open.yaml"))
-                os.remove(os.path.join(folder, "out", "model.report.json"))  # it tells of the gaps
+                with open(os.path.join(folder, "out", "model.report.json")) as file:
+                    report = json.load(file)
+                self.assertTrue(any(entry["joins_units"] for entry in report["open_borders"]), report["open_borders"])
+                told = self.check(os.path.join(folder, "out", "model.vtu"), "--project", project, status=None)
+                self.assertNotIn("units_joined_by_gap", [fault["id"] for fault in told["faults"]])
+                self.assertTrue(any("of which the run warned" in text for text in told["checks_done"]), told["checks_done"])
+                os.remove(os.path.join(folder, "out", "model.report.json"))
                 found = self.check(os.path.join(folder, "out", "model.vtu"), "--project", project, status=BAD_INPUT)
                 self.assertIn("units_joined_by_gap", [fault["id"] for fault in found["faults"]])
 

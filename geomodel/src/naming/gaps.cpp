@@ -100,7 +100,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// What a border of the horizon does in the component at it.
+/// Describes a border of the horizon by the component at it; the caller adds how many there are, and where.
 OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
   OpenBorders open;
   open.horizon = name;

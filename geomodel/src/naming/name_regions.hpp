@@ -63,8 +63,8 @@ std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const 
 /// The facts with the volume of everything that joins the same target: what `min_volume` is held against.
 std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target);
 
-/// Where horizons have holes or stop short. Appends warnings on these and on horizons that are absent, with the units
-/// that join there.
+/// Finds where horizons have holes or stop short. Appends warnings on these and on horizons that are absent, with the
+/// units that join there.
 std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
                                    std::vector<std::string>& warnings);
 

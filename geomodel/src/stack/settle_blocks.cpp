@@ -139,7 +139,8 @@ class Rebuilt {
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// What lies in blocks in which nothing was to be settled. Triangles that reach into another one end at the wall.
+  /// Adds what lies in blocks in which nothing was to be settled. Triangles that reach into another one end at the
+  /// wall.
   void keep(const std::set<Index>& settled) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)

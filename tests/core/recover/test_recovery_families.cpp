@@ -32,7 +32,7 @@ std::size_t check(const FamilyModel& model) {
   return n_added(*run.mesh);
 }
 
-/// Of the mesh that recovery starts from.
+/// Counts of the mesh that recovery starts from.
 struct StartCounts {
   std::size_t missing = 0;    ///< segments
   std::size_t crossings = 0;  ///< simplices that these cross

@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Where the run told that a horizon stops short or has holes (`open_borders` of its report).
+/// An entry of `open_borders` in the report of a run: a horizon stops short or has holes.
 struct ToldGap {
   std::string horizon, region;
   bool joins_units;

@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Of the angle between a face and the triangle that it stands for. Below it, rounding and the tolerance decide which
-/// side the face shows, so it shows neither: where a horizon ends on a fault within the tolerance, faces of the fault
-/// bear it, too.
+/// The least cosine of the angle between a face and the triangle that it stands for, for which the face shows a side of
+/// it. Below it, rounding and the tolerance decide which side that is: where a horizon ends on a fault within the
+/// tolerance, faces of the fault bear it, too.
 inline constexpr double least_cosine = 0.1;
 
 /// Per triangle: +1 where the normal as stored points to the upper side of its sheet, else -1. Sheets are joined across

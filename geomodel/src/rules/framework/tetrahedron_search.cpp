@@ -15,9 +15,9 @@ namespace {
 
 /// The corners of each face, seen from inside alike for a positive tetrahedron, by the corner opposite to it.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// More planes than this are the sides of no box or outline.
+/// Planes of faces at the border that are looked at. A box has six; a border with more costs time, and no result.
 constexpr std::size_t most_planes = 64;
-/// Times the rounding of a double: more than sums of three products can be off.
+/// Of the largest coordinate: more than two sums of three products with a unit vector can be off.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Positive on the side of the corner opposite to the face.
@@ -83,10 +83,11 @@ void TetrahedronSearch::find_neighbours() {
 }
 
 void TetrahedronSearch::find_planes(const std::vector<std::array<Index, 2>>& border) {
+  std::vector<Plane> seen;
   double largest = 0;
   for (const Vec3& p : points_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   for (const auto& [t, opposite] : border) {
-    if (planes_.size() == most_planes) return;
+    if (seen.size() == most_planes) return;
     const std::array<Vec3, 4> at = corners(t);
     const auto& [i, j, k] = face_of[opposite];
     Vec3 outward = cross(at[j] - at[i], at[k] - at[i]);
@@ -94,10 +95,11 @@ void TetrahedronSearch::find_planes(const std::vector<std::array<Index, 2>>& bor
     outward = (1 / norm(outward)) * outward;
     if (dot(outward, at[opposite] - at[i]) > 0) outward = -1.0 * outward;
     const double offset = dot(outward, at[i]), off = rounding * largest;
-    if (std::ranges::any_of(planes_, [&](const Plane& plane) {
+    if (std::ranges::any_of(seen, [&](const Plane& plane) {
           return norm(plane.outward - outward) <= std::sqrt(rounding) && std::abs(plane.offset - offset) <= off;
         }))
       continue;
+    seen.push_back({outward, offset});
     double farthest = offset;
     for (const Vec3& p : points_) farthest = std::max(farthest, dot(outward, p));
     if (farthest <= offset + off) planes_.push_back({outward, farthest + off});

@@ -25,7 +25,7 @@ class TetrahedronSearch {
   /// overlap in their boxes and the walk ends early.
   Index find(const Vec3& p, Index start) const;
   std::array<Vec3, 4> corners(Index t) const;
-  /// Those whose boxes meet the box.
+  /// The tree of the tetrahedra's boxes, by which those near something are found.
   const arrangement::BoxTree& boxes() const { return *tree_; }
 
  private:
