@@ -119,9 +119,9 @@ std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, 
 }
 
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
-                                         const InputCreases& creases, std::size_t n_judged) {
+                                         const InputCreases& creases, std::span<const Index> judged) {
   std::vector<WorstElement> bad;
-  for (Index row = 0; row < std::min(n_judged, mesh.tetrahedra.size()); ++row) {
+  for (const Index row : judged) {
     const Tetrahedron& t = mesh.tetrahedra[row];
     const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
     const std::optional<double> least = angle_if_bad(a, b, c, d, options.bad_angle);

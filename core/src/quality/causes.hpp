@@ -3,7 +3,6 @@
 /// Why an element is bad, or an edge short: an input angle or a thin gap that only a change of the input could widen.
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,10 +51,9 @@ class CauseFinder {
 /// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`. Fast otherwise.
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
-/// Returns rows of the elements (among the first `n_judged`) below the bad angle that the input does not impose, the
-/// worst first. O(n), plus the cost of CauseFinder.
+/// Returns those of the judged rows whose elements are below the bad angle and not imposed by the input, the worst
+/// first. O(n), plus the cost of CauseFinder.
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
-                                         const InputCreases& creases,
-                                         std::size_t n_judged = std::numeric_limits<std::size_t>::max());
+                                         const InputCreases& creases, std::span<const Index> judged);
 
 }  // namespace geomesh

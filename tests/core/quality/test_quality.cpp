@@ -3,6 +3,7 @@
 // width.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 #include <random>
 
 #include "geomesh/core/quality.hpp"
@@ -116,7 +117,9 @@ TEST_CASE("A sliver that nothing forces is listed first and as free", "[quality]
   REQUIRE(q.n_bad > 0);
   CHECK(q.worst[0].cause == ShapeCause::free);
   CHECK(q.n_bad_forced < q.n_bad);
-  const std::vector<Index> unforced = unforced_bad_elements(model.mesh, {}, {});
+  std::vector<Index> rows(model.mesh.tetrahedra.size());
+  std::iota(rows.begin(), rows.end(), Index{0});
+  const std::vector<Index> unforced = unforced_bad_elements(model.mesh, {}, {}, rows);
   REQUIRE(unforced.size() == q.n_bad - q.n_bad_forced);
   for (std::size_t k = 0; k < unforced.size(); ++k) CHECK(unforced[k] == q.worst[k].tetrahedron);
 }

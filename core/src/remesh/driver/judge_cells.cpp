@@ -2,6 +2,7 @@
 #include "remesh/driver/judge_cells.hpp"
 
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include "quality/causes.hpp"
@@ -27,29 +28,33 @@ class Judge {
     creases_ = find_creases(plc, judging_);
   }
 
-  std::vector<CellIndex> find(const DomainMesh& mesh) const {
-    if (!has_bad_cell(mesh)) return {};  // most meshes, for which no copy is made
-    std::vector<CellIndex> cells, bad;
-    for (const CellIndex c : mesh.live_cells()) cells.push_back(c);
+  std::vector<CellIndex> find(const DomainMesh& mesh, std::optional<std::uint64_t> since) const {
+    std::vector<CellIndex> cells, free;
+    std::vector<Index> bad;
+    for (const CellIndex c : mesh.live_cells()) {
+      if ((!since || changed_since(mesh, mesh.vertices(c), *since)) && is_bad(mesh, c))
+        bad.push_back(static_cast<Index>(cells.size()));
+      cells.push_back(c);
+    }
+    if (bad.empty()) return {};  // most meshes, for which no copy is made
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
-    for (const Index row : unforced_bad_elements(exported, judging_, creases_)) bad.push_back(cells[row]);
-    return bad;
+    for (const Index row : unforced_bad_elements(exported, judging_, creases_, bad)) free.push_back(cells[row]);
+    return free;
   }
 
   std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) {
     std::vector<CellIndex> bad;
     const ConstrainedTetrahedralization about = export_about(mesh, cells, rings, input_, scratch_);
-    for (const Index row : unforced_bad_elements(about, judging_, creases_, cells.size())) bad.push_back(cells[row]);
+    std::vector<Index> judged(cells.size());
+    std::iota(judged.begin(), judged.end(), Index{0});
+    for (const Index row : unforced_bad_elements(about, judging_, creases_, judged)) bad.push_back(cells[row]);
     return bad;
   }
 
  private:
-  bool has_bad_cell(const DomainMesh& mesh) const {
-    for (const CellIndex cell : mesh.live_cells()) {
-      const auto [a, b, c, d] = mesh.places(mesh.vertices(cell));
-      if (angle_if_bad(a, b, c, d, judging_.bad_angle)) return true;
-    }
-    return false;
+  bool is_bad(const DomainMesh& mesh, CellIndex cell) const {
+    const auto [a, b, c, d] = mesh.places(mesh.vertices(cell));
+    return angle_if_bad(a, b, c, d, judging_.bad_angle).has_value();
   }
 
   const ConstrainedTetrahedralization& input_;
@@ -63,7 +68,7 @@ class Judge {
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                               const RefineOptions& options, const RefineResult& result) {
   const auto judge = std::make_shared<Judge>(plc, input, options, result);
-  return {[judge](const DomainMesh& mesh) { return judge->find(mesh); },
+  return {[judge](const DomainMesh& mesh, std::optional<std::uint64_t> since) { return judge->find(mesh, since); },
           [judge](const DomainMesh& mesh, std::span<const CellIndex> cells) { return judge->find_among(mesh, cells); }};
 }
 

@@ -3,7 +3,9 @@
 /// Cells of poor shape: lists of them with the shape they had when listed, sums over them, and their causes.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,7 +61,8 @@ struct Tally {
 
 /// Finds the bad cells that the input does not impose. The search for better cells needs them.
 struct FreeCellJudge {
-  std::function<std::vector<CellIndex>(const DomainMesh&)> find;
+  /// Among all cells, or those of which a vertex has changed since that time of the mesh.
+  std::function<std::vector<CellIndex>(const DomainMesh&, std::optional<std::uint64_t> since)> find;
   /// Returns those cells, the worst first, decided by their surroundings alone: fast, and in doubt a cell is one of
   /// them.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;

@@ -230,7 +230,18 @@ class Searcher {
 
 std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& judge) {
   std::vector<BadCell> bad;
-  for (const CellIndex c : judge.find(mesh)) bad.push_back(bad_cell(mesh, c));
+  for (const CellIndex c : judge.find(mesh, std::nullopt)) bad.push_back(bad_cell(mesh, c));
+  return bad;
+}
+
+/// The free cells after a sweep, the worst first. What nothing has changed is as it was.
+std::vector<BadCell> free_cells_after(const DomainMesh& mesh, const FreeCellJudge& judge,
+                                      const std::vector<BadCell>& before, std::uint64_t sweep) {
+  std::vector<BadCell> bad;
+  for (const BadCell& b : before)
+    if (is_left(mesh, b) && !changed_since(mesh, b, sweep)) bad.push_back(b);
+  for (const CellIndex c : judge.find(mesh, sweep)) bad.push_back(bad_cell(mesh, c));
+  std::ranges::stable_sort(bad, {}, &BadCell::shape);
   return bad;
 }
 
@@ -346,7 +357,7 @@ void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJud
     if (n < bad.size()) search.trials_a_cell *= 2;
     const bool is_changed =
         std::ranges::any_of(bad, [&](const BadCell& b) { return changed_since(mesh, b, this_sweep); });
-    if (is_changed) bad = free_cells(mesh, judge);
+    if (is_changed) bad = free_cells_after(mesh, judge, bad, this_sweep);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "common/geometry.hpp"
+#include "common/random.hpp"
 
 namespace geomesh::remesh {
 
@@ -78,14 +79,21 @@ class Integral {
 
   void add(const std::array<Vec3, n>& corners, Index component) {
     KnownPlace near = last_;
-    visit(corners, component, near, 0);
+    visit(corners, component, near, {});
     last_ = near;
   }
   double sum() const { return sum_; }
 
  private:
   static constexpr unsigned greatest_depth = 200;
-  static constexpr double negligible = 0.005;  ///< of an element's content
+  /// Content of an element over the power of its size, of a tetrahedron and of a triangle.
+  static constexpr double one_element = 0.1;
+
+  /// How often a piece was cut, and how many such pieces it stands for.
+  struct Share {
+    unsigned depth = 0;
+    double weight = 1;
+  };
 
   static double times(double size) {
     double power = size;
@@ -93,7 +101,9 @@ class Integral {
     return power;
   }
 
-  void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, unsigned depth) {
+  /// Of a piece that brings less than an element one half, drawn at random, is taken twice (Russian roulette). The sum
+  /// has the same expectation, and the pieces of slender cells take no more samples than there are elements to come.
+  void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, const Share& share) {
     if (sampler_.is_exhausted()) return;
     Vec3 centre;
     for (const Vec3& corner : p) centre = centre + (1.0 / n) * corner;
@@ -105,24 +115,29 @@ class Integral {
         if (const double side = squared_distance(p[i], p[j]); side > longest) longest = side, from = i, to = j;
     }
     const SizeAbout about = sampler_.sample(centre, std::sqrt(radius), component, near);
-    const double whole = content(p);
+    const double brings = share.weight * content(p) / times(about.size);
     const bool is_even = sampler_.growth() * std::sqrt(longest) <= about.size || about.least == about.greatest;
-    const bool matters = !(about.least > 0) || whole > negligible * times(about.least);
-    if (is_even || !matters || depth >= greatest_depth) {
-      sum_ += whole / times(about.size);
+    if (is_even || share.depth >= greatest_depth) {
+      sum_ += brings;
       return;
     }
     std::array<Vec3, n> half = p;
     const Vec3 middle = 0.5 * (p[from] + p[to]);
+    if (brings < one_element) {
+      half[choice_.below(2) == 0 ? from : to] = middle;
+      visit(half, component, near, {share.depth + 1, 2 * share.weight});
+      return;
+    }
     half[from] = middle;
     KnownPlace beside = near;
-    visit(half, component, beside, depth + 1);
+    visit(half, component, beside, {share.depth + 1, share.weight});
     half[from] = p[from], half[to] = middle;
-    visit(half, component, near, depth + 1);
+    visit(half, component, near, {share.depth + 1, share.weight});
   }
 
   SizeSampler& sampler_;
   KnownPlace last_;  ///< in the simplex before
+  Random choice_;
   double sum_ = 0;
 };
 
