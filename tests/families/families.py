@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from family import Family, PlaneFaults, lattice, strip  # noqa: E402
 from deposits import Channel, Lens  # noqa: E402
 from growth import GrowthFault  # noqa: E402
+from holes import Holes  # noqa: E402
 from intrusions import Intrusion  # noqa: E402
 from measured import NoisyGrid, SparsePicks  # noqa: E402
 
@@ -347,7 +348,7 @@ class Recumbent(Family):
 FAMILIES = {"short_grids": ShortGrids, "salt_gaps": SaltGaps, "thrust": Thrust, "conjugate": Conjugate, "network": Network,
             "dying_fault": DyingFault, "unconformity": Unconformity, "thin_beds": ThinBeds, "recumbent": Recumbent,
             "noisy_grid": NoisyGrid, "growth_fault": GrowthFault, "sparse_picks": SparsePicks,
-            "channel": Channel, "intrusion": Intrusion, "lens": Lens}
+            "channel": Channel, "intrusion": Intrusion, "lens": Lens, "holes": Holes}
 
 if __name__ == "__main__":
     form = sys.argv[4] if len(sys.argv) > 4 else "bare"

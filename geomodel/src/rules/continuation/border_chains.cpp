@@ -22,7 +22,7 @@ struct LoopEdge {
   double length;
   bool goes_on = true;              ///< false where the surface has met its wall
   std::uint8_t cut_off = 0;         ///< BorderChain::cut_off
-  bool is_beyond = false;           ///< its middle lies outside of the model
+  bool is_beyond = false;           ///< it lies outside of the model
   bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
   std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
 };
@@ -185,6 +185,22 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
   }
 }
 
+/// The share of an edge from a to b at which walls are sought: its middle, or that of its part in the box where its
+/// middle lies outside.
+double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding) {
+  if (is_within(box, 0.5 * (a + b), 0)) return 0.5;
+  double first = 0, last = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double way = b[i] - a[i];
+    if (way == 0) continue;
+    const double enters = ((way > 0 ? box.min[i] : box.max[i]) - a[i]) / way,
+                 leaves = ((way > 0 ? box.max[i] : box.min[i]) - a[i]) / way;
+    first = std::max(first, enters), last = std::min(last, leaves);
+  }
+  const double middle = (first + last) / 2;
+  return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
+}
+
 /// The border's loops with the wall before each edge. Edges of triangles that are `done` go on to none.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                                     const Box3& box, double within, const std::vector<bool>& done) {
@@ -202,7 +218,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       const VertexIndex a = vertices[k], b = vertices[(k + 1) % vertices.size()];
       LoopEdge e{a, b, triangle_at.at({a, b}), norm(surface.points[b] - surface.points[a])};
-      const Vec3 middle = 0.5 * (surface.points[a] + surface.points[b]);
+      const double share = middle_in(box, surface.points[a], surface.points[b], rounding);
+      const Vec3 middle = (1 - share) * surface.points[a] + share * surface.points[b];
       if (e.triangle < done.size() && done[e.triangle]) {
         e.goes_on = false;
         loop.push_back(e);
@@ -213,7 +230,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        e.hit = wall_before(surface, e, 0.5, search);
+        e.hit = wall_before(surface, e, share, search);
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
       e.is_beyond = !is_within(box, middle, 0);
       if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {

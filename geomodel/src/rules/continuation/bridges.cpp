@@ -120,11 +120,9 @@ class Gaps {
     return !found.empty();
   }
 
-  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts,
-              Bridged& bridged) const {
+  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts) const {
     std::vector<VertexIndex> row(points_.size(), no_vertex);
     std::copy(rows_.begin(), rows_.end(), row.begin());
-    double largest = 0;
     for (const Corners& t : gaps_) {
       const Vec3 centre = (1.0 / 3) * (points_[t[0]] + points_[t[1]] + points_[t[2]]);
       if (!counts(centre) || crosses_wall(t, walls)) continue;
@@ -136,13 +134,8 @@ class Gaps {
         }
         own[i] = row[t[i]];
       }
-      const double area = norm(cross(points_[t[1]] - points_[t[0]], points_[t[2]] - points_[t[0]])) / 2;
       if (!faces_up_) std::swap(own[1], own[2]);
       to.triangles.push_back(own);
-      ++bridged.n_triangles;
-      bridged.area += area;
-      if (area > largest) bridged.place = centre;
-      largest = std::max(largest, area);
     }
   }
 
@@ -192,16 +185,80 @@ class Gaps {
 
 /// False where the edges cross each other as seen that way.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
-            const GapSetting& setting, Bridged& bridged) {
+            const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
   gaps.set_faces_up(faces_up(surface, frame));
   if (!gaps.find(setting.within, setting.box)) return false;
   if (gaps.add_tips(setting.tips) && !gaps.find(setting.within, setting.box)) return false;
-  gaps.append(surface, setting.walls, setting.counts, bridged);
+  gaps.append(surface, setting.walls, setting.counts);
   return true;
 }
 
 }  // namespace
+
+UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon, const BorderStates& states) {
+  const double outside = faces_up(horizon, {}) ? 1 : -1;  // sign of the area within an outer border
+  for (const std::vector<VertexIndex>& loop : border_loops(border_edges(horizon)).loops) {
+    Hole hole;
+    double area = 0;
+    bool is_free = true;  // no fault or body comes near
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const VertexIndex a = loop[i], b = loop[(i + 1) % loop.size()];
+      const Vec3 &p = horizon.points[a], &q = horizon.points[b], &origin = horizon.points[loop[0]];
+      hole.border.push_back({p.x, p.y});
+      hole.box.add(p);
+      area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
+      const auto state = states.find({a, b});
+      is_free = is_free && state != states.end() && state->second == BorderState::open;
+    }
+    if (area * outside < 0 && is_free) holes_.push_back(std::move(hole));
+  }
+}
+
+Index UndefinedHoles::hole_at(const Vec3& p) const {
+  const Vec2 q{p.x, p.y};
+  for (Index k = 0; k < holes_.size(); ++k) {
+    const auto& [border, box] = holes_[k];
+    if (p.x < box.min.x || p.x > box.max.x || p.y < box.min.y || p.y > box.max.y) continue;
+    bool is_inside = false;
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const Vec2 &a = border[i], &b = border[(i + 1) % border.size()];
+      const bool rises = a.y <= q.y && q.y < b.y, falls = b.y <= q.y && q.y < a.y;
+      if ((rises && orient2d(a, b, q) == Sign::positive) || (falls && orient2d(a, b, q) == Sign::negative))
+        is_inside = !is_inside;
+    }
+    if (is_inside) return k;
+  }
+  return no_index;
+}
+
+void UndefinedHoles::open_where_crossed(TriangulatedSurface& horizon, Index row, Index first,
+                                        const Walls& horizons) const {
+  struct Areas {
+    double all = 0;
+    std::map<Index, double> crossed;  ///< by horizon
+  };
+  std::vector<Areas> areas(holes_.size());
+  std::vector<Index> hole_of;
+  for (Index t = first; t < horizon.triangles.size(); ++t) {
+    const Triangle& v = horizon.triangles[t];
+    const std::array<Vec3, 3> p{horizon.points[v[0]], horizon.points[v[1]], horizon.points[v[2]]};
+    hole_of.push_back(hole_at((1.0 / 3) * (p[0] + p[1] + p[2])));
+    std::set<Index> met;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const Index s : horizons.surfaces_on(p[i], p[(i + 1) % 3]))
+        if (s != row) met.insert(s);
+    const double area = norm(cross(p[1] - p[0], p[2] - p[0])) / 2;
+    areas[hole_of.back()].all += area;
+    for (const Index s : met) areas[hole_of.back()].crossed[s] += area;
+  }
+  const auto is_crossed = [&](const Areas& a) {
+    return std::ranges::any_of(a.crossed, [&](const auto& of) { return 2 * of.second > a.all; });
+  };
+  Index k = 0;
+  std::erase_if(horizon.triangles,
+                [&](const Triangle&) { return k++ >= first && is_crossed(areas[hole_of[k - 1 - first]]); });
+}
 
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips) {
   Box3 box;
@@ -221,18 +278,16 @@ std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::v
   return frames;
 }
 
-Bridged bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
-  Bridged bridged;
+void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty()) return bridged;
+  if (edges.empty()) return;
   for (const Frame& frame : setting.frames)
-    if (bridge(surface, edges, frame, setting, bridged)) return bridged;
+    if (bridge(surface, edges, frame, setting)) return;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting, bridged);
-  return bridged;
+  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting);
 }
 
 }  // namespace geomesh::geomodel

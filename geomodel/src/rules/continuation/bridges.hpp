@@ -5,23 +5,37 @@
 
 #include <functional>
 
+#include "rules/continuation/border_chains.hpp"
 #include "rules/framework/fault_tip.hpp"
 #include "rules/framework/walls.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
 
-/// What was filled.
-struct Bridged {
-  std::size_t n_triangles = 0;
-  double area = 0;  ///< m2
-  Vec3 place;       ///< of the largest triangle
-};
-
 /// Frames in which a horizon with faults that end in it has one height at a place: the map, then along the dip of each
 /// fault with a tip at the horizon's heights. Both sides of a reverse fault overlap in the map, and lie beside each
 /// other as seen along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
+
+/// Holes of a horizon to which no fault or body comes near: data are missing there, or another horizon passes through.
+class UndefinedHoles {
+ public:
+  /// `states`: of the border, by faults and bodies alone. O(n log n).
+  UndefinedHoles(const TriangulatedSurface& horizon, const BorderStates& states);
+  bool empty() const { return holes_.empty(); }
+  /// The hole that holds a place of the map, or no_index. O(n) in the borders of the holes.
+  Index hole_at(const Vec3& p) const;
+  /// Takes the triangles from row `first` on out again where most of a hole's area lies in triangles that meet one
+  /// other horizon: it passes through the hole there and bounds the units itself, as a basement high or a channel does.
+  void open_where_crossed(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons) const;
+
+ private:
+  struct Hole {
+    std::vector<Vec2> border;
+    Box3 box;
+  };
+  std::vector<Hole> holes_;
+};
 
 /// Between what gaps are filled, and which; all but the numbers outlive its use.
 struct GapSetting {
@@ -39,6 +53,6 @@ struct GapSetting {
 /// Only triangles whose centroid `counts` accepts are added. The first of the frames is used in which borders do not
 /// cross; a surface with several heights over a place in all of them is filled part by part. Appends to the surface;
 /// rows as given stay.
-Bridged bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
+void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
 }  // namespace geomesh::geomodel

@@ -43,6 +43,18 @@ class Continuing {
     finish();
   }
 
+  /// A horizon: where its data have holes.
+  void fill_holes(const Walls& cutters) {
+    share_points(surface());
+    const UndefinedHoles holes(surface(), border_states(surface(), row_, cutters, rules_.bounds, within_));
+    if (holes.empty()) return;
+    const auto first = static_cast<Index>(surface().triangles.size());
+    const auto counts = [&](const Vec3& p) { return holes.hole_at(p) != no_index; };
+    bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts});
+    holes.open_where_crossed(surface(), row_, first, walls_);
+    book_filled(first);
+  }
+
   /// A horizon: block by block, and where that does not do, along its border.
   void go_on_in(const BorderStates& states, const BlockSetting& setting, const std::vector<FaultTip>& tips) {
     begin();
@@ -53,10 +65,9 @@ class Continuing {
         const Index block = setting.framework.block_at(p);
         return block == no_index || !divided.block_is_continued[block];
       };
-      const Bridged bridged = bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
-      ledger_.n_filled = bridged.n_triangles;
-      ledger_.area_filled = bridged.area;
-      ledger_.place_filled = bridged.place;
+      const auto first = static_cast<Index>(surface().triangles.size());
+      bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
+      book_filled(first);
       part_.resize(surface().triangles.size(), given_part);
       add_aprons(divided.is_continued, frames);
     }
@@ -92,6 +103,19 @@ class Continuing {
     n_given_points_ = surface().points.size();
     share_points(surface());
     part_.assign(surface().triangles.size(), given_part);
+  }
+
+  /// The triangles from row `first` on.
+  void book_filled(Index first) {
+    const TriangulatedSurface& s = surface();
+    for (Index t = first; t < s.triangles.size(); ++t) {
+      const Triangle& v = s.triangles[t];
+      const Vec3 &a = s.points[v[0]], &b = s.points[v[1]], &c = s.points[v[2]];
+      const double area = norm(cross(b - a, c - a)) / 2;
+      ++ledger_.n_filled;
+      ledger_.area_filled += area;
+      if (area > largest_filled_) largest_filled_ = area, ledger_.place_filled = (1.0 / 3) * (a + b + c);
+    }
   }
 
   Index next_part() const { return 1 + *std::max_element(part_.begin(), part_.end()); }
@@ -175,6 +199,7 @@ class Continuing {
   std::vector<Index> part_;           ///< BuiltRows::part_of_triangle
   std::vector<Index> block_of_part_;  ///< BuiltRows::block_of_part
   std::set<Index> ends_on_;
+  double largest_filled_ = 0;  ///< area of a triangle, m2
   ContinuedSurface ledger_;
 };
 
@@ -209,12 +234,16 @@ class HorizonContinuation {
     const ContinuationRules& how = rules_.continuation;
     for (const Index row : rows) {
       const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
+      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
+      horizon.fill_holes(cutters_);
       const BorderStates states =
           border_states(built.surfaces[row], row, walls_, how.bounds, reach_of_horizon(how, fills_blocks));
       const auto has_met_wall = [](const auto& edge) { return edge.second == BorderState::met_wall; };
-      if (std::ranges::all_of(states, has_met_wall)) continue;
+      if (std::ranges::all_of(states, has_met_wall)) {
+        horizon.tell(log);
+        continue;
+      }
       if (!framework_) framework_.emplace(built_, rules_);
-      Continuing horizon(built, row, walls_, how, how.within_of_horizons);
       horizon.go_on_in(
           states, {*framework_, cutters_, walls_, how.within_of_horizons, fills_blocks, left_out(built.surfaces, row)},
           ended_.tips);

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Horizons with holes: data that are missing, and a high of older rock that pierces a horizon."""
+import math
+import random
+
+from family import Family, lattice
+
+
+class Holes(Family):
+    """Layers without faults, whose horizons have undefined round holes with radii of 80 to 400 m, and noise of up to 2 m. The third layer is 80 to 150 m
+    thick. In every third model the lowest horizon rises through the others above it, which end 3 to 15 m before it."""
+    n_layers = 4
+    step = 50.0
+
+    def __init__(self, seed):
+        self.has_high = seed % 3 == 2
+        super().__init__(seed)
+
+    def setup(self):
+        c = self.chance
+        self.deviation, self.stop = c.uniform(0, 2), c.uniform(3, 15)
+        self.noise_seed = c.random()
+        self.depths = [-600 + c.uniform(-50, 50), -1250 + c.uniform(-30, 30), 0.0, -2100 + c.uniform(-60, 60)]
+        self.depths[2] = self.depths[1] - c.uniform(80, 150)
+        self.middle, self.radius, self.rise = (c.uniform(2000, 4000), c.uniform(1800, 3200)), c.uniform(500, 800), c.uniform(1000, 1150)
+        self.holes = {k: [(c.uniform(600, 5400), c.uniform(600, 4400), c.uniform(80, 400)) for _ in range(c.randint(1, 5))] for k in range(4)}
+        if self.has_high:
+            self.holes[3] = []
+        else:
+            self.keys = {"h%d" % k: "fill_holes: all" for k in range(4)}
+
+    def size(self):
+        return 450.0
+
+    def noise(self):
+        return self.deviation
+
+    def height(self, k, x, y):
+        z = super().height(k, x, y)
+        if k == 3 and self.has_high:
+            z += self.rise * math.exp(-math.dist((x, y), self.middle) ** 2 / (2 * self.radius ** 2))
+        return z
+
+    def in_hole(self, k, x, y, further=0.0):
+        return any(math.hypot(x - u, y - v) < radius + further for u, v, radius in self.holes[k])
+
+    def sheet(self, k, block):
+        noise = random.Random("%r %d" % (self.noise_seed, k))
+
+        def place(x, y):
+            z = self.height(k, x, y)
+            is_pierced = k < 3 and self.has_high and z < self.height(3, x, y) + self.stop
+            return None if is_pierced or self.in_hole(k, x, y) else z + noise.gauss(0, self.deviation)
+        return lattice(self.box, self.step, self.margin, place)
+
+    def unit_at(self, p):
+        return "u4" if p[2] < self.height(3, *p[:2]) else super().unit_at(p)
+
+    def room(self, p):
+        """Straight lines across a hole leave the layers by up to the rise of their bend."""
+        bend = 0.125 * 800 ** 2 * self.wave[0] * (2 * math.pi / self.wave[1]) ** 2
+        return bend if any(self.in_hole(k, p[0], p[1], 100) for k in range(4)) else self.stop if self.has_high else 0.0
