@@ -196,6 +196,23 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
 
 }  // namespace
 
+namespace {
+
+Vec3 centroid(const TriangulatedSurface& s, Index t) {
+  const Triangle& v = s.triangles[t];
+  return (1.0 / 3) * (s.points[v[0]] + s.points[v[1]] + s.points[v[2]]);
+}
+
+std::set<Index> met_by(const TriangulatedSurface& s, Index t, const Walls& horizons) {
+  std::set<Index> met;
+  const Triangle& v = s.triangles[t];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Index k : horizons.surfaces_on(s.points[v[i]], s.points[v[(i + 1) % 3]])) met.insert(k);
+  return met;
+}
+
+}  // namespace
+
 UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon, const BorderStates& states) {
   const double outside = faces_up(horizon, {}) ? 1 : -1;  // sign of the area within an outer border
   for (const std::vector<VertexIndex>& loop : border_loops(border_edges(horizon)).loops) {
@@ -205,7 +222,7 @@ UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon, const BorderS
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const VertexIndex a = loop[i], b = loop[(i + 1) % loop.size()];
       const Vec3 &p = horizon.points[a], &q = horizon.points[b], &origin = horizon.points[loop[0]];
-      hole.border.push_back({p.x, p.y});
+      hole.border.push_back(p);
       hole.box.add(p);
       area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
       const auto state = states.find({a, b});
@@ -222,7 +239,9 @@ Index UndefinedHoles::hole_at(const Vec3& p) const {
     if (p.x < box.min.x || p.x > box.max.x || p.y < box.min.y || p.y > box.max.y) continue;
     bool is_inside = false;
     for (std::size_t i = 0; i < border.size(); ++i) {
-      const Vec2 &a = border[i], &b = border[(i + 1) % border.size()];
+      const Vec2 a{border[i].x, border[i].y};
+      const Vec3& next = border[(i + 1) % border.size()];
+      const Vec2 b{next.x, next.y};
       const bool rises = a.y <= q.y && q.y < b.y, falls = b.y <= q.y && q.y < a.y;
       if ((rises && orient2d(a, b, q) == Sign::positive) || (falls && orient2d(a, b, q) == Sign::negative))
         is_inside = !is_inside;
@@ -232,32 +251,56 @@ Index UndefinedHoles::hole_at(const Vec3& p) const {
   return no_index;
 }
 
-void UndefinedHoles::open_where_crossed(TriangulatedSurface& horizon, Index row, Index first,
-                                        const Walls& horizons) const {
-  struct Areas {
-    double all = 0;
-    std::map<Index, double> crossed;  ///< by horizon
-  };
-  std::vector<Areas> areas(holes_.size());
-  std::vector<Index> hole_of;
-  for (Index t = first; t < horizon.triangles.size(); ++t) {
-    const Triangle& v = horizon.triangles[t];
-    const std::array<Vec3, 3> p{horizon.points[v[0]], horizon.points[v[1]], horizon.points[v[2]]};
-    hole_of.push_back(hole_at((1.0 / 3) * (p[0] + p[1] + p[2])));
-    std::set<Index> met;
-    for (std::size_t i = 0; i < 3; ++i)
-      for (const Index s : horizons.surfaces_on(p[i], p[(i + 1) % 3]))
-        if (s != row) met.insert(s);
-    const double area = norm(cross(p[1] - p[0], p[2] - p[0])) / 2;
-    areas[hole_of.back()].all += area;
-    for (const Index s : met) areas[hole_of.back()].crossed[s] += area;
+namespace {
+
+/// The horizons above and below a place.
+struct HorizonsAt {
+  std::vector<Index> above, below;  // ascending
+
+  HorizonsAt(const Vec3& p, const Walls& horizons, const Box3& all)
+      : above(horizons.surfaces_on(p, {p.x, p.y, all.max.z})), below(horizons.surfaces_on(p, {p.x, p.y, all.min.z})) {}
+  const std::vector<Index>& on(bool is_above) const { return is_above ? above : below; }
+};
+
+/// Horizons that lie on one side of all places alone.
+std::set<Index> on_one_side(const std::vector<HorizonsAt>& places, bool is_above) {
+  std::set<Index> found, elsewhere;
+  for (const HorizonsAt& at : places) {
+    found.insert(at.on(is_above).begin(), at.on(is_above).end());
+    elsewhere.insert(at.on(!is_above).begin(), at.on(!is_above).end());
   }
-  const auto is_crossed = [&](const Areas& a) {
-    return std::ranges::any_of(a.crossed, [&](const auto& of) { return 2 * of.second > a.all; });
-  };
-  Index k = 0;
-  std::erase_if(horizon.triangles,
-                [&](const Triangle&) { return k++ >= first && is_crossed(areas[hole_of[k - 1 - first]]); });
+  for (const Index s : elsewhere) found.erase(s);
+  return found;
+}
+
+}  // namespace
+
+void UndefinedHoles::open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons,
+                                        const Box3& model) const {
+  Box3 all = model;
+  for (const Vec3& p : horizon.points) all.add(p);
+  std::vector<std::vector<Index>> filled(holes_.size());
+  for (Index t = first; t < horizon.triangles.size(); ++t) filled[hole_at(centroid(horizon, t))].push_back(t);
+  std::set<Index> removed;
+  for (std::size_t k = 0; k < holes_.size(); ++k) {
+    std::vector<HorizonsAt> border, inside;
+    for (const Vec3& p : holes_[k].border) border.emplace_back(p, horizons, all);
+    for (const Index t : filled[k]) inside.emplace_back(centroid(horizon, t), horizons, all);
+    for (const bool is_above : {false, true}) {
+      std::set<Index> piercing;  // beyond somewhere inside
+      const std::set<Index> beside = on_one_side(border, is_above);
+      for (const HorizonsAt& at : inside)
+        for (const Index s : at.on(!is_above))
+          if (s != row && beside.contains(s)) piercing.insert(s);
+      const auto is_piercing = [&](Index s) { return piercing.contains(s); };
+      for (std::size_t i = 0; i < inside.size(); ++i)
+        if (std::ranges::any_of(inside[i].on(!is_above), is_piercing) ||
+            std::ranges::any_of(met_by(horizon, filled[k][i], horizons), is_piercing))
+          removed.insert(filled[k][i]);
+    }
+  }
+  Index t = 0;
+  std::erase_if(horizon.triangles, [&](const Triangle&) { return removed.contains(t++); });
 }
 
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips) {

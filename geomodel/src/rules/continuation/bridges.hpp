@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 /// other as seen along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
 
-/// Holes of a horizon to which no fault or body comes near: data are missing there, or another horizon passes through.
+/// Holes of a horizon to which no fault or body comes near: data are missing there, or another horizon pierces it.
 class UndefinedHoles {
  public:
   /// `states`: of the border, by faults and bodies alone. O(n log n).
@@ -25,13 +25,15 @@ class UndefinedHoles {
   bool empty() const { return holes_.empty(); }
   /// The hole that holds a place of the map, or no_index. O(n) in the borders of the holes.
   Index hole_at(const Vec3& p) const;
-  /// Takes the triangles from row `first` on out again where most of a hole's area lies in triangles that meet one
-  /// other horizon: it passes through the hole there and bounds the units itself, as a basement high or a channel does.
-  void open_where_crossed(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons) const;
+  /// Another horizon pierces a hole where it lies below the border of the hole all along and above it inside, or the
+  /// other way round: it bounds the units there itself, as a basement high or the base of a channel does. Of the
+  /// triangles from row `first` on, takes out those that such a horizon meets or that lie beyond it.
+  void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons,
+                          const Box3& model) const;
 
  private:
   struct Hole {
-    std::vector<Vec2> border;
+    std::vector<Vec3> border;
     Box3 box;
   };
   std::vector<Hole> holes_;

@@ -51,7 +51,7 @@ class Continuing {
     const auto first = static_cast<Index>(surface().triangles.size());
     const auto counts = [&](const Vec3& p) { return holes.hole_at(p) != no_index; };
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts});
-    holes.open_where_crossed(surface(), row_, first, walls_);
+    holes.open_where_pierced(surface(), row_, first, walls_, rules_.bounds);
     book_filled(first);
   }
 
