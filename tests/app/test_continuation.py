@@ -98,6 +98,35 @@ class Continuation(RulesTest):
         _, volumes = self.mesh(HORIZON % "" + COLUMN)
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
 
+    def with_hole(self, low, high):
+        """A level grid without the triangles whose corners lie between `low` and `high` in x and in y."""
+        points, triangles = patch((-1, 11), (-1, 11), level(5.0), 0.3)
+        return points, [t for t in triangles if not all(low < points[v][k] < high for v in t for k in (0, 1))]
+
+    def test_a_hole_within_the_distance_is_filled(self):
+        """The hole is 0.9 by 0.9. Its places are at most 0.45 from the data."""
+        self.given("h", self.with_hole(4.6, 5.7))
+        report, volumes = self.mesh(HORIZON % "" + COLUMN)
+        self.assert_volumes(volumes, {"upper": 500, "lower": 500})
+        (entry,) = report["continued"]
+        self.assertAlmostEqual(entry["area_filled"], 0.81, delta=1e-6)
+
+    def test_a_wider_hole_and_one_of_a_horizon_that_keeps_its_border_stay_open(self):
+        self.given("h", self.with_hole(3.4, 6.8))
+        report, volumes = self.mesh(HORIZON % "" + COLUMN)
+        self.assertEqual(list(volumes), ["upper+lower"])
+        self.told(report, "warnings", "h", "has a hole")
+        self.given("h", self.with_hole(4.6, 5.7))
+        _, volumes = self.mesh(HORIZON % ", extend: none" + COLUMN)
+        self.assertEqual(list(volumes), ["upper+lower"])
+
+    def test_a_notch_in_a_side_of_the_model_is_closed(self):
+        """Both edges of the notch have their middle outside of the model, and its end 0.1 inside."""
+        corners = [(-1, -1), (11, -1), (11, 4), (9.9, 5), (11, 6), (11, 11), (-1, 11)]
+        self.given("h", ([(x, y, 5.0) for x, y in corners], [(0, 1, 3), (1, 2, 3), (0, 3, 6), (3, 5, 6), (3, 4, 5)]))
+        _, volumes = self.mesh(HORIZON % "" + COLUMN)
+        self.assert_volumes(volumes, {"upper": 500, "lower": 500})
+
     def test_beyond_the_tip_of_a_fault_a_gap_is_filled_up_to_the_tip(self):
         """The fault at x = 5 ends at y = 6. The horizon has a slit of 0.3 along it and beyond its tip, as gridding by block leaves it."""
         self.given("h", patch((-1, 4.9), (-1, 11), level(5.0)), patch((5.2, 11), (-1, 11), level(5.0)))

@@ -80,6 +80,10 @@ class Families(ProgramTest):
     def test_lenses_between_horizons_that_cross_and_as_a_body(self):
         self.assert_right("lens", (1, 2), "careful")
 
+    def test_holes(self):
+        """In the second model a high of the lowest horizon pierces two others."""
+        self.assert_right("holes", (1, 5))
+
     def test_a_channel_whose_base_is_given_over_the_whole_map(self):
         self.assert_right("channel", (1,), "careful")
 
