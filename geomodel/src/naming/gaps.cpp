@@ -2,6 +2,7 @@
 // Horizons that have holes, stop short or are absent: which, where, and which units join there.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -111,10 +112,14 @@ OpenBorders open_in(Index component, Index horizon, const std::string& name, con
   return open;
 }
 
-/// "tertiary and chalk join" or "it ends inside chalk".
-std::string consequence(const OpenBorders& open, Index component, const Column& column, const NamedRegions& named) {
+/// "tertiary and chalk join" or "it ends inside chalk". `within`: the area of the horizon that has the region on both
+/// sides.
+std::string consequence(const OpenBorders& open, Index component, double within, const Column& column,
+                        const NamedRegions& named) {
   if (open.region.empty()) return "outside of all regions";
-  if (!open.joins_units) return "it ends there inside region " + open.region;
+  if (!open.joins_units)
+    return "it ends there inside region " + open.region +
+           (within > 0 ? ", which lies on both sides of it (area " + to_text(within) + ")" : "");
   const UnitVerdict& verdict = named.verdicts[component];
   std::string units;
   for (Index u = verdict.first; u <= verdict.last; ++u)
@@ -158,13 +163,20 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
         if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
           rows_of_facet[f].push_back(h);
   std::vector<Index> component_at(soup.facets.size(), no_index);
+  std::map<std::pair<Index, Index>, double> within;  // area by horizon and component on both sides
   for (const auto& face : mesh.faces) {
-    const Index below = component_of(mesh, face.tetrahedron_below);
-    const Index c = below != no_index ? below : component_of(mesh, face.tetrahedron_above);
+    const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
+    const Index c = below != no_index ? below : above;
+    std::set<Index> horizons;
     for (Index i = plc.facet_soup_offsets[face.facet]; i < plc.facet_soup_offsets[face.facet + 1]; ++i) {
       component_at[plc.facet_soup[i]] = c;
-      for (Index h : rows_of_facet[plc.facet_soup[i]]) present[h] = true;
+      horizons.insert(rows_of_facet[plc.facet_soup[i]].begin(), rows_of_facet[plc.facet_soup[i]].end());
     }
+    for (const Index h : horizons) present[h] = true;
+    if (below != above) continue;
+    const Vec3 &p = mesh.points[face.vertices[0]], &q = mesh.points[face.vertices[1]],
+               &r = mesh.points[face.vertices[2]];
+    for (const Index h : horizons) within[{h, c}] += norm(cross(q - p, r - p)) / 2;
   }
   const std::vector<HorizonEdges> edges = horizon_edges(soup, rows_of_facet, column.horizons.size());
   for (Index h = 0; h < column.horizons.size(); ++h) {
@@ -179,7 +191,9 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
     for (const auto& [key, borders] : by_kind) {
       found.push_back(together(open_in(key.second, h, name, named), borders));
-      warnings.push_back(in_words(found.back()) + consequence(found.back(), key.second, column, named));
+      const auto area = within.find({h, key.second});
+      warnings.push_back(in_words(found.back()) +
+                         consequence(found.back(), key.second, area == within.end() ? 0 : area->second, column, named));
     }
   }
   return found;
