@@ -83,6 +83,7 @@ class Families(ProgramTest):
     def test_holes(self):
         """In the second model a high of the lowest horizon pierces two others."""
         self.assert_right("holes", (1, 5))
+        self.assert_right("fault_holes", (4,))
 
     def test_a_channel_whose_base_is_given_over_the_whole_map(self):
         self.assert_right("channel", (1,), "careful")

@@ -14,7 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from family import Family, PlaneFaults, lattice, strip  # noqa: E402
 from deposits import Channel, Lens  # noqa: E402
 from growth import GrowthFault  # noqa: E402
-from holes import Holes  # noqa: E402
+from holes import FaultHoles, Holes  # noqa: E402
 from intrusions import Intrusion  # noqa: E402
 from measured import NoisyGrid, SparsePicks  # noqa: E402
 
@@ -348,7 +348,8 @@ class Recumbent(Family):
 FAMILIES = {"short_grids": ShortGrids, "salt_gaps": SaltGaps, "thrust": Thrust, "conjugate": Conjugate, "network": Network,
             "dying_fault": DyingFault, "unconformity": Unconformity, "thin_beds": ThinBeds, "recumbent": Recumbent,
             "noisy_grid": NoisyGrid, "growth_fault": GrowthFault, "sparse_picks": SparsePicks,
-            "channel": Channel, "intrusion": Intrusion, "lens": Lens, "holes": Holes}
+            "channel": Channel, "intrusion": Intrusion, "lens": Lens, "holes": Holes,
+            "fault_holes": FaultHoles}
 
 if __name__ == "__main__":
     form = sys.argv[4] if len(sys.argv) > 4 else "bare"

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Horizons with holes: data that are missing, and a high of older rock that pierces a horizon."""
+"""Horizons with holes: data that are missing, beside faults too, and a high of older rock that pierces a horizon."""
 import math
 import random
 
 from family import Family, lattice
+from measured import NO_DATA, NoisyGrid
 
 
 class Holes(Family):
@@ -60,3 +61,23 @@ class Holes(Family):
         """Straight lines across a hole leave the layers by up to the rise of their bend."""
         bend = 0.125 * 800 ** 2 * self.wave[0] * (2 * math.pi / self.wave[1]) ** 2
         return bend if any(self.in_hole(k, p[0], p[1], 100) for k in range(4)) else self.stop if self.has_high else 0.0
+
+
+class FaultHoles(NoisyGrid):
+    """Noisy grids with a round undefined place of 80 to 200 m radius at or beside each fault in each horizon."""
+
+    def make(self):
+        super().make()
+        c = self.chance
+        self.holes = {k: [(x + c.uniform(-600, 600), c.uniform(1000, 4000), c.uniform(80, 200)) for (x, _, _), _ in self.planes] for k in range(3)}
+
+    def in_hole(self, k, x, y, further=0.0):
+        return any(math.hypot(x - u, y - v) < radius + further for u, v, radius in self.holes[k])
+
+    def node(self, k, i, j, noise):
+        z = super().node(k, i, j, noise)
+        return NO_DATA if self.in_hole(k, (i + 0.5) * self.step, (j + 0.5) * self.step) else z
+
+    def room(self, p):
+        is_near = any(self.in_hole(k, p[0], p[1], 150) for k in range(3))
+        return max(super().room(p), 30.0 if is_near else 0.0)

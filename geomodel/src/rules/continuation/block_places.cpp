@@ -69,12 +69,17 @@ bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
 }
 
 /// A disc about a place of the horizon ends in the open, unless it meets a wall, along the sheet in four directions of
-/// the map, or the disc of twice its radius meets walls on opposite sides. A wall that holds the place counts.
+/// the map, or the disc of twice its radius meets walls, or the horizon itself, on opposite sides. A wall that holds
+/// the place counts.
 bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   const Vec3& centre = points_[v];
   if (s_.walls.meets_disc(centre, radius_, slope_[v], s_.row)) return false;
   return std::ranges::none_of(Walls::lines_of_disc(2 * radius_, slope_[v]), [&](const Vec3& way) {
-    return s_.walls.first_hit(centre, centre + way, s_.row) && s_.walls.first_hit(centre, centre - way, s_.row);
+    if (s_.walls.first_hit(centre, centre + way, s_.row) && s_.walls.first_hit(centre, centre - way, s_.row))
+      return true;
+    const Vec2 at{centre.x, centre.y};
+    return distance_[v] <= 2 * radius_ && border_.meets(at, {at.x + way.x, at.y + way.y}) &&
+           border_.meets(at, {at.x - way.x, at.y - way.y});
   });
 }
 

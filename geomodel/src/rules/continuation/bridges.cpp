@@ -213,22 +213,19 @@ std::set<Index> met_by(const TriangulatedSurface& s, Index t, const Walls& horiz
 
 }  // namespace
 
-UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon, const BorderStates& states) {
+UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon) {
   const double outside = faces_up(horizon, {}) ? 1 : -1;  // sign of the area within an outer border
   for (const std::vector<VertexIndex>& loop : border_loops(border_edges(horizon)).loops) {
     Hole hole;
     double area = 0;
-    bool is_free = true;  // no fault or body comes near
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const VertexIndex a = loop[i], b = loop[(i + 1) % loop.size()];
       const Vec3 &p = horizon.points[a], &q = horizon.points[b], &origin = horizon.points[loop[0]];
       hole.border.push_back(p);
       hole.box.add(p);
       area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
-      const auto state = states.find({a, b});
-      is_free = is_free && state != states.end() && state->second == BorderState::open;
     }
-    if (area * outside < 0 && is_free) holes_.push_back(std::move(hole));
+    if (area * outside < 0) holes_.push_back(std::move(hole));
   }
 }
 

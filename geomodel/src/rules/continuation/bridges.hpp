@@ -5,7 +5,6 @@
 
 #include <functional>
 
-#include "rules/continuation/border_chains.hpp"
 #include "rules/framework/fault_tip.hpp"
 #include "rules/framework/walls.hpp"
 #include "rules/planar/borders.hpp"
@@ -17,11 +16,11 @@ namespace geomesh::geomodel {
 /// other as seen along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
 
-/// Holes of a horizon to which no fault or body comes near: data are missing there, or another horizon pierces it.
+/// Holes of a horizon in the map: data are missing there, or something else bounds the units.
 class UndefinedHoles {
  public:
-  /// `states`: of the border, by faults and bodies alone. O(n log n).
-  UndefinedHoles(const TriangulatedSurface& horizon, const BorderStates& states);
+  /// O(n log n).
+  explicit UndefinedHoles(const TriangulatedSurface& horizon);
   bool empty() const { return holes_.empty(); }
   /// The hole that holds a place of the map, or no_index. O(n) in the borders of the holes.
   Index hole_at(const Vec3& p) const;

@@ -43,13 +43,14 @@ class Continuing {
     finish();
   }
 
-  /// A horizon: where its data have holes.
-  void fill_holes(const Walls& cutters) {
-    share_points(surface());
-    const UndefinedHoles holes(surface(), border_states(surface(), row_, cutters, rules_.bounds, within_));
-    if (holes.empty()) return;
+  /// A horizon: its holes in blocks without the tip of a fault. In the others go_on_in fills all gaps.
+  void fill_holes(const UndefinedHoles& holes, const Walls& cutters, const BlockFramework& framework) {
     const auto first = static_cast<Index>(surface().triangles.size());
-    const auto counts = [&](const Vec3& p) { return holes.hole_at(p) != no_index; };
+    const auto counts = [&](const Vec3& p) {
+      if (holes.hole_at(p) == no_index) return false;
+      const Index block = framework.block_at(p);
+      return block == no_index || !framework.has_tip(block);
+    };
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts});
     holes.open_where_pierced(surface(), row_, first, walls_, rules_.bounds);
     book_filled(first);
@@ -235,7 +236,9 @@ class HorizonContinuation {
     for (const Index row : rows) {
       const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
       Continuing horizon(built, row, walls_, how, how.within_of_horizons);
-      horizon.fill_holes(cutters_);
+      share_points(built.surfaces[row]);
+      if (const UndefinedHoles holes(built.surfaces[row]); !holes.empty())
+        horizon.fill_holes(holes, cutters_, framework());
       const BorderStates states =
           border_states(built.surfaces[row], row, walls_, how.bounds, reach_of_horizon(how, fills_blocks));
       const auto has_met_wall = [](const auto& edge) { return edge.second == BorderState::met_wall; };
@@ -243,9 +246,8 @@ class HorizonContinuation {
         horizon.tell(log);
         continue;
       }
-      if (!framework_) framework_.emplace(built_, rules_);
       horizon.go_on_in(
-          states, {*framework_, cutters_, walls_, how.within_of_horizons, fills_blocks, left_out(built.surfaces, row)},
+          states, {framework(), cutters_, walls_, how.within_of_horizons, fills_blocks, left_out(built.surfaces, row)},
           ended_.tips);
       horizon.tell(log);
     }
@@ -257,6 +259,11 @@ class HorizonContinuation {
   }
 
  private:
+  const BlockFramework& framework() {
+    if (!framework_) framework_.emplace(built_, rules_);
+    return *framework_;
+  }
+
   std::vector<Index> with_unconformities(std::vector<Index> rows) const {
     rows.insert(rows.end(), unconformities_.begin(), unconformities_.end());
     std::ranges::sort(rows);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "common/union_find.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
 
@@ -82,6 +83,18 @@ SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);
   }
   return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};
+}
+
+bool SheetBorder::meets(const Vec2& from, const Vec2& to) const {
+  const double left = std::min(from.x, to.x), right = std::max(from.x, to.x), low = std::min(from.y, to.y),
+               high = std::max(from.y, to.y);
+  return std::ranges::any_of(edges_, [&](const Edge& e) {
+    const Vec2 a{points_[e.a].x, points_[e.a].y}, b{points_[e.b].x, points_[e.b].y};
+    if (std::max(a.x, b.x) < left || std::min(a.x, b.x) > right || std::max(a.y, b.y) < low ||
+        std::min(a.y, b.y) > high)
+      return false;
+    return orient2d(a, b, from) != orient2d(a, b, to) && orient2d(from, to, a) != orient2d(from, to, b);
+  });
 }
 
 std::vector<bool> SheetBorder::beside_border(const std::vector<PlanarTriangle>& all,

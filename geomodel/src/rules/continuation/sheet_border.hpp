@@ -35,6 +35,8 @@ class SheetBorder {
   };
   /// O(n) in the edges.
   Place continued_at(const Vec2& p) const;
+  /// Whether an edge meets the way in the map. O(n) in the edges.
+  bool meets(const Vec2& from, const Vec2& to) const;
 
   /// Per triangle, whether it is kept, lies outside of the sheet, and hangs together, through those kept, with a place
   /// where the horizon stops short of a wall: where the sheet ends because the horizon goes on beyond a wall there is
