@@ -51,7 +51,7 @@ class CauseFinder {
 /// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`. Fast otherwise.
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
-/// Returns those of the judged rows whose elements are below the bad angle and not imposed by the input, the worst
+/// Returns those of the given rows whose elements are below the bad angle and not imposed by the input, the worst
 /// first. O(n), plus the cost of CauseFinder.
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases, std::span<const Index> judged);

@@ -28,6 +28,33 @@ void share_points(TriangulatedSurface& surface) {
     for (VertexIndex& v : t) v = merged[v];
 }
 
+/// The triangles from row `first` on. The place is in the largest of those that fill the most.
+void book_filled(ContinuedSurface& ledger, const TriangulatedSurface& s, Index first) {
+  const double area_before = ledger.area_filled;
+  double largest = 0, added = 0;
+  Vec3 place;
+  for (Index t = first; t < s.triangles.size(); ++t) {
+    const Triangle& v = s.triangles[t];
+    const Vec3 &a = s.points[v[0]], &b = s.points[v[1]], &c = s.points[v[2]];
+    const double area = norm(cross(b - a, c - a)) / 2;
+    added += area;
+    if (area > largest) largest = area, place = (1.0 / 3) * (a + b + c);
+  }
+  ledger.n_filled += s.triangles.size() - first;
+  ledger.area_filled += added;
+  if (added > area_before) ledger.place_filled = place;
+}
+
+void note(const ContinuedSurface& ledger, double within, const BuildLog& log) {
+  if (ledger.n_filled > 0)
+    log.notes.push_back("surface " + ledger.name + ": gaps narrower than " + to_text(2 * within) + " filled (area " +
+                        to_text(ledger.area_filled) + ", the largest near " + to_text(ledger.place_filled) + ")");
+  if (ledger.area > 0)
+    log.notes.push_back("surface " + ledger.name + ": continued along " + to_text(ledger.length) +
+                        " m of its border to " + ledger.walls + ", by up to " + to_text(ledger.farthest) + " m, near " +
+                        to_text(ledger.place) + " (extend: none keeps the border open)");
+}
+
 /// One surface on its way to its walls.
 class Continuing {
  public:
@@ -46,14 +73,10 @@ class Continuing {
   /// A horizon: its holes in blocks without the tip of a fault. In the others go_on_in fills all gaps.
   void fill_holes(const UndefinedHoles& holes, const Walls& cutters, const BlockFramework& framework) {
     const auto first = static_cast<Index>(surface().triangles.size());
-    const auto counts = [&](const Vec3& p) {
-      if (holes.hole_at(p) == no_index) return false;
-      const Index block = framework.block_at(p);
-      return block == no_index || !framework.has_tip(block);
-    };
+    const auto counts = [&](const Vec3& p) { return holes.hole_at(p) != no_index && !framework.has_tip_at(p); };
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts});
     holes.open_where_pierced(surface(), row_, first, walls_, rules_.bounds);
-    book_filled(first);
+    book_filled(ledger_, surface(), first);
   }
 
   /// A horizon: block by block, and where that does not do, along its border.
@@ -68,7 +91,7 @@ class Continuing {
       };
       const auto first = static_cast<Index>(surface().triangles.size());
       bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
-      book_filled(first);
+      book_filled(ledger_, surface(), first);
       part_.resize(surface().triangles.size(), given_part);
       add_aprons(divided.is_continued, frames);
     }
@@ -86,14 +109,7 @@ class Continuing {
   }
 
   void tell(const BuildLog& log) {
-    if (ledger_.n_filled > 0)
-      log.notes.push_back("surface " + ledger_.name + ": gaps narrower than " + to_text(2 * within_) +
-                          " filled (area " + to_text(ledger_.area_filled) + ", the largest near " +
-                          to_text(ledger_.place_filled) + ")");
-    if (ledger_.area > 0)
-      log.notes.push_back("surface " + ledger_.name + ": continued along " + to_text(ledger_.length) +
-                          " m of its border to " + ledger_.walls + ", by up to " + to_text(ledger_.farthest) +
-                          " m, near " + to_text(ledger_.place) + " (extend: none keeps the border open)");
+    note(ledger_, within_, log);
     if (ledger_.n_filled > 0 || ledger_.area > 0) built_.continued.push_back(ledger_);
   }
 
@@ -104,19 +120,6 @@ class Continuing {
     n_given_points_ = surface().points.size();
     share_points(surface());
     part_.assign(surface().triangles.size(), given_part);
-  }
-
-  /// The triangles from row `first` on.
-  void book_filled(Index first) {
-    const TriangulatedSurface& s = surface();
-    for (Index t = first; t < s.triangles.size(); ++t) {
-      const Triangle& v = s.triangles[t];
-      const Vec3 &a = s.points[v[0]], &b = s.points[v[1]], &c = s.points[v[2]];
-      const double area = norm(cross(b - a, c - a)) / 2;
-      ++ledger_.n_filled;
-      ledger_.area_filled += area;
-      if (area > largest_filled_) largest_filled_ = area, ledger_.place_filled = (1.0 / 3) * (a + b + c);
-    }
   }
 
   Index next_part() const { return 1 + *std::max_element(part_.begin(), part_.end()); }
@@ -200,7 +203,6 @@ class Continuing {
   std::vector<Index> part_;           ///< BuiltRows::part_of_triangle
   std::vector<Index> block_of_part_;  ///< BuiltRows::block_of_part
   std::set<Index> ends_on_;
-  double largest_filled_ = 0;  ///< area of a triangle, m2
   ContinuedSurface ledger_;
 };
 

@@ -38,6 +38,11 @@ class BlockFramework {
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
+  /// The same of the block that holds p; false outside of the model.
+  bool has_tip_at(const Vec3& p) const {
+    const Index block = block_at(p);
+    return block != no_index && has_tip(block);
+  }
   /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::truncations), -1 on the
   /// lower one, 0 where it does not touch the horizon.
   int side_of_unconformity(Index block, Index horizon) const;
