@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects with one extreme number (tests/fuzz/extreme_numbers.py): a mesh or a message, never a crash, ten seconds to a refusal at most. One in
 a hundred in every run of the tests, all by night."""
+import json
 import os
 import resource
 import sys
@@ -28,6 +29,12 @@ class ExtremeNumbers(ProgramTest):
                 self.assertEqual(extreme_numbers.fault_of(status, seconds, printed, SLOWNESS), "", printed)
                 outcomes.add(extreme_numbers.OUTCOMES[status])
         self.assertEqual(outcomes, {"meshed", "refused"})
+
+    def test_every_key_that_takes_a_number_is_tried(self):
+        with open(os.path.join(SOURCE, "docs", "project.schema.json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        self.assertGreater(len(extreme_numbers.keys_of_numbers(schema)), 80)
+        self.assertEqual(extreme_numbers.keys_not_covered(schema), [])
 
     def refused(self, mesh, status):
         base = dict(extreme_numbers.BASES["settled"], mesh=mesh)
