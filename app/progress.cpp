@@ -133,6 +133,7 @@ void Progress::begin_stage(std::string_view name) {
   counted_since_ = Clock::now();
   if (goes_on) return;
   note_.clear();
+  remark_.clear();
   n_remarks_ = 0;
   start_ = last_drawn_ = counted_since_;
   if (style_ == ProgressStyle::terminal) std::fprintf(stderr, "%-10s ...", stage_.c_str());
@@ -147,7 +148,6 @@ void Progress::finish_line() {
                n_remarks_ > 1 && note_.empty() ? remarks.c_str()
                : note_.empty()                 ? remark_.c_str()
                                                : note_.c_str());
-  remark_.clear();
   stage_.clear();
 }
 
