@@ -7,7 +7,7 @@ import os
 import resource
 import sys
 
-from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
+from geomesh_program import BAD_INPUT, CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 import extreme_numbers  # noqa: E402
@@ -87,6 +87,16 @@ class ExtremeNumbers(ProgramTest):
         status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
         self.assertEqual(status, USAGE, printed)
         self.assertIn("the model is 1,000 thick and 1e+30 long", printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+
+    def test_a_field_of_a_thin_sheet_is_refused(self):
+        """Its first cells took 24 GB: cubes as small as the sheet is thin."""
+        base = dict(extreme_numbers.BASES["inputs"])
+        base["surfaces"] = [{**s, "spacing": ["1e-4", 100, 100]} if s["name"] == "deep" else s for s in base["surfaces"]]
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, BAD_INPUT, printed)
+        self.assertIn("too thin a sheet", printed)
         self.assertLess(seconds, 2 * SLOWNESS)
 
     def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):
