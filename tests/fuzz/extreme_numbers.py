@@ -103,7 +103,7 @@ BASES = {
                 "output": {"formats": ["vtu"], "order": 1, "fault_zone": {"fault": {"thickness": 5.0, "layers": 2}}}},
     "network": {"box": BOX, "fractures": {"seed": 7, "corners": 8, "families": [
                     {"name": "steep", "dip_direction": 90, "dip": 80, "kappa": 20, "radius": {"min": 100, "max": 300, "exponent": 2.5}, "p32": 1e-5},
-                    {"name": "flat", "dip": 5, "kappa": 50, "radius": 200, "count": 3}]},
+                    {"name": "flat", "dip": 5, "kappa": 50, "radius": 10, "count": 3}]},
                 "merge_within": 1.0, "mesh": {"size": 300, "quality": "fast"}},
     "inputs": {"box": {"margin": 10.0, "bottom": -1000, "top": 0},
                "surfaces": [{"name": "top", "kind": "horizon", "field": "field.npy", "origin": [0, 0, -1000], "spacing": 100, "value": -300},
