@@ -39,9 +39,13 @@ std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& fi
   return lines;
 }
 
-/// Green where nothing is wrong, else yellow. Other lines stay as they are.
+/// The two verdicts: green where nothing is wrong, else yellow. Other lines stay as they are.
 std::string verdict_painted(const std::string& text) {
   const Colours colours = Colours::of(STDOUT_FILENO);
+  if (text.find(" about the model") != std::string::npos) {
+    const bool is_whole = text.starts_with("all ") || text.starts_with("the unit ");
+    return is_whole && text.ends_with("; no warnings about the model") ? colours.good(text) : colours.warning(text);
+  }
   if (text.find("fit for solvers") == std::string::npos) return text;
   return text.starts_with("not ") || text.find("warning") != std::string::npos ? colours.warning(text)
                                                                                : colours.good(text);

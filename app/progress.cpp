@@ -126,12 +126,15 @@ void Progress::begin_stage(std::string_view name) {
   const bool goes_on = is_held_ && !step_of(name).empty() && style_ != ProgressStyle::json;
   if (!goes_on) finish_line();
   is_held_ = false;
-  stage_ = goes_on ? step_of(name) : name;
+  const bool is_in_step = verbosity_ != Verbosity::verbose && style_ != ProgressStyle::json && !step_of(name).empty();
+  stage_ = is_in_step ? step_of(name) : name;
   done_ = total_ = first_done_ = 0;
   percent_ = -1;
   counted_since_ = Clock::now();
   if (goes_on) return;
   note_.clear();
+  remark_.clear();
+  n_remarks_ = 0;
   start_ = last_drawn_ = counted_since_;
   if (style_ == ProgressStyle::terminal) std::fprintf(stderr, "%-10s ...", stage_.c_str());
 }
@@ -140,7 +143,11 @@ void Progress::finish_line() {
   if (!is_held_) return;
   is_held_ = false;
   clear_line();
-  std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds_spent()).c_str(), note_.c_str());
+  const std::string remarks = count_words(n_remarks_) + " notes about surfaces (--verbose prints them)";
+  std::fprintf(stderr, "%-10s %8s   %s\n", stage_.c_str(), seconds_words(seconds_spent()).c_str(),
+               n_remarks_ > 1 && note_.empty() ? remarks.c_str()
+               : note_.empty()                 ? remark_.c_str()
+                                               : note_.c_str());
   stage_.clear();
 }
 
@@ -189,7 +196,11 @@ void Progress::print_progress_event() const {
 void Progress::on_log(LogLevel level, std::string_view text) {
   const std::lock_guard lock(mutex_);
   const bool is_for_all = text.starts_with(geomodel::announcement_start) && verbosity_ != Verbosity::quiet;
-  if (level == LogLevel::info && !is_for_all) note_ = text;
+  if (level == LogLevel::info && !is_for_all) {
+    const bool is_count = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    (is_count ? note_ : remark_) = text;
+    if (!is_count) ++n_remarks_;
+  }
   const bool chatty = verbosity_ == Verbosity::verbose || (style_ == ProgressStyle::json && level == LogLevel::info);
   if (level != LogLevel::warning && !is_for_all && (!chatty || verbosity_ == Verbosity::quiet)) return;
   if (style_ == ProgressStyle::json) {

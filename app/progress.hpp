@@ -64,9 +64,11 @@ class Progress {
   std::mutex mutex_;  ///< of all below, and of the standard error
   std::condition_variable ends_;
   bool ended_ = false;
-  std::string stage_, note_;
-  bool is_held_ = false;  ///< the stage has ended, its line waits for others that belong to it
-  int percent_ = -1;      ///< shown of the stage so far: never less
+  std::string stage_, note_;   ///< the note: what the stage has counted
+  std::string remark_;         ///< the last one about a surface: shown where it is the only one
+  std::size_t n_remarks_ = 0;  ///< of the stage so far
+  bool is_held_ = false;       ///< the stage has ended, its line waits for others that belong to it
+  int percent_ = -1;           ///< shown of the stage so far: never less
   std::size_t done_ = 0, total_ = 0;
   std::size_t first_done_ = 0;  ///< of this total, at `counted_since_`: rate and time left are told from there
   struct Kind {

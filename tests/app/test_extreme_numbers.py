@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects with one extreme number (tests/fuzz/extreme_numbers.py): a mesh or a message, never a crash, ten seconds to a refusal at most. One in
 a hundred in every run of the tests, all by night."""
+import json
 import os
 import resource
 import sys
 
-from geomesh_program import CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
+from geomesh_program import BAD_INPUT, CANNOT_MESH, NIGHTLY, PROGRAM, SLOWNESS, SOURCE, USAGE, ProgramTest, main
 
 sys.path.insert(0, os.path.join(SOURCE, "tests", "fuzz"))
 import extreme_numbers  # noqa: E402
@@ -28,6 +29,12 @@ class ExtremeNumbers(ProgramTest):
                 self.assertEqual(extreme_numbers.fault_of(status, seconds, printed, SLOWNESS), "", printed)
                 outcomes.add(extreme_numbers.OUTCOMES[status])
         self.assertEqual(outcomes, {"meshed", "refused"})
+
+    def test_every_key_that_takes_a_number_is_tried(self):
+        with open(os.path.join(SOURCE, "docs", "project.schema.json"), encoding="utf-8") as file:
+            schema = json.load(file)
+        self.assertGreater(len(extreme_numbers.keys_of_numbers(schema)), 80)
+        self.assertEqual(extreme_numbers.keys_not_covered(schema), [])
 
     def refused(self, mesh, status):
         base = dict(extreme_numbers.BASES["settled"], mesh=mesh)
@@ -80,6 +87,16 @@ class ExtremeNumbers(ProgramTest):
         status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
         self.assertEqual(status, USAGE, printed)
         self.assertIn("the model is 1,000 thick and 1e+30 long", printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+
+    def test_a_field_of_a_thin_sheet_is_refused(self):
+        """Its first cells took 24 GB: cubes as small as the sheet is thin."""
+        base = dict(extreme_numbers.BASES["inputs"])
+        base["surfaces"] = [{**s, "spacing": ["1e-4", 100, 100]} if s["name"] == "deep" else s for s in base["surfaces"]]
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, BAD_INPUT, printed)
+        self.assertIn("too thin a sheet", printed)
         self.assertLess(seconds, 2 * SLOWNESS)
 
     def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):

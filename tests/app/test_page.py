@@ -94,7 +94,16 @@ def rgb(text):
     return tuple(int(text[i:i + 2], 16) for i in (1, 3, 5))
 
 
-class Text(ProgramTest):
+class PageTest(ProgramTest):
+    def sample_as_page(self, name):
+        """The project of a sample, with the page among its formats."""
+        with open(self.sample(name)) as file:
+            text = file.read()
+        text = re.sub(r"(?m)^output:.*\n?", "", text).replace("file: ", "file: " + os.path.dirname(self.sample(name)) + "/")
+        return self.write(name.replace("-", "_") + ".yaml", text + "\noutput: {directory: out, formats: [html]}\n")
+
+
+class Text(PageTest):
     def page(self, more=""):
         self.write("upper.ts", level("upper", 5))
         self.write("project.yaml", "name: model\nbox: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: upper, kind: horizon, file: upper.ts}\n"
@@ -132,6 +141,18 @@ class Text(ProgramTest):
         self.assertRegex(facts["By"], r"^geomesh \d+\.\d+")
         self.assertEqual(facts["Box"], "x 0 to 10, y 0 to 10, z 0 to 10 (10 x 10 x 10 m)")
         self.assertRegex(facts["Size"], r"^asked for 3 m; edges are [\d.]+ m long in the mean, [\d.]+ m at least")
+        self.assertRegex(facts["Elements"], "^elements are fit for solvers")
+        self.assertEqual(facts["Model"], "all 2 units of the column have regions; no warnings about the model")
+
+    def test_the_heading_counts_units_and_not_their_parts(self):
+        """It said "12 regions" of four units."""
+        for sample, words in (("faulted-layers", "4 units in 12 regions"), ("unconformity", "4 units")):
+            project = self.sample_as_page(sample)
+            printed = self.run_program(project, "-o", self.path("out"))
+            self.assertIn(" points, " + words + ":", printed)
+            with open(self.path("out", sample.replace("-", "_") + ".html")) as file:
+                lead = re.search(r'<p class="lead">(.*?)</p>', file.read()).group(1)
+            self.assertTrue(lead.endswith(" points, " + words), lead)
 
     def test_colours_of_the_project_are_those_of_the_page_and_of_the_report(self):
         text = self.page('colours: {top: "#102030", upper: [255, 0, 0]}\n')
@@ -152,20 +173,13 @@ class Text(ProgramTest):
 
 
 @unittest.skipUnless(BROWSER, "skipped: chromium is not installed")
-class InBrowser(ProgramTest):
+class InBrowser(PageTest):
     bare = False
 
     def salt_dome(self):
         """A sample with a body that the closed box hides."""
         self.run_program(self.sample("salt-dome"), "-o", self.path("out"), "--quiet")
         return self.path("out", "salt_dome.html")
-
-    def sample_as_page(self, name):
-        """The project of a sample, with the page among its formats."""
-        with open(self.sample(name)) as file:
-            text = file.read()
-        text = re.sub(r"(?m)^output:.*\n?", "", text).replace("file: ", "file: " + os.path.dirname(self.sample(name)) + "/")
-        return self.write(name.replace("-", "_") + ".yaml", text + "\noutput: {directory: out, formats: [html]}\n")
 
     def browse(self, page, size, **more):
         browser = Browser(self.path("profile"), **more)

@@ -72,6 +72,18 @@ class Progress(ProgramTest):
         for stage in ("read", "intersect", "mesh", "verify", "write"):
             self.assertTrue(re.search(r"%s +[0-9.]+ (s|min)" % stage, text), stage)
 
+    def test_the_line_of_a_step_begins_with_its_name(self):
+        """It began as "delaunay" and ended as "mesh"."""
+        self.assertNotIn("delaunay", self.on_a_terminal(self.sample("outcrops"), "-o", self.path("out")))
+
+    def test_a_stage_tells_how_many_notes_it_has(self):
+        """The last of them stood there by chance."""
+        folder = self.path("m")
+        self.run_program("init", folder, "--template", "faulted")
+        _, said = self.run_apart(os.path.join(folder, "project.yaml"), "-o", self.path("out"))
+        build = next(line for line in said if line.startswith("build"))
+        self.assertRegex(build, r"^build +[0-9.]+ s   \d+ notes about surfaces \(--verbose prints them\)$")
+
     def project_with_warnings(self, mesh):
         """Four points that lie outside of the model: a warning each."""
         project = self.copy_of_sample("faulted-layers", mesh)
@@ -85,6 +97,9 @@ class Progress(ProgramTest):
         text = self.on_a_terminal(project, "-o", self.path("out"))
         self.assertRegex(text, "\x1b\\[33;1mwarning:\x1b\\[0m ")
         self.assertRegex(text, "\x1b\\[32;1m[^\n]*fit for solvers")
+        self.assertRegex(text, "\x1b\\[33;1m[^\n]*; 4 warnings about the model")
+        self.assertRegex(self.on_a_terminal(self.copy_of_sample("faulted-layers", "{size: 600}"), "-o", self.path("out")),
+                         "\x1b\\[32;1m[^\n]*; no warnings about the model")
         self.assertRegex(self.on_a_terminal("no-such.yaml", status=2), "\x1b\\[31;1merror:\x1b\\[0m no such")
         for environment in ({"NO_COLOR": "1"}, {"TERM": "dumb"}):
             self.assertNotIn("\x1b[3", self.on_a_terminal("no-such.yaml", status=2, **environment))

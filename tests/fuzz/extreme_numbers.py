@@ -9,6 +9,7 @@ import argparse
 import copy
 import os
 import resource
+import struct
 import subprocess
 import sys
 import tempfile
@@ -47,7 +48,16 @@ def points(z):
                                for i in range(12) for j in range(10))
 
 
-FILES = {"top.ts": horizon("top", -300.0, tilt=0.05), "base.ts": horizon("base", -520.0), "thin.ts": horizon("thin", -505.0, tilt=0.01),
+def field():
+    """Heights as a scalar field on a grid, as NumPy writes it: 11 by 11 by 11 doubles."""
+    head = "{'descr': '<f8', 'fortran_order': False, 'shape': (11, 11, 11), }"
+    head += " " * (63 - (len(head) + 10) % 64) + "\n"
+    values = [-1000.0 + 100 * k + 0.01 * i for i in range(11) for _ in range(11) for k in range(11)]
+    return b"\x93NUMPY\x01\x00" + struct.pack("<H", len(head)) + head.encode() + struct.pack("<1331d", *values)
+
+
+FILES = {"field.npy": field(), "section.txt": "300 -700\n600 -700\n600 -640\n300 -640\n", "survey.csv": "md,incl,azim\n0,0,0\n300,5,90\n600,20,90\n",
+         "tops.csv": "well,horizon,depth\nw,top,270\n", "top.ts": horizon("top", -300.0, tilt=0.05), "base.ts": horizon("base", -520.0), "thin.ts": horizon("thin", -505.0, tilt=0.01),
          "fault.ts": sheet("fault", [(310, -50, 50), (360, 1050, 50), (560, 1050, -1050), (510, -50, -1050)]),
          "sand.xyz": points(-420.0), "sizes.txt": "0 0 -500 200\n1000 1000 -500 300\n",
          "well.pl": "GOCAD PLine 1\nHEADER {\nname: w\n}\nILINE\nVRTX 1 700 500 -10\nVRTX 2 710 480 -700\nSEG 1 2\nEND\n"}
@@ -91,6 +101,26 @@ BASES = {
     "written": {"box": BOX, "surfaces": [TOP, BASE, FAULT], "column": COLUMN, "wells": [{"name": "w", "file": "well.pl"}],
                 "mesh": {"size": 400, "quality": "fast"},
                 "output": {"formats": ["vtu"], "order": 1, "fault_zone": {"fault": {"thickness": 5.0, "layers": 2}}}},
+    "network": {"box": BOX, "fractures": {"seed": 7, "corners": 8, "families": [
+                    {"name": "steep", "dip_direction": 90, "dip": 80, "kappa": 20, "radius": {"min": 100, "max": 300, "exponent": 2.5}, "p32": 1e-5},
+                    {"name": "flat", "dip": 5, "kappa": 50, "radius": 10, "count": 3}]},
+                "merge_within": 1.0, "mesh": {"size": 300, "quality": "fast"}},
+    "inputs": {"box": {"margin": 10.0, "bottom": -1000, "top": 0},
+               "surfaces": [{"name": "top", "kind": "horizon", "field": "field.npy", "origin": [0, 0, -1000], "spacing": 100, "value": -300},
+                            {"name": "sand", "kind": "horizon", "file": "sand.xyz", "columns": {"x": 1, "y": 2, "z": 3}, "no_data": -9999},
+                            {"name": "base", "kind": "horizon", "below": "sand", "thickness": 100.0},
+                            {"name": "deep", "kind": "horizon", "field": "field.npy", "origin": [0, 0, -1000], "spacing": [100, 100, 100], "value": -850},
+                            {"name": "lens", "kind": "body", "file": "section.txt", "extrude": {"along": "y", "from": 200, "to": 700}}],
+               "column": ["a", "top", "b", "sand", "c", "base", "d", "deep", "e"], "colours": {"a": [10, 20, 30]},
+               "rules": {"continue_within": 200.0}, "mesh": {"size": 300, "surfaces_within": 15.0, "quality": "fast"},
+               "output": {"formats": ["vtu", "html"]}},
+    "tops": {"box": BOX, "surfaces": [{**TOP, "z_datum": 10.0, "fill_holes": 50.0}, BASE], "column": COLUMN,
+             "wells": [{"name": "w", "file": "survey.csv", "head": [400, 500, -10], "columns": {"md": 1, "incl": 2, "azim": 3}, "z_datum": 5.0}],
+             "tops": {"file": "tops.csv", "reach": 400.0}, "mesh": {"size": 300, "quality": "fast"},
+             "output": {"formats": ["msh"], "partitions": 2}},
+    "along": {"box": BOX, "surfaces": [TOP, BASE, FAULT], "column": COLUMN,
+              "mesh": {"size": {"global": 300, "layers": {"b": 2}, "surfaces": {"top": 200},
+                                "curves": {"intersections": {"size": 100, "radius": 50}}}, "quality": "fast"}},
     "background": {"box": BOX, "surfaces": [TOP, BASE], "column": COLUMN, "mesh": {"size": {"background": "sizes.txt"}, "quality": "fast"}},
 }
 
@@ -105,6 +135,45 @@ def numbers_in(value, path=()):
             yield from numbers_in(inner, path + (k,))
     elif isinstance(value, (int, float)) and not isinstance(value, bool):
         yield path
+
+
+def keys_of_numbers(schema):
+    """Paths of all keys that may be a number by a JSON Schema; "*" stands for any name, 0 for any item."""
+    found = set()
+
+    def walk(node, path, inside):
+        if not isinstance(node, dict):
+            return
+        if "$ref" in node:
+            name = node["$ref"].split("/")[-1]
+            if name not in inside:
+                walk(schema["definitions"][name], path, inside | {name})
+        kinds = node.get("type", [])
+        if {"number", "integer"} & set([kinds] if isinstance(kinds, str) else kinds):
+            found.add(path)
+        for key, inner in node.get("properties", {}).items():
+            walk(inner, path + (key,), inside)
+        for inner in [node.get("additionalProperties"), *node.get("patternProperties", {}).values()]:
+            walk(inner, path + ("*",), inside)
+        for inner in [node.get("items"), *node.get("prefixItems", [])]:
+            walk(inner, path + (0,), inside)
+        for word in ("oneOf", "anyOf", "allOf"):
+            for inner in node.get(word, []):
+                walk(inner, path, inside)
+        for word in ("if", "then", "else"):
+            walk(node.get(word), path, inside)
+
+    walk(schema, (), frozenset())
+    return found
+
+
+def keys_not_covered(schema):
+    """Those of them that are a number in none of the BASES."""
+    def fits(key, path):
+        return len(key) == len(path) and all(k == "*" and isinstance(p, str) or k == p or k == 0 and isinstance(p, int) for k, p in zip(key, path))
+
+    paths = [path for project in BASES.values() for path in numbers_in(project)]
+    return sorted(".".join(map(str, key)) for key in keys_of_numbers(schema) if not any(fits(key, path) for path in paths))
 
 
 def written(value):
@@ -148,8 +217,8 @@ def projects():
 def run(files, folder, program=PROGRAM, seconds=60, memory=4 << 30):
     """Exit status (negative: a signal), CPU seconds, and what was printed."""
     for name, text in {**FILES, **files}.items():
-        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
-            file.write(text)
+        with open(os.path.join(folder, name), "wb") as file:
+            file.write(text if isinstance(text, bytes) else text.encode())
 
     def bound():
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))

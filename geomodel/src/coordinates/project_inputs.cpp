@@ -192,6 +192,7 @@ TriangulatedSurface section_surface(const FileContents& contents, const SurfaceS
   std::vector<Polyline> lines;
   for (const Polyline& line : contents.polylines)
     if (spec.source.object.empty() || line.name == spec.source.object) lines.push_back(line);
+  if (lines.empty()) refuse_choice(contents, spec);
   ExtrudeSpec extrude = spec.extrude;
   const double shift = origin[extrude.axis == 1 ? 1 : 0];
   extrude.from -= shift;

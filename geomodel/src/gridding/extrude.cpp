@@ -25,6 +25,7 @@ class SectionText {
       const std::string_view text = trim(lines_.line());
       if (text.empty() || text.front() == '>') {
         end_line();
+        heading_ = name_in_heading(text);
         continue;
       }
       if (text.front() == '#' || text.front() == '!') continue;
@@ -47,6 +48,14 @@ class SectionText {
   bool is_depth() const { return is_depth_; }
 
  private:
+  /// "> A", or "> -L"A"" as GMT writes it.
+  static std::string name_in_heading(std::string_view text) {
+    if (!text.empty()) text = trim(text.substr(1));
+    if (text.starts_with("-L")) text = trim(text.substr(2));
+    if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
+    return std::string(text);
+  }
+
   bool read_names(const std::vector<std::string_view>& fields) {
     bool has_place = false, has_height = false;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -76,7 +85,8 @@ class SectionText {
   }
 
   void end_line() {
-    const std::string name = at_id_.empty() ? "line " + std::to_string(found_.size() + 1) : at_id_;
+    const std::string& given = at_id_.empty() ? heading_ : at_id_;
+    const std::string name = given.empty() ? "line " + std::to_string(found_.size() + 1) : given;
     if (!points_.empty()) found_.push_back({name, file_.shown(), std::move(points_)});
     points_.clear();
   }
@@ -88,7 +98,7 @@ class SectionText {
   std::size_t place_ = 0, height_ = 1;
   std::optional<std::size_t> id_;
   bool is_depth_ = false;
-  std::string at_id_;
+  std::string at_id_, heading_;  ///< of the line that is read
   std::vector<Vec3> points_;
   std::vector<Polyline> found_;
 };

@@ -2,8 +2,11 @@
 #include "level_sets/isosurfaces_of_field.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/words.hpp"
 #include "level_sets/distance_proof.hpp"
 #include "level_sets/mesh/adapt.hpp"
 
@@ -20,11 +23,21 @@ constexpr std::size_t most_cells = 8'000'000;
 /// Rounds of proof and refinement. Each halves cells twice or more; a smooth field needs two or three.
 constexpr int most_rounds = 12;
 
-/// Cubes no more than twice as long as the box is thin.
+/// Cubes no more than twice as long as the box is thin. Throws Error{invalid_input} where a sheet of a box would take
+/// more cells than are allowed from the start: a spacing in another unit along one axis.
 double first_edge(const ScalarField& field, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
-  return std::min(longest / (field.has_bounds() ? cubes_with_bounds : cubes_of_function), 2 * shortest);
+  const double edge = std::min(longest / (field.has_bounds() ? cubes_with_bounds : cubes_of_function), 2 * shortest);
+  constexpr double cells_of_cube = 6;
+  double n_cells = cells_of_cube;
+  for (std::size_t a = 0; a < 3; ++a) n_cells *= std::max(1.0, std::round(size[a] / edge));
+  if (!(n_cells <= static_cast<double>(most_cells)))
+    throw Error(ErrorKind::invalid_input,
+                "a field covers " + short_words(size.x) + " by " + short_words(size.y) + " by " + short_words(size.z) +
+                    " of the model, too thin a sheet to follow its values in: are its spacing and origin right along "
+                    "all three axes?");
+  return edge;
 }
 
 Range values_at_vertices(const BackgroundMesh& mesh) {

@@ -359,7 +359,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
   }
   report.mesh = &mesh;
   report.tops = measure_tops(model.tops, mesh);
-  Summary summary = summarise(report, model.refinement, judge_model(model, mesh, recorder.context()));
+  report.model_verdict = judge_model(model, mesh, recorder.context());
+  Summary summary = summarise(report, model.refinement);
   result.summary = std::move(summary.lines);
   result.details = std::move(summary.details);
   {
@@ -372,7 +373,8 @@ JobResult mesh_and_write(PreparedModel& model, const OutputPlan& plan, StageReco
       if (format == "html") continue;  // the report as a page: written with the report
       for (auto& file : write_format(mesh, format, plan.stem, options)) result.files.push_back(std::move(file));
     }
-    recorder.context().note(LogLevel::info, count_words(result.files.size(), "files"));
+    recorder.context().note(LogLevel::info,
+                            count_words(plan.formats.size(), plan.formats.size() == 1 ? "format" : "formats"));
   }
   write_reports(plan, report, model, recorder, result);
   result.mesh = std::move(mesh);

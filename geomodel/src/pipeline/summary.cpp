@@ -125,24 +125,23 @@ std::string shapes(const QualityReport& quality) {
 
 }  // namespace
 
-Summary summarise(const Report& report, const RefinementSettings& refinement, const std::string& of_model) {
+Summary summarise(const Report& report, const RefinementSettings& refinement) {
   const ModelMesh& mesh = *report.mesh;
   Summary summary;
   summary.lines.push_back(grouped_words(mesh.tetrahedra.size()) + " tetrahedra, " + grouped_words(mesh.points.size()) +
-                          " points, " + grouped_words(mesh.regions.size()) +
-                          (mesh.regions.size() == 1 ? " region:" : " regions:"));
+                          " points, " + units_words(mesh) + ":");
   add_units(mesh, summary.lines);
   add_regions(mesh, summary.details);
   summary.details.push_back(grouped_words(mesh.faces.size()) + " faces on surfaces");
   if (!refinement.refine) {
     summary.lines.emplace_back(no_mesh_for_solvers);
-    if (!of_model.empty()) summary.lines.push_back(of_model);
+    if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);
     return summary;
   }
   summary.lines.push_back(steering(refinement, mesh));
   const std::vector<std::string> verdict = to_lines(*report.solver);
   summary.lines.push_back(verdict.front());
-  if (!of_model.empty()) summary.lines.push_back(of_model);
+  if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);
   summary.details.push_back(shapes(*report.quality));
   summary.details.insert(summary.details.end(), verdict.begin() + 1, verdict.end());
   return summary;

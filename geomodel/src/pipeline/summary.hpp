@@ -16,8 +16,7 @@ struct Summary {
   std::vector<std::string> details;  ///< every region, shapes of the elements, what solvers would fail at
 };
 
-/// Of a report whose mesh, quality and verdict are set. `refinement` is what was asked of the mesh, `verdict` what is
-/// said of the model beside that of the elements (report/model_verdict.hpp); empty: nothing.
-Summary summarise(const Report& report, const RefinementSettings& refinement, const std::string& verdict);
+/// Of a report whose mesh, quality and verdicts are set. `refinement` is what was requested of the mesh.
+Summary summarise(const Report& report, const RefinementSettings& refinement);
 
 }  // namespace geomesh::geomodel

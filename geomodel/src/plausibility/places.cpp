@@ -141,6 +141,21 @@ bool may_come_in(const Placed& input, const Box3& box) {
   return input.extend == Extend::tangent || overlap(b.min.z, b.max.z, box.min.z, box.max.z);
 }
 
+/// Share of the heights from a to b that lie within those of the box.
+double share_within(double a, double b, const Box3& box) {
+  const double low = std::max(std::min(a, b), box.min.z), high = std::min(std::max(a, b), box.max.z);
+  return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);
+}
+
+/// A well begins near the top of the box, so that one with depths for elevations touches it: most of its path lies
+/// above, and would lie inside with z counted the other way.
+bool is_well_upside_down(const Placed& input, const Box3& box) {
+  constexpr double few = 0.1, most = 0.5;
+  const Box3& b = input.bounds;
+  return !input.is_surface && over_each_other(b, box) && share_within(b.min.z, b.max.z, box) < few &&
+         share_within(-b.max.z, -b.min.z, box) > most;
+}
+
 void add_outside(const Placed& input, const Box3& model, std::vector<Outside>& groups) {
   const bool in_map = over_each_other(input.bounds, model);
   const auto guess = in_map ? guess_in_height(input.bounds, model) : guess_in_map(input.bounds, model);
@@ -214,7 +229,8 @@ void doubt_places_in(const Inspected& model, const std::vector<Placed>& inputs, 
   std::vector<Outside> groups;
   std::vector<std::string> outside;
   for (const Placed& input : inputs) {
-    if (input.bounds.empty() || meet(input.bounds, box) || may_come_in(input, box)) continue;
+    const bool is_inside = meet(input.bounds, box) && !is_well_upside_down(input, box);
+    if (input.bounds.empty() || is_inside || may_come_in(input, box)) continue;
     if (input.is_surface) outside.push_back(input.name);
     add_outside(input, box, groups);
   }

@@ -2,7 +2,9 @@
 // Inputs whose shape does not fit their kind, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "common/union_find.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -206,6 +208,22 @@ void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
   }
 }
 
+/// Wells of one and the same path.
+void doubt_twin_wells(const Inspected& model, std::vector<Finding>& findings) {
+  std::map<std::vector<std::tuple<double, double, double>>, std::string> known;
+  for (const Polyline& well : model.inputs.wells) {
+    std::vector<std::tuple<double, double, double>> path;
+    for (const Vec3& p : well.points) path.emplace_back(p.x, p.y, p.z);
+    const auto [first, is_new] = known.try_emplace(std::move(path), well.name);
+    if (is_new || well.points.empty()) continue;
+    findings.push_back({Finding::Sureness::probable,
+                        "duplicate",
+                        {first->second, well.name},
+                        "wells " + first->second + " and " + well.name + " have one and the same path",
+                        "is one of the files (or 'object') meant to be another?"});
+  }
+}
+
 void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vector<Finding>& findings) {
   const Spikes spikes = find_spikes(s);
   if (spikes.n > 0)
@@ -237,6 +255,7 @@ void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
     }
   }
   doubt_twins(model, findings);
+  doubt_twin_wells(model, findings);
 }
 
 }  // namespace geomesh::geomodel

@@ -124,36 +124,78 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Vertices and points whose heights stand for "no value". Grids and tables have done this as they were read, before
-/// their units were converted; other formats convert while they read, so that values are compared as the file has them.
-void drop_no_data(const InputFile& file, FileContents& contents) {
-  const SourceFrame& frame = contents.frame;
+/// Whether the triangles without these heights are most of a surface that lies under the map once, as a horizon does.
+/// The flat foot of a fault or of a body is far from its other vertices too, and belongs to nearly all triangles.
+bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
+                      std::span<const OddHeight> odd) {
+  const auto is_odd = [&](VertexIndex v) {
+    return std::any_of(odd.begin(), odd.end(), [&](const OddHeight& o) { return o.value == heights[v]; });
+  };
+  double signed_area = 0, area = 0, area_without = 0;
+  for (const Triangle& t : s.triangles) {
+    const Vec3 &a = s.points[t[0]], &b = s.points[t[1]], &c = s.points[t[2]];
+    const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    signed_area += twice;
+    area += std::abs(twice);
+    if (std::none_of(t.begin(), t.end(), is_odd)) area_without += std::abs(twice);
+  }
+  constexpr double nearly_all = 0.99, most = 0.5;
+  return std::abs(signed_area) > nearly_all * area && area_without > most * area;
+}
+
+/// Heights as the numbers of the file: formats other than grids and tables convert while they read.
+std::vector<double> heights_in_file(const std::vector<Vec3>& points, const SourceFrame& frame) {
   const std::string& unit = frame.z_unit.empty() ? frame.unit : frame.z_unit;
   const double factor = length_unit_in_metres(unit).value_or(1) * (frame.depth ? -1 : 1);
-  const auto heights_of = [&](const std::vector<Vec3>& points) {
-    std::vector<double> heights;
-    heights.reserve(points.size());
-    for (const Vec3& p : points) {
-      const double v = p.z / factor, rounded = std::round(v * 1000) / 1000;
-      heights.push_back(std::abs(v - rounded) <= 1e-12 * std::abs(v) ? rounded : v);
-    }
-    return heights;
-  };
-  const auto find = [&](const std::string& name, const std::vector<Vec3>& points, const std::vector<double>& heights,
-                        const char* what) {
-    std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
-    std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
-    for (std::string& text :
-         describe_odd_heights(odd, name, what, [&](std::size_t row) { return map_place_words(points[row]); }))
+  std::vector<double> heights;
+  heights.reserve(points.size());
+  for (const Vec3& p : points) {
+    const double v = p.z / factor, rounded = std::round(v * 1000) / 1000;
+    heights.push_back(std::abs(v - rounded) <= 1e-12 * std::abs(v) ? rounded : v);
+  }
+  return heights;
+}
+
+void keep_no_data_alone(std::vector<OddHeight>& odd) {
+  std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
+}
+
+/// Adds what is said of the odd heights to the warnings, once.
+void tell_odd(const std::string& name, const std::vector<Vec3>& points, const std::vector<OddHeight>& odd,
+              const char* what, FileContents& contents) {
+  for (std::string& text :
+       describe_odd_heights(odd, name, what, [&](std::size_t row) { return map_place_words(points[row]); }))
+    if (std::find(contents.warnings.begin(), contents.warnings.end(), text) == contents.warnings.end())
       contents.warnings.push_back(std::move(text));
-    return odd;
-  };
+}
+
+/// The same for lines. Heights of all of them are compared, because one line may have few points.
+void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
+  std::vector<Vec3> points;
+  for (const Polyline& line : contents.polylines) points.insert(points.end(), line.points.begin(), line.points.end());
+  const std::vector<double> heights = heights_in_file(points, contents.frame);
+  std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+  keep_no_data_alone(odd);
+  if (odd.empty()) return;
+  tell_odd(file.path.stem().string(), points, odd, "points on lines", contents);
+  std::size_t row = 0;
+  for (Polyline& line : contents.polylines)
+    std::erase_if(line.points, [&](const Vec3&) { return is_left_out(heights[row++], odd); });
+  std::erase_if(contents.polylines, [](const Polyline& line) { return line.points.size() < 2; });
+}
+
+/// Vertices and points whose heights stand for "no value" are left out, and others that hardly can be heights are told.
+/// Grids and tables have done this as they were read.
+void drop_no_data(const InputFile& file, FileContents& contents) {
   for (TriangulatedSurface& surface : contents.surfaces) {
     const bool from_grid = std::any_of(contents.grids.begin(), contents.grids.end(),
                                        [&](const GridSummary& g) { return g.surface == surface.name; });
     if (from_grid) continue;
-    const std::vector<double> heights = heights_of(surface.points);
-    const auto odd = find(surface.name, surface.points, heights, "vertices");
+    const std::vector<double> heights = heights_in_file(surface.points, contents.frame);
+    std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+    if (!odd.empty() && !is_layer_without(surface, heights, odd)) keep_no_data_alone(odd);
+    tell_odd(surface.name, surface.points, odd, "vertices", contents);
+    keep_no_data_alone(odd);
     if (odd.empty()) continue;
     std::erase_if(surface.triangles, [&](const Triangle& t) {
       return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return is_left_out(heights[v], odd); });
@@ -163,11 +205,13 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     contents.regions.clear();  // they name triangles by their rows
   }
   for (PointSet& set : contents.point_sets) {
-    const std::vector<double> heights = heights_of(set.points);
-    const auto odd = find(set.name, set.points, heights, "points");
+    const std::vector<double> heights = heights_in_file(set.points, contents.frame);
+    const std::vector<OddHeight> odd = find_odd_heights(heights, file.options);
+    tell_odd(set.name, set.points, odd, "points", contents);
     std::size_t row = 0;
     std::erase_if(set.points, [&](const Vec3&) { return is_left_out(heights[row++], odd); });
   }
+  drop_no_data_of_lines(file, contents);
 }
 
 /// Names and messages in UTF-8, whatever the file was written in.
@@ -199,6 +243,7 @@ FileContents read_well_file(const std::filesystem::path& path, const WellReading
   if (format == formats.end()) refuse_strangers(file);
   const bool is_table = format == formats.end() || format->read == read_xyz;
   FileContents contents = is_table ? read_well_table(file, reading) : format->read(file);
+  if (!is_table) drop_no_data(file, contents);
   names_in_utf8(contents);
   return contents;
 }

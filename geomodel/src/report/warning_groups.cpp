@@ -28,10 +28,10 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// "top.ts: the file says" begins behind the colon.
+/// "top.ts: the file says" and "polyline W2: a length" begin behind the colon.
 std::string_view without_prefix(std::string_view text) {
   const std::size_t colon = text.find(": ");
-  const bool is_name = colon != std::string_view::npos && text.substr(0, colon).find(' ') == std::string_view::npos;
+  const bool is_name = colon != std::string_view::npos && words_of(text.substr(0, colon)).size() <= 2;
   if (is_name) return text.substr(colon + 2);
   const std::size_t blank = text.find(' ');
   return blank == std::string_view::npos ? text : text.substr(blank + 1);
@@ -53,7 +53,8 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  while (statement.ends_with(' ')) statement.remove_suffix(1);
+  for (const std::string_view end : {" ", ", near"})  // of "..., near (x, y, z)"
+    while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }
 

@@ -12,7 +12,7 @@ namespace geomesh::geomodel::page {
 
 namespace {
 
-constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 16;
+constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 30;
 
 /// From the section's coordinates to those of the picture, y downwards.
 struct Frame {

@@ -90,14 +90,15 @@ std::string header_section(const Report& report, const Box3& bounds) {
   std::string out = "<header><h1>" + escape(report.name) + "</h1>\n";
   if (report.mesh)
     out += "<p class=\"lead\">" + grouped_words(report.mesh->tetrahedra.size()) + " tetrahedra, " +
-           grouped_words(report.mesh->points.size()) + " points, " + grouped_words(report.mesh->regions.size()) +
-           (report.mesh->regions.size() == 1 ? " region" : " regions") + "</p>\n";
+           grouped_words(report.mesh->points.size()) + " points, " + units_words(*report.mesh) + "</p>\n";
   out += "<dl class=\"facts\">\n" + fact("Project", text_at(input, "project")) + fact("Made", date_words()) +
          fact("By", "geomesh " GEOMESH_VERSION);
   if (report.mesh)
     out += fact("Box", box_words(bounds, report.mesh->unit)) +
            fact("Coordinates", system_words(part(input, "crs"), report.mesh->origin)) +
            fact("Size", size_words(report, part(input, "mesh")));
+  if (report.solver) out += fact("Elements", to_lines(*report.solver).front());
+  out += fact("Model", report.model_verdict);
   return out + "</dl></header>\n";
 }
 

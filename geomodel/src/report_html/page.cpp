@@ -37,17 +37,19 @@ std::string cell(const std::string& text, bool is_number = false) {
 }
 
 std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
+  std::vector<std::string> bodies(mesh.regions.size());  // that each region lies in, but for itself
+  for (std::size_t i = 0; i < mesh.regions.size(); ++i)
+    for (const std::string& body : mesh.regions[i].inside)
+      if (body != mesh.regions[i].name) bodies[i] += (bodies[i].empty() ? "" : ", ") + body;
+  const bool any = std::any_of(bodies.begin(), bodies.end(), [](const std::string& b) { return !b.empty(); });
   std::string out =
       "<h2>Units</h2>\n<div class=\"wide\" tabindex=\"0\"><table><tr><th>unit</th><th class=\"n\">volume</th><th "
-      "class=\"n\">tetrahedra</th><th>lies in</th></tr>\n";
+      "class=\"n\">tetrahedra</th>" +
+      std::string(any ? "<th>lies in</th>" : "") + "</tr>\n";
   for (std::size_t i = 0; i < mesh.regions.size(); ++i) {
     const Region& r = mesh.regions[i];
-    std::string inside;
-    for (const std::string& body : r.inside)
-      inside += (inside.empty() ? "" : ", ") + (body == r.name ? "itself" : body);
-    if (inside == "itself") inside.clear();
     out += "<tr>" + cell(swatch(colours.regions[i]) + escape(r.name)) + cell(volume_words(r.volume, mesh.unit), true) +
-           cell(grouped_words(r.n_tetrahedra), true) + cell(escape(inside)) + "</tr>\n";
+           cell(grouped_words(r.n_tetrahedra), true) + (any ? cell(escape(bodies[i])) : "") + "</tr>\n";
   }
   return out + "</table></div>\n";
 }

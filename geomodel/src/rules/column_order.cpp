@@ -29,6 +29,12 @@ Tally compare(const TriangulatedSurface& younger, const TriangulatedSurface& old
   return tally;
 }
 
+/// Whether all of the surface lies above the box, or all of it below.
+bool is_beyond(const TriangulatedSurface& surface, const Box3& box) {
+  return std::all_of(surface.points.begin(), surface.points.end(), [&](const Vec3& p) { return p.z > box.max.z; }) ||
+         std::all_of(surface.points.begin(), surface.points.end(), [&](const Vec3& p) { return p.z < box.min.z; });
+}
+
 }  // namespace
 
 void warn_of_column_order(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
@@ -45,6 +51,8 @@ void warn_of_column_order(const std::vector<TriangulatedSurface>& surfaces, cons
     if (rules.column[i] == rules.topography || rules.of(younger).base == BaseRule::erode ||
         rules.of(older).base == BaseRule::onlap)
       continue;
+    // One that lies above or below the model is most often in another unit or direction of z, which was told.
+    if (rules.box && (is_beyond(surfaces[younger], *rules.box) || is_beyond(surfaces[older], *rules.box))) continue;
     const Tally tally = compare(surfaces[younger], surfaces[older]);
     if (static_cast<double>(tally.below) > nearly_everywhere * static_cast<double>(tally.above + tally.below))
       log.warnings.push_back("horizon " + surfaces[younger].name + " is listed before " + surfaces[older].name +

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What tables, wells and values for "no height" are taken for.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -101,6 +102,77 @@ TEST_CASE("no data is left out of grids, points and triangles alike", "[readers]
   for (const Vec3& p : of_triangles.surfaces.at(0).points) CHECK(p.z > -100);
 }
 
+TEST_CASE("heights far from all others are told in every format, and kept", "[readers][no_data]") {
+  // Zero at 4 of 64 nodes of a layer near -1000: in a grid, points, triangles and points of GOCAD.
+  std::string grid = "ncols 8\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 1\n", lattice, points = "x,y,z\n";
+  std::string ts = "GOCAD TSurf 1\nHEADER {\nname: a\n}\nTFACE\n", vs = "GOCAD VSet 1\nHEADER {\nname: a\n}\n", off;
+  int n = 0;
+  for (int j = 0; j < 8; ++j)
+    for (int i = 0; i < 8; ++i) {
+      const bool none = j == 5 && i > 2 && i < 7;
+      const std::string z = none ? "0" : std::to_string(-1000.5 - n),
+                        place = std::to_string(i) + " " + std::to_string(j);
+      ++n;
+      grid += z + " ";
+      lattice += place + " " + z + "\n";
+      points += std::to_string(i * i + j) + "," + std::to_string(j * j) + "," + z + "\n";
+      ts += "VRTX " + std::to_string(n) + " " + place + " " + z + "\n";
+      vs += "VRTX " + std::to_string(n) + " " + place + " " + z + "\n";
+      off += place + " " + z + "\n";
+    }
+  std::string faces;
+  for (int j = 0; j < 7; ++j)
+    for (int i = 0; i < 7; ++i) {
+      const int a = 8 * j + i;
+      for (const auto& [p, q, r] : {std::array{a, a + 1, a + 9}, std::array{a, a + 9, a + 8}}) {
+        ts += "TRGL " + std::to_string(p + 1) + " " + std::to_string(q + 1) + " " + std::to_string(r + 1) + "\n";
+        faces += "3 " + std::to_string(p) + " " + std::to_string(q) + " " + std::to_string(r) + "\n";
+      }
+    }
+  for (const auto& [name, text] : {std::pair{"f.asc", grid}, std::pair{"f.xyz", lattice}, std::pair{"f.csv", points},
+                                   std::pair{"f.ts", ts + "END\n"}, std::pair{"f.vs", vs + "END\n"},
+                                   std::pair{"f.off", "OFF\n64 98 0\n" + off + faces}}) {
+    INFO(name);
+    const FileContents read = read_surface_file(file_of(name, text));
+    REQUIRE(read.warnings.size() == 1);  // once, not as points and again as nodes
+    CHECK(holds(read.warnings[0], "have the height 0, the first near ("));
+    CHECK(holds(read.warnings[0], "far outside the range of all others: does it stand for 'no value'? no_data: 0"));
+  }
+}
+
+TEST_CASE("a fault and a body with a level foot are not doubted", "[readers][no_data]") {
+  std::string fault = "GOCAD TSurf 1\nHEADER {\nname: f\n}\nTFACE\n", faces;
+  for (int i = 0; i < 10; ++i) {
+    fault += "VRTX " + std::to_string(2 * i + 1) + " " + std::to_string(i) + " 0 " + std::to_string(-10 - i % 3 * 0.7) +
+             "\n";
+    fault += "VRTX " + std::to_string(2 * i + 2) + " " + std::to_string(i) + " 200 -2000\n";
+    if (i == 0) continue;
+    const int a = 2 * i - 1;
+    faces += "TRGL " + std::to_string(a) + " " + std::to_string(a + 1) + " " + std::to_string(a + 3) + "\n";
+    faces += "TRGL " + std::to_string(a) + " " + std::to_string(a + 3) + " " + std::to_string(a + 2) + "\n";
+  }
+  CHECK(read_surface_file(file_of("foot.ts", fault + faces + "END\n")).warnings.empty());
+}
+
+TEST_CASE("points of lines without a height are left out", "[readers][no_data]") {
+  std::string text = "GOCAD PLine 1\nHEADER {\nname: f\n}\n";
+  int n = 0;
+  for (int line = 0; line < 3; ++line) {
+    text += "ILINE\n";
+    for (int i = 0; i < 4; ++i)
+      text += "VRTX " + std::to_string(++n) + " " + std::to_string(line) + " 0 " +
+              (i == 1 && line < 2 ? "-99999" : std::to_string(-100 * i)) + "\n";
+    for (int i = 0; i < 3; ++i) text += "SEG " + std::to_string(n - 3 + i) + " " + std::to_string(n - 2 + i) + "\n";
+  }
+  const FileContents read = read_surface_file(file_of("sticks.pl", text + "END\n"));
+  REQUIRE(read.polylines.size() == 3);
+  CHECK(read.polylines[0].points.size() == 3);
+  CHECK(read.polylines[2].points.size() == 4);
+  REQUIRE(read.warnings.size() == 1);
+  CHECK(holds(read.warnings[0], "2 points on lines of"));
+  CHECK(holds(read.warnings[0], "have the height -99999"));
+}
+
 TEST_CASE("columns of a table are not guessed", "[readers][tables]") {
   CHECK(refusal("a.xyz", scattered) == "");
   CHECK(holds(refusal("a.xyz", "0 1 2 -10 5\n1 3 7 -11 5\n2 8 4 -12 5\n"), "no header names the 5 columns"));
@@ -191,6 +263,11 @@ TEST_CASE("lines of a section become a body, a horizon lies below another by a t
       volume += dot(body.points[t[0]], cross(body.points[t[1]], body.points[t[2]])) / 6;
     CHECK(volume == Approx(20 * (8 + 0.5)));  // outward
   }
+  const FileContents named =
+      read_section(file_of("named.txt", "> A\n0 0\n4 0\n4 -2\n> -L\"B\"\n5 0\n6 0\n6 -1\n"), spec);
+  REQUIRE(named.polylines.size() == 2);
+  CHECK(named.polylines[0].name == "A");
+  CHECK(named.polylines[1].name == "B");
   const ExtrudeSpec along_x{0, 10, 30};
   const FileContents other = read_section(file_of("sec.csv", "y,depth\n0,0\n4,0\n4,2\n0,2\n"), along_x);
   const TriangulatedSurface body = extrude_lines(other.polylines, along_x, true, "body");

@@ -141,6 +141,10 @@ TEST_CASE("Warnings that say one thing of many surfaces are one group", "[report
   CHECK(warning_statement(groups[0].first) == "basement falls into 2 regions");
   CHECK(warning_statement(warnings[1]) == "top.ts: the file says z is in ft");
   CHECK(warning_statement("all is lost") == "all is lost");
+  const std::string outside = "polyline W2: a length of 35 lies outside the box, near (1, 2, 3), and is left out";
+  CHECK(warning_cause(outside) == "a length of ... lies outside the box near");  // and not "polyline W2"
+  CHECK(warning_cause(outside) != warning_cause("polyline W2: repeats itself"));
+  CHECK(warning_statement(outside) == "polyline W2: a length of 35 lies outside the box");
   CHECK(groups[0].count == 2);
   CHECK(groups[0].first == warnings[0]);
   CHECK(groups[1].cause == "the file says z is in ft");

@@ -62,6 +62,7 @@ struct Report {
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
   std::optional<SolverVerdict> solver;
+  std::string model_verdict;                ///< whether units have regions, and how many warnings; of projects
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
   std::vector<std::string> notes;           ///< what was found before meshing and what rules changed, with areas
   std::vector<std::string> warnings;

@@ -77,6 +77,13 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
   }
 }
 
+/// Whether it says that a well lies outside, of one that a warning has said this of with its cause.
+bool is_of_doubted_well(const std::string& warning, const PreparedModel& model) {
+  return std::any_of(model.doubted.begin(), model.doubted.end(), [&](const std::string& name) {
+    return warning.starts_with("polyline " + name + ": a length of ");
+  });
+}
+
 /// What crosses, has gaps and dangles, but for what was warned of.
 void note_findings(PreparedModel& model, const RunContext& context) {
   constexpr std::size_t most = 100;
@@ -200,7 +207,8 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   model.arrangement = arrange_merging_near(model, wells, with_parts, context);
   drop_spots_of_blocks(model);
   drop_spots_of_stack(model);
-  for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
+  for (const std::string& text : model.arrangement.warnings)
+    if (!is_of_doubted_well(text, model)) warn(model.warnings, context, text);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
   note_findings(model, context);

@@ -160,6 +160,11 @@ void drop_no_data(const InputFile& file, const std::string& name, NodeLattice& l
 void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents) {
   drop_no_data(file, name, lattice, contents);
+  add_checked_lattice(file, std::move(name), lattice, std::move(summary), contents);
+}
+
+void add_checked_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
+                         FileContents& contents) {
   std::size_t n_left_out = 0;
   TriangulatedSurface surface = triangulate_lattice(lattice, Diagonal::of_less_relief, n_left_out);
   if (surface.triangles.empty()) file.fail("the grid is empty: no cell has three nodes with values");

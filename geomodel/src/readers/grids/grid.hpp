@@ -67,4 +67,8 @@ FileContents grid_contents(const InputFile& file, std::string format, const Grid
 void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents);
 
+/// The same for a lattice whose heights the caller has looked through.
+void add_checked_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
+                         FileContents& contents);
+
 }  // namespace geomesh::geomodel

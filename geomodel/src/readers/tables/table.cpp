@@ -339,8 +339,8 @@ void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> p
   if (const auto lattice = twice.same_place == 0 ? lattice_of_points(points) : std::nullopt) {
     const std::vector<Vec3>& nodes = lattice->nodes;
     const Vec3 &first = nodes.front(), &right = nodes[1], &up = nodes[lattice->n_columns];
-    add_lattice(file, name, *lattice,
-                {name, 0, 0, 0, {first.x, first.y}, {right.x - first.x, up.y - first.y}, 0, false}, contents);
+    add_checked_lattice(file, name, *lattice,
+                        {name, 0, 0, 0, {first.x, first.y}, {right.x - first.x, up.y - first.y}, 0, false}, contents);
     contents.notes.push_back("the points of '" + name + "' are the nodes of a regular grid of " +
                              std::to_string(lattice->n_columns) + " by " + std::to_string(lattice->n_rows));
     return;
