@@ -138,13 +138,13 @@ async function start() {
   for (const id of ["error", "results", "log"]) at(id).textContent = "";
   at("report").hidden = true;
   running(true);
-  const script_of = (id) => URL.createObjectURL(new Blob([at(id).textContent], { type: "text/javascript" }));
+  const script = URL.createObjectURL(new Blob([at("emscripten-script").textContent, at("worker-script").textContent], { type: "text/javascript" }));
   const program = await unpacked("program-bytes");
   const { folder, commands } = commands_of_run();
-  worker = new Worker(script_of("worker-script"));
+  worker = new Worker(script);
   worker.onmessage = ({ data }) => {
     if ("error" in data) return told(data.error);
-    if ("line" in data) return log(data.line);
+    if ("line" in data) return data.line.startsWith("open file:") ? undefined : log(data.line.replaceAll("/work/out/", ""));
     if ("failure" in data) at("error").textContent += "the program ended without an answer (out of memory?): " + data.failure;
     else show_results(data);
     window.last_run = data;  // for who drives the page
@@ -156,7 +156,7 @@ async function start() {
     ended();
   };
   worker.postMessage({
-    program, script: script_of("emscripten-script"), folder, commands,
+    program, folder, commands,
     files: files.map(([path, bytes]) => ["/work/in/" + path, bytes]),
   });
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the program beside the page. The page sends {program, script, files, folder, commands}: the compiled program, the script of
-// emscripten, [path, bytes] of each file, the folder the program starts in, and the arguments of each run. The worker answers with lines
-// that the program prints, and at its end with the files that it wrote.
-"use strict";
+// Runs the program beside the page; stands behind the script of emscripten, in one text. The page sends {program, files, folder, commands}:
+// the compiled program, [path, bytes] of each file, the folder the program starts in, and the arguments of each run. The worker answers
+// with lines that the program prints, and at its end with the files that it wrote.
 
 /** Makes the folder of a path in the file system of the program, with those above it. */
 function makeFolder(fs, path) {
@@ -25,13 +24,16 @@ function written(fs, folder, given) {
   return found;
 }
 
+/** Without the colours and movements of a terminal, for which the program takes the streams of emscripten. */
+const plain = (text) => text.replace(/\x1b\[[0-9;]*[A-Za-z]|\r/g, "");
+
 /** Runs the program once on the files: its exit status, what it wrote, and the memory that it took. */
 async function run(program, files, folder, words) {
   const module = await GeomeshProgram({
     wasmBinary: program,
     noInitialRun: true,
-    print: (text) => postMessage({ line: text }),
-    printErr: (text) => postMessage({ error: text }),
+    print: (text) => postMessage({ line: plain(text) }),
+    printErr: (text) => postMessage({ error: plain(text) }),
   });
   for (const [path, bytes] of files) {
     makeFolder(module.FS, path.slice(0, path.lastIndexOf("/")));
@@ -50,9 +52,8 @@ async function run(program, files, folder, words) {
 }
 
 onmessage = async ({ data }) => {
-  const { program, script, files, folder, commands } = data;
+  const { program, files, folder, commands } = data;
   try {
-    importScripts(script);
     const began = performance.now();
     let status = 0, memory = 0;
     const results = [];
