@@ -124,7 +124,10 @@ int run_command(const ConvertCommand& command, const RunContext&, Verbosity verb
   geomodel::ElementOrder order = geomodel::ElementOrder::first;
   const geomodel::ModelMesh mesh = geomodel::read_model_mesh(command.mesh, &order);
   geomodel::WriteOptions options = command.options;
-  const bool is_kept = geomodel::format_of_name(command.format)->holds.second_order && !options.cohesive;
+  const geomodel::Format* const format = geomodel::format_of_name(command.format);
+  if (!format)
+    throw Error(ErrorKind::usage, "a page (.html) is written by the run that makes the mesh, not from a mesh file");
+  const bool is_kept = format->holds.second_order && !options.cohesive;
   if (command.keep_order && is_kept) options.order = order;
   const SignalsHeldBack held;
   if (!stem.parent_path().empty()) std::filesystem::create_directories(stem.parent_path());

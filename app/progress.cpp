@@ -84,7 +84,11 @@ void Progress::attach(RunContext& context) {
   context.stage = [this](std::string_view name, bool begins) { on_stage(name, begins); };
   context.progress = [this](std::size_t done, std::size_t total) { on_progress(done, total); };
   context.log = [this](LogLevel level, std::string_view text) { on_log(level, text); };
-  if (verbosity_ != Verbosity::quiet && style_ != ProgressStyle::lines) ticker_ = std::thread([this] { tick(); });
+  if (verbosity_ == Verbosity::quiet || style_ == ProgressStyle::lines) return;
+  try {
+    ticker_ = std::thread([this] { tick(); });
+  } catch (const std::system_error&) {  // no further thread, as in a browser: stages themselves tell of their progress
+  }
 }
 
 /// Stages that say nothing for a while are seen to run.

@@ -102,6 +102,12 @@ class Failures(FormatTest):
             self.assertGreater(len(done.stdout), 10, name)
             self.assertFalse(os.path.exists(folder), name)
 
+    def test_a_page_is_not_made_from_a_mesh_file(self):
+        done = subprocess.run([PROGRAM, "convert", self.stem + ".vtu", "-o", self.path("m.html")], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                              timeout=100 * SLOWNESS)
+        self.assertEqual(done.returncode, USAGE, done.stdout)
+        self.assertIn(".html", done.stdout)
+
     def test_in_parts_too(self):
         for name, ending in (("vtu", ".pvtu"), ("exodus", ".e"), ("msh22", ".msh")):
             folder = self.path("parts_" + name)

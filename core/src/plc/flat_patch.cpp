@@ -69,7 +69,8 @@ void FlatPatch::sort_corners() {
 
 std::span<const Index> FlatPatch::corners_at(VertexIndex v) const {
   const auto [first, last] = std::ranges::equal_range(corners_, v, {}, [&](Index c) { return vertex(c); });
-  return {first, last};
+  return std::span(corners_).subspan(static_cast<std::size_t>(first - corners_.begin()),
+                                     static_cast<std::size_t>(last - first));
 }
 
 std::vector<FlatPatch::Edge> FlatPatch::inner_edges() const {

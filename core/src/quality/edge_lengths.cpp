@@ -94,7 +94,8 @@ class EdgeBlock {
       size_here_ = {no_index, 0};
       for (auto edge = begin, next = edge; edge != last; edge = next) {
         next = std::find_if(edge, last, [&](Use u) { return upper_of(u) != upper_of(*edge); });
-        measure_edge(static_cast<VertexIndex>(begin_ + row), std::span<const Use>(edge, next));
+        measure_edge(static_cast<VertexIndex>(begin_ + row),
+                     std::span<const Use>(&*edge, static_cast<std::size_t>(next - edge)));
       }
     }
     return std::move(lengths_);

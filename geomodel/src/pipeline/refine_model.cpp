@@ -187,7 +187,7 @@ std::vector<VertexIndex> fixed_points(const PreparedModel& model) {
   if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
   std::vector<bool> is_corner;  // by row in the concatenated points of the surfaces
   for (std::size_t s = 0; s < polygons.size(); ++s)
-    is_corner.insert(is_corner.end(), model.surfaces[s].points.size(), polygons[s]);
+    is_corner.resize(is_corner.size() + model.surfaces[s].points.size(), polygons[s]);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)
     if (soup.input_point[v] < is_corner.size() && is_corner[soup.input_point[v]]) fixed.push_back(v);
   return fixed;

@@ -42,7 +42,8 @@ class PartFacets {
       const auto first = std::lower_bound(of_.uses.begin(), of_.uses.end(), EdgeUse{a, b, 0});
       auto last = first;
       while (last != of_.uses.end() && last->a == a && last->b == b) ++last;
-      const std::span<const EdgeUse> edge(first, last);
+      const std::span edge(std::span(of_.uses).subspan(static_cast<std::size_t>(first - of_.uses.begin()),
+                                                       static_cast<std::size_t>(last - first)));
       if (!is_at_wall(edge)) join_at(edge);
     }
   }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrangement/model/memory_bound.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <limits>
 
 #include "arrangement/model/ingest.hpp"
 #include "common/operating_system.hpp"
@@ -10,7 +13,8 @@
 namespace geomesh::geomodel::arrangement {
 
 std::size_t default_memory_bound() {
-  constexpr std::size_t where_unknown = std::size_t{1} << 33;
+  constexpr std::size_t where_unknown =
+      std::min<std::uint64_t>(std::uint64_t{1} << 33, std::numeric_limits<std::size_t>::max());
   const std::size_t bytes = memory_of_machine();
   return (bytes == 0 ? where_unknown : bytes) / 4 * 3;
 }

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Toolchain: WebAssembly by emscripten, for browsers and node. GEOMESH_BROWSER_PREFIX holds the libraries (scripts/browser builds them).
+# Exceptions are those of WebAssembly. There are no rounding modes, so that CGAL's intervals step to the next double instead.
+find_program(GEOMESH_EMCC emcc REQUIRED)
+if(NOT DEFINED EMSCRIPTEN_ROOT_PATH)
+  set(EMSCRIPTEN_ROOT_PATH /usr/share/emscripten CACHE PATH "Folder of emscripten")
+endif()
+include("${EMSCRIPTEN_ROOT_PATH}/cmake/Modules/Platform/Emscripten.cmake")
+get_filename_component(geomesh_stand_ins "${CMAKE_CURRENT_LIST_DIR}/../packaging/browser" ABSOLUTE)
+set(flags "-fwasm-exceptions -DCGAL_ALWAYS_ROUND_TO_NEAREST")
+set(CMAKE_C_FLAGS_INIT "-fwasm-exceptions")
+set(CMAKE_CXX_FLAGS_INIT "${flags} -isystem ${geomesh_stand_ins}/include -isystem ${GEOMESH_BROWSER_PREFIX}/include")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-fwasm-exceptions -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sTOTAL_STACK=8MB")
+if(EXISTS "${GEOMESH_BROWSER_PREFIX}/lib/libdouble-conversion.a")  # of the stand-in for charconv
+  set(CMAKE_CXX_STANDARD_LIBRARIES "${GEOMESH_BROWSER_PREFIX}/lib/libdouble-conversion.a")
+endif()
+set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
+list(PREPEND CMAKE_MODULE_PATH "${geomesh_stand_ins}/cmake")
+list(APPEND CMAKE_FIND_ROOT_PATH "${GEOMESH_BROWSER_PREFIX}" "${geomesh_stand_ins}")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES GEOMESH_BROWSER_PREFIX)
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
