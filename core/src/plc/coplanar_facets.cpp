@@ -71,9 +71,12 @@ class Merger {
 
   MergedFacets run() {
     edges_.for_each_edge([&](std::span<const Use> uses) {
-      if (is_inside_patch(uses)) unite(uses[0].facet, uses[1].facet);
+      if (!is_inside_patch(uses)) return;
+      unite(uses[0].facet, uses[1].facet);
+      ++n_inner_edges_;
     });
     gather_patches();
+    if (!are_far_from_delaunay()) return {};
     edges_.for_each_edge([&](std::span<const Use> uses) { note_segments(uses); });
     write();
     return std::move(out_);
@@ -132,10 +135,8 @@ class Merger {
     out_.plc.facet_provenance.clear();
     out_.plc.facet_segments.clear();
     out_.plc.facet_points.clear();
-    const bool merges = std::any_of(patches_.begin(), patches_.end(),
-                                    [&](const Patch& patch) { return patch.facets.size() > 1 && is_far(patch); });
     for (const Patch& patch : patches_) {
-      if (merges && patch.facets.size() > 1 && write_polygon(patch)) continue;
+      if (patch.facets.size() > 1 && write_polygon(patch)) continue;
       for (const Index f : patch.facets) write_as_is(f);
     }
     copy_inner_items();
@@ -150,13 +151,16 @@ class Merger {
     return FlatPatch::of(plc_.points, std::move(triangles));
   }
 
-  /// Whether the patch's own edges cross those of the Delaunay triangulation much.
-  bool is_far(const Patch& patch) const {
-    const std::optional<FlatPatch> flat_patch = flat(patch);
-    if (!flat_patch) return false;
-    const auto n_edges = static_cast<double>(flat_patch->inner_edges().size());
-    const auto most = static_cast<std::size_t>(most_crossings_ * n_edges);
-    return flat_patch->crossings_with_delaunay(most) > most;
+  /// Whether the inner edges of all patches together cross more edges of the Delaunay triangulations than they may.
+  bool are_far_from_delaunay() const {
+    const auto most = static_cast<std::size_t>(most_crossings_ * static_cast<double>(n_inner_edges_));
+    std::size_t n = 0;
+    for (const Patch& patch : patches_) {
+      if (patch.facets.size() < 2) continue;
+      if (const std::optional<FlatPatch> flat_patch = flat(patch)) n += flat_patch->crossings_with_delaunay(most - n);
+      if (n > most) return true;
+    }
+    return false;
   }
 
   bool write_polygon(const Patch& patch) {
@@ -196,7 +200,8 @@ class Merger {
   std::vector<Index> patch_;  ///< union-find over facets
   std::vector<Index> row_;    ///< in patches_, by first facet
   std::vector<Patch> patches_;
-  std::vector<Index> new_row_;  ///< facets that are kept as they are
+  std::size_t n_inner_edges_ = 0;  ///< in all patches
+  std::vector<Index> new_row_;     ///< facets that are kept as they are
   MergedFacets out_;
 };
 

@@ -12,12 +12,13 @@
 
 namespace geomesh {
 
-/// Delaunay edges that the inner edges of a plane patch cross on average, up to which tetrahedralize() keeps the
-/// triangles of a model. Flips recover such edges soon; the benchmark's solids keep all of their triangles with it.
+/// Delaunay edges that the inner edges of plane patches cross on average over a model, up to which tetrahedralize()
+/// keeps its triangles: the work of flips for them is linear in the model then. The benchmark's models have up to 3.3
+/// (modelA4), its plates of crossing needles 10 and more.
 inline constexpr double most_crossings_of_kept_edge = 4;
 
-/// A complex in which some patches of coplanar triangles are one facet each. Points, segments and seeds are those of
-/// the complex that it was made from, and in the same rows.
+/// A complex in which some patches of coplanar triangles are one facet each, or nothing where none is to be merged.
+/// Points, segments and seeds are those of the complex that it was made from, and in the same rows.
 struct MergedFacets {
   PiecewiseLinearComplex plc;
   std::vector<Index> first{0};  ///< facet m of `plc` stands for members[first[m]] .. members[first[m + 1] - 1]
@@ -30,13 +31,13 @@ struct MergedFacets {
   }
 };
 
-/// Merges each patch of triangles that are joined by edges, exactly coplanar and of equal provenance, if one of them is
-/// far from Delaunay: the inner edges of that one cross more than `most_crossings` edges each, on average, of the
-/// Delaunay triangulation of its vertices. The quadrilaterals about a plate are merged with its caps, because their
-/// diagonals would cost points where flips cannot turn them. All other facets are kept. An edge remains a segment of
-/// the merged facet where the complex lists it or where another facet ends on it. `provenance`: by facet. Precondition:
-/// validate_plc finds no fault. A patch that is no valid polygon is kept as triangles, so that recovery reports the
-/// fault. O(n log n).
+/// Merges each patch of triangles that are joined by edges, exactly coplanar and of equal provenance, if the patches
+/// are far from Delaunay: their inner edges cross more than `most_crossings` edges each, on average over all patches,
+/// of the Delaunay triangulations of their vertices. The quadrilaterals about a plate are merged with its caps, because
+/// their diagonals would cost points where flips cannot turn them. All other facets are kept. An edge remains a segment
+/// of the merged facet where the complex lists it or where another facet ends on it. `provenance`: by facet.
+/// Precondition: validate_plc finds no fault. A patch that is no valid polygon is kept as triangles, so that recovery
+/// reports the fault. O(n log n).
 MergedFacets merge_coplanar_facets(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
                                    double most_crossings);
 

@@ -11,17 +11,13 @@ namespace geomesh::recover {
 
 namespace {
 
-std::vector<DirectedEdge> border_of(const Constraints& constraints, Index subfacet) {
-  if (constraints.is_piece(subfacet)) return constraints.piece_of(subfacet).border;
-  const Triangle& t = constraints.subfacets[subfacet].vertices;
-  return {{t[0], t[1]}, {t[1], t[2]}, {t[2], t[0]}};
-}
-
 /// Twice the area, along the normal.
 Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, Index subfacet) {
-  const Vec3& origin = points[constraints.subfacets[subfacet].vertices[0]];
+  const Triangle& t = constraints.subfacets[subfacet].vertices;
+  const Vec3& origin = points[t[0]];
+  if (!constraints.is_piece(subfacet)) return cross(points[t[1]] - origin, points[t[2]] - origin);
   Vec3 sum;
-  for (const DirectedEdge& e : border_of(constraints, subfacet))
+  for (const DirectedEdge& e : constraints.piece_of(subfacet).border)
     sum = sum + cross(points[e[0]] - origin, points[e[1]] - origin);
   return sum;
 }
