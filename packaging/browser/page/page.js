@@ -2,7 +2,7 @@
 // The page: takes files, has the worker run the program on them, and shows what it says and writes.
 "use strict";
 const at = (id) => document.getElementById(id);
-let files = [];  // [path below /work/in, bytes]
+let files = [];  // [path below /model/given, bytes]
 let worker = null;
 
 /** The bytes of an element that holds them packed. */
@@ -118,14 +118,14 @@ function show_results({ status, results, seconds, memory }) {
 function commands_of_run() {
   if (!at("of-project").hidden) {
     const path = at("project").value, cut = path.lastIndexOf("/") + 1;
-    const words = [path.slice(cut), "-o", "/work/out", "--json-progress"];
+    const words = [path.slice(cut), "-o", "/model/made", "--json-progress"];
     if (at("preview").checked) words.push("--preview");
-    return { folder: "/work/in/" + path.slice(0, cut), commands: [words] };
+    return { folder: "/model/given/" + path.slice(0, cut), commands: [words] };
   }
   const words = ["mesh", ...files.map(([path]) => path), "--json-progress"];
   if (at("size").value.trim()) words.push("--size", at("size").value.trim());
   if (at("box").value.trim()) words.push("--box", at("box").value.trim());
-  return { folder: "/work/in/", commands: [[...words, "-o", "/work/out/mesh.vtu"], [...words, "-o", "/work/out/mesh.html"]] };
+  return { folder: "/model/given/", commands: [[...words, "-o", "/model/made/mesh.vtu"], [...words, "-o", "/model/made/mesh.html"]] };
 }
 
 function ended() {
@@ -144,7 +144,7 @@ async function start() {
   worker = new Worker(script);
   worker.onmessage = ({ data }) => {
     if ("error" in data) return told(data.error);
-    if ("line" in data) return data.line.startsWith("open file:") ? undefined : log(data.line.replaceAll("/work/out/", ""));
+    if ("line" in data) return data.line.startsWith("open file:") ? undefined : log(data.line.replaceAll("/model/made/", ""));
     if ("failure" in data) at("error").textContent += "the program ended without an answer (out of memory?): " + data.failure;
     else show_results(data);
     window.last_run = data;  // for who drives the page
@@ -157,7 +157,7 @@ async function start() {
   };
   worker.postMessage({
     program, folder, commands,
-    files: files.map(([path, bytes]) => ["/work/in/" + path, bytes]),
+    files: files.map(([path, bytes]) => ["/model/given/" + path, bytes]),
   });
 }
 

@@ -48,7 +48,7 @@ async function run(program, files, folder, words) {
     if (ending.name !== "ExitStatus") throw ending;
     status = ending.status;
   }
-  return { status, results: written(module.FS, "/work", new Set(files.map(([path]) => path))), memory: module.HEAPU8.length };
+  return { status, results: written(module.FS, "/model", new Set(files.map(([path]) => path))), memory: module.HEAPU8.length };
 }
 
 onmessage = async ({ data }) => {
