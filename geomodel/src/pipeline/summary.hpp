@@ -16,7 +16,7 @@ struct Summary {
   std::vector<std::string> details;  ///< every region, shapes of the elements, what solvers would fail at
 };
 
-/// Of a report whose mesh, quality and verdicts are set. `refinement` is what was requested of the mesh.
+/// The summary of a report whose mesh, quality and verdicts are set. `refinement` is what was requested of the mesh.
 Summary summarise(const Report& report, const RefinementSettings& refinement);
 
 }  // namespace geomesh::geomodel

@@ -169,7 +169,8 @@ void tell_odd(const std::string& name, const std::vector<Vec3>& points, const st
       contents.warnings.push_back(std::move(text));
 }
 
-/// The same for lines. Heights of all of them are compared, because one line may have few points.
+/// Points on lines whose heights stand for "no value" are left out. Heights of all lines are compared together, because
+/// one line may have few points.
 void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
   std::vector<Vec3> points;
   for (const Polyline& line : contents.polylines) points.insert(points.end(), line.points.begin(), line.points.end());

@@ -101,8 +101,9 @@ class Integral {
     return power;
   }
 
-  /// Of a piece that brings less than an element one half, drawn at random, is taken twice (Russian roulette). The sum
-  /// has the same expectation, and the pieces of slender cells take no more samples than there are elements to come.
+  /// A piece that brings less than an element is estimated from one of its halves, drawn at random, which counts twice
+  /// (Russian roulette). The sum has the same expectation, and slender cells take no more samples than there are
+  /// elements to come.
   void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, const Share& share) {
     if (sampler_.is_exhausted()) return;
     Vec3 centre;

@@ -67,7 +67,7 @@ FileContents grid_contents(const InputFile& file, std::string format, const Grid
 void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents);
 
-/// The same for a lattice whose heights the caller has looked through.
+/// Adds a lattice like add_lattice, without looking through its heights: the caller has done that.
 void add_checked_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
                          FileContents& contents);
 

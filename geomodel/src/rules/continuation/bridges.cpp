@@ -5,7 +5,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 
+#include "common/union_find.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/sums.hpp"
 #include "rules/planar/borders.hpp"
@@ -67,7 +69,8 @@ class Gaps {
   }
 
   /// False where the border crosses itself.
-  bool find(double within, const Box3& box) {
+  bool find(const GapSetting& setting) {
+    const auto& [within, box, holes_alone] = std::tie(setting.within, setting.box, setting.holes_alone);
     std::vector<Vec2> places;
     for (const Vec3& p : points_) places.push_back(in_frame(p));
     const auto all = triangulate_plane(places, constraints_);
@@ -76,7 +79,7 @@ class Gaps {
     for (const PlanarTriangle& t : *all) {
       const auto& v = t.vertices;
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
-      if (t.depth % 2 != 0) continue;
+      if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
         // A disc has room here, but where its centre lies beyond a border, which has the surface.
         const auto side = side_before_centre(corners);
@@ -188,81 +191,25 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
             const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
   gaps.set_faces_up(faces_up(surface, frame));
-  if (!gaps.find(setting.within, setting.box)) return false;
-  if (gaps.add_tips(setting.tips) && !gaps.find(setting.within, setting.box)) return false;
+  if (!gaps.find(setting)) return false;
+  if (gaps.add_tips(setting.tips) && !gaps.find(setting)) return false;
   gaps.append(surface, setting.walls, setting.counts);
   return true;
 }
 
-}  // namespace
-
-namespace {
-
-Vec3 centroid(const TriangulatedSurface& s, Index t) {
-  const Triangle& v = s.triangles[t];
-  return (1.0 / 3) * (s.points[v[0]] + s.points[v[1]] + s.points[v[2]]);
-}
-
-std::set<Index> met_by(const TriangulatedSurface& s, Index t, const Walls& horizons) {
-  std::set<Index> met;
-  const Triangle& v = s.triangles[t];
-  for (std::size_t i = 0; i < 3; ++i)
-    for (const Index k : horizons.surfaces_on(s.points[v[i]], s.points[v[(i + 1) % 3]])) met.insert(k);
-  return met;
-}
-
-}  // namespace
-
-UndefinedHoles::UndefinedHoles(const TriangulatedSurface& horizon) {
-  const double outside = faces_up(horizon, {}) ? 1 : -1;  // sign of the area within an outer border
-  for (const std::vector<VertexIndex>& loop : border_loops(border_edges(horizon)).loops) {
-    Hole hole;
-    double area = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const VertexIndex a = loop[i], b = loop[(i + 1) % loop.size()];
-      const Vec3 &p = horizon.points[a], &q = horizon.points[b], &origin = horizon.points[loop[0]];
-      hole.border.push_back(p);
-      hole.box.add(p);
-      area += (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
-    }
-    if (area * outside < 0) holes_.push_back(std::move(hole));
-  }
-}
-
-Index UndefinedHoles::hole_at(const Vec3& p) const {
-  const Vec2 q{p.x, p.y};
-  for (Index k = 0; k < holes_.size(); ++k) {
-    const auto& [border, box] = holes_[k];
-    if (p.x < box.min.x || p.x > box.max.x || p.y < box.min.y || p.y > box.max.y) continue;
-    bool is_inside = false;
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const Vec2 a{border[i].x, border[i].y};
-      const Vec3& next = border[(i + 1) % border.size()];
-      const Vec2 b{next.x, next.y};
-      const bool rises = a.y <= q.y && q.y < b.y, falls = b.y <= q.y && q.y < a.y;
-      if ((rises && orient2d(a, b, q) == Sign::positive) || (falls && orient2d(a, b, q) == Sign::negative))
-        is_inside = !is_inside;
-    }
-    if (is_inside) return k;
-  }
-  return no_index;
-}
-
-namespace {
-
-/// The horizons above and below a place.
-struct HorizonsAt {
+/// The surfaces above and below a place.
+struct SurfacesAt {
   std::vector<Index> above, below;  // ascending
 
-  HorizonsAt(const Vec3& p, const Walls& horizons, const Box3& all)
-      : above(horizons.surfaces_on(p, {p.x, p.y, all.max.z})), below(horizons.surfaces_on(p, {p.x, p.y, all.min.z})) {}
+  SurfacesAt(const Vec3& p, const Walls& walls, const Box3& all)
+      : above(walls.surfaces_on(p, {p.x, p.y, all.max.z})), below(walls.surfaces_on(p, {p.x, p.y, all.min.z})) {}
   const std::vector<Index>& on(bool is_above) const { return is_above ? above : below; }
 };
 
-/// Horizons that lie on one side of all places alone.
-std::set<Index> on_one_side(const std::vector<HorizonsAt>& places, bool is_above) {
+/// Surfaces that lie on one side of all places alone.
+std::set<Index> on_one_side(const std::vector<SurfacesAt>& places, bool is_above) {
   std::set<Index> found, elsewhere;
-  for (const HorizonsAt& at : places) {
+  for (const SurfacesAt& at : places) {
     found.insert(at.on(is_above).begin(), at.on(is_above).end());
     elsewhere.insert(at.on(!is_above).begin(), at.on(!is_above).end());
   }
@@ -270,34 +217,63 @@ std::set<Index> on_one_side(const std::vector<HorizonsAt>& places, bool is_above
   return found;
 }
 
+Vec3 centroid(const TriangulatedSurface& s, const Triangle& t) {
+  return (1.0 / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+}
+
+std::set<Index> met_by(const TriangulatedSurface& s, const Triangle& t, const Walls& walls) {
+  std::set<Index> met;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Index k : walls.surfaces_on(s.points[t[i]], s.points[t[(i + 1) % 3]])) met.insert(k);
+  return met;
+}
+
+/// A hole: the vertices of its border, and the triangles that fill it.
+struct FilledHole {
+  std::set<VertexIndex> border;
+  std::vector<Triangle> triangles;
+};
+
+/// Which of its triangles are to be taken out again (open_where_pierced).
+std::vector<bool> beyond_piercing(const TriangulatedSurface& s, const FilledHole& hole, Index row, const Walls& walls,
+                                  const Box3& all) {
+  std::vector<SurfacesAt> border, inside;
+  for (const VertexIndex v : hole.border) border.emplace_back(s.points[v], walls, all);
+  for (const Triangle& t : hole.triangles) inside.emplace_back(centroid(s, t), walls, all);
+  std::vector<bool> is_beyond(inside.size(), false);
+  for (const bool is_above : {false, true}) {
+    const std::set<Index> beside = on_one_side(border, is_above);
+    std::set<Index> piercing;
+    for (const SurfacesAt& at : inside)
+      for (const Index k : at.on(!is_above))
+        if (k != row && beside.contains(k)) piercing.insert(k);
+    const auto pierces = [&](Index k) { return piercing.contains(k); };
+    for (std::size_t t = 0; t < inside.size(); ++t)
+      is_beyond[t] = is_beyond[t] || std::ranges::any_of(inside[t].on(!is_above), pierces) ||
+                     std::ranges::any_of(met_by(s, hole.triangles[t], walls), pierces);
+  }
+  return is_beyond;
+}
+
 }  // namespace
 
-void UndefinedHoles::open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons,
-                                        const Box3& model) const {
+void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& walls, const Box3& model) {
   Box3 all = model;
   for (const Vec3& p : horizon.points) all.add(p);
-  std::vector<std::vector<Index>> filled(holes_.size());
-  for (Index t = first; t < horizon.triangles.size(); ++t) filled[hole_at(centroid(horizon, t))].push_back(t);
-  std::set<Index> removed;
-  for (std::size_t k = 0; k < holes_.size(); ++k) {
-    std::vector<HorizonsAt> border, inside;
-    for (const Vec3& p : holes_[k].border) border.emplace_back(p, horizons, all);
-    for (const Index t : filled[k]) inside.emplace_back(centroid(horizon, t), horizons, all);
-    for (const bool is_above : {false, true}) {
-      std::set<Index> piercing;  // beyond somewhere inside
-      const std::set<Index> beside = on_one_side(border, is_above);
-      for (const HorizonsAt& at : inside)
-        for (const Index s : at.on(!is_above))
-          if (s != row && beside.contains(s)) piercing.insert(s);
-      const auto is_piercing = [&](Index s) { return piercing.contains(s); };
-      for (std::size_t i = 0; i < inside.size(); ++i)
-        if (std::ranges::any_of(inside[i].on(!is_above), is_piercing) ||
-            std::ranges::any_of(met_by(horizon, filled[k][i], horizons), is_piercing))
-          removed.insert(filled[k][i]);
-    }
+  const std::vector<Triangle> filled(horizon.triangles.begin() + first, horizon.triangles.end());
+  horizon.triangles.resize(first);
+  const std::vector<BorderEdge> edges = border_edges(horizon);
+  UnionFind loops(horizon.points.size());
+  for (const BorderEdge& e : edges) loops.unite(e.a, e.b);
+  std::map<Index, FilledHole> holes;  // by loop of the border
+  for (const Triangle& t : filled) holes[loops.find(t[0])].triangles.push_back(t);
+  for (const BorderEdge& e : edges)
+    if (const auto hole = holes.find(loops.find(e.a)); hole != holes.end()) hole->second.border.insert(e.a);
+  for (const auto& [_, hole] : holes) {
+    const std::vector<bool> is_beyond = beyond_piercing(horizon, hole, row, walls, all);
+    for (std::size_t t = 0; t < is_beyond.size(); ++t)
+      if (!is_beyond[t]) horizon.triangles.push_back(hole.triangles[t]);
   }
-  Index t = 0;
-  std::erase_if(horizon.triangles, [&](const Triangle&) { return removed.contains(t++); });
 }
 
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips) {

@@ -16,28 +16,6 @@ namespace geomesh::geomodel {
 /// other as seen along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
 
-/// Holes of a horizon in the map: data are missing there, or something else bounds the units.
-class UndefinedHoles {
- public:
-  /// O(n log n).
-  explicit UndefinedHoles(const TriangulatedSurface& horizon);
-  bool empty() const { return holes_.empty(); }
-  /// The hole that holds a place of the map, or no_index. O(n) in the borders of the holes.
-  Index hole_at(const Vec3& p) const;
-  /// Another horizon pierces a hole where it lies below the border of the hole all along and above it inside, or the
-  /// other way round: it bounds the units there itself, as a basement high or the base of a channel does. Of the
-  /// triangles from row `first` on, takes out those that such a horizon meets or that lie beyond it.
-  void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& horizons,
-                          const Box3& model) const;
-
- private:
-  struct Hole {
-    std::vector<Vec3> border;
-    Box3 box;
-  };
-  std::vector<Hole> holes_;
-};
-
 /// Between what gaps are filled, and which; all but the numbers outlive its use.
 struct GapSetting {
   const Walls& walls;
@@ -46,6 +24,7 @@ struct GapSetting {
   Box3 box;
   double within = 0;                        ///< m
   std::function<bool(const Vec3&)> counts;  ///< whether a place is to be filled
+  bool holes_alone = false;                 ///< gaps that the border encloses, and no others
 };
 
 /// Fills what lies between borders of the surface in the map with the triangles of the borders' constrained Delaunay
@@ -55,5 +34,12 @@ struct GapSetting {
 /// cross; a surface with several heights over a place in all of them is filled part by part. Appends to the surface;
 /// rows as given stay.
 void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
+
+/// Another horizon pierces a hole where it lies below the border of the hole all along and above it inside, or the
+/// other way round: it bounds the units there itself, as a basement high or the base of a channel does. Of the
+/// triangles from row `first` on, which fill holes of horizon `row`, takes out those that such a horizon meets or that
+/// lie beyond it. `model`: the box of the model. O(n log n) in the triangles of the horizon, and searches among the
+/// walls for those that are filled.
+void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& walls, const Box3& model);
 
 }  // namespace geomesh::geomodel

@@ -2,6 +2,7 @@
 #include "rules/continuation/continue_to_walls.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -61,6 +62,7 @@ class Continuing {
   Continuing(BuiltSurfaces& built, Index row, const Walls& walls, const ContinuationRules& rules, double within)
       : built_(built), row_(row), walls_(walls), rules_(rules), within_(within) {
     ledger_.name = surface().name;
+    share_points(surface());
   }
 
   /// A fault: in its mean plane.
@@ -71,11 +73,11 @@ class Continuing {
   }
 
   /// A horizon: its holes in blocks without the tip of a fault. In the others go_on_in fills all gaps.
-  void fill_holes(const UndefinedHoles& holes, const Walls& cutters, const BlockFramework& framework) {
+  void fill_holes(const Walls& cutters, const std::function<bool(const Vec3&)>& counts) {
     const auto first = static_cast<Index>(surface().triangles.size());
-    const auto counts = [&](const Vec3& p) { return holes.hole_at(p) != no_index && !framework.has_tip_at(p); };
-    bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts});
-    holes.open_where_pierced(surface(), row_, first, walls_, rules_.bounds);
+    bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts, true});
+    if (surface().triangles.size() == first) return;
+    open_where_pierced(surface(), row_, first, walls_, rules_.bounds);
     book_filled(ledger_, surface(), first);
   }
 
@@ -118,7 +120,6 @@ class Continuing {
 
   void begin() {
     n_given_points_ = surface().points.size();
-    share_points(surface());
     part_.assign(surface().triangles.size(), given_part);
   }
 
@@ -238,9 +239,7 @@ class HorizonContinuation {
     for (const Index row : rows) {
       const bool fills_blocks = std::ranges::count(fill_blocks_, row) > 0;
       Continuing horizon(built, row, walls_, how, how.within_of_horizons);
-      share_points(built.surfaces[row]);
-      if (const UndefinedHoles holes(built.surfaces[row]); !holes.empty())
-        horizon.fill_holes(holes, cutters_, framework());
+      horizon.fill_holes(cutters_, [&](const Vec3& p) { return !framework().has_tip_at(p); });
       const BorderStates states =
           border_states(built.surfaces[row], row, walls_, how.bounds, reach_of_horizon(how, fills_blocks));
       const auto has_met_wall = [](const auto& edge) { return edge.second == BorderState::met_wall; };

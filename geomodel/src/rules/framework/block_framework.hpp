@@ -38,7 +38,7 @@ class BlockFramework {
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
-  /// The same of the block that holds p; false outside of the model.
+  /// Whether a wall ends inside the block that holds p; false outside of the model.
   bool has_tip_at(const Vec3& p) const {
     const Index block = block_at(p);
     return block != no_index && has_tip(block);
