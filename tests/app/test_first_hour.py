@@ -133,6 +133,8 @@ MISTAKES = [
             files=[("base_chalk.asc", esri(-5000 / 0.3048)), ("top_chalk.zmap", zmap(-4000 / 0.3048)), ("seafloor.csv", csv(-3000 / 0.3048))],
             status=BAD_INPUT, changes=[("-2500]", "-6500]")] + [("max: [436000, 5805000, 0]", "max: [436000, 5805000, -2500]")],
             said=["no horizon of the column lies in the box", "feet where metres were understood", "z_unit"], times=[("feet where metres", 1)]),
+    Mistake("feet read as metres, in a box that is deep enough", [("-2500]", "-6500]")], files=[("top_chalk.zmap", zmap(-1000 / 0.3048))],
+            said=["horizon top_chalk lies against the order of the column", "feet where metres were understood", "'z_unit: ft'"], times=[("feet where metres", 1)]),
     Mistake("the column upside down",
             [("[water, seafloor, tertiary, top_chalk, chalk, base_chalk, bunter]", "[bunter, base_chalk, chalk, top_chalk, tertiary, seafloor, water]")],
             said=["is listed before", "from the youngest to the oldest", "units of the column"]),

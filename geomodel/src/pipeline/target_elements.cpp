@@ -67,7 +67,7 @@ class CountSearch {
     return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
   }
 
-  /// Where larger sizes bring hardly fewer elements, those about surfaces that ask for short edges count: sizes grow
+  /// Where elements go with less than the size itself, those about surfaces that ask for short edges count: sizes grow
   /// away from them sooner. Between tries with too many and too few elements, as if these went with a power of the
   /// scale.
   Scale after(const std::vector<Try>& tries) const {
@@ -79,10 +79,12 @@ class CountSearch {
       return {between(many->scale.size, few->scale.size), between(many->scale.gradation, few->scale.gradation)};
     }
     const bool may_grow_sooner = now.count > target_ && now.scale.gradation < most_.gradation;
-    if (may_grow_sooner && (now.scale.size >= most_.size || is_in_vain(tries)))
+    const double power = power_of_size(tries);
+    if (may_grow_sooner && (now.scale.size >= most_.size || power < 1))
       return {tries.size() > 1 ? std::min(tries[tries.size() - 2].scale.size, now.scale.size) : now.scale.size,
               std::min(2 * now.scale.gradation, most_.gradation)};
-    return {std::min(next_factor(now.scale.size, now.count, target_), most_.size), now.scale.gradation};
+    const double larger = now.scale.size * std::pow(now.count / target_, 1 / power);
+    return {std::min(larger, most_.size), now.scale.gradation};
   }
 
  private:
@@ -95,12 +97,15 @@ class CountSearch {
     return {many, few};
   }
 
-  static bool is_in_vain(const std::vector<Try>& tries) {
-    constexpr double much_larger = 1.2, hardly_fewer = 0.8;
-    if (tries.size() < 2) return false;
+  /// Elements go with the inverse cube of the size; where surfaces take their share, with a lower power, which the last
+  /// two tries tell.
+  static double power_of_size(const std::vector<Try>& tries) {
+    constexpr double least = 0.5, of_volume = 3;
+    if (tries.size() < 2) return of_volume;
     const Try &before = tries[tries.size() - 2], &now = tries.back();
-    return now.scale.gradation == before.scale.gradation && now.scale.size > much_larger * before.scale.size &&
-           now.count > hardly_fewer * before.count;
+    if (now.scale.gradation != before.scale.gradation || !(now.count > 0)) return of_volume;
+    const double power = std::log(before.count / now.count) / std::log(now.scale.size / before.scale.size);
+    return std::clamp(power, least, of_volume);
   }
 
   double target_;
@@ -121,10 +126,10 @@ RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
   return out;
 }
 
-constexpr unsigned most_tries = 6;
+constexpr unsigned most_tries = 8;
 
 /// The scale whose estimate is nearest to the target: 1 where it is within a factor of `near` of it as it is, else one
-/// that is near enough, or the nearest of six.
+/// that is near enough, or the nearest of eight.
 Scale scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
                         double near) {
   std::vector<Try> tries;
@@ -199,19 +204,11 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
   // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
   Scale most = greatest_scale(model, options, target);
   if (!settings.gradation_by_default) most.gradation = 1;
-  const double gap_layers = options.size.gap_layers;
   const bool drops_gaps = gaps_ask_for_too_many(model, estimator, options, most);
   if (drops_gaps) options.size.gap_layers = 0;
   const Scale scale = scale_by_estimate(estimator, options, CountSearch(target, most), near);
   options = scaled(options, scale);
-  CountedOptions chosen{options, by_cause(estimator, model, options)};
-  chosen.gradation_scale = scale.gradation;
-  if (drops_gaps) {
-    options.size.gap_layers = gap_layers;
-    chosen.gaps_dropped = estimator.is_above(2 * chosen.estimate.total(), options);
-    // The count remains high without gaps, and elements would be flat in vain.
-    if (!chosen.gaps_dropped) chosen = {options, by_cause(estimator, model, options), false, scale.gradation};
-  }
+  const CountedOptions chosen{options, by_cause(estimator, model, options), drops_gaps, scale.gradation};
   settle(model, chosen.options);
   return chosen;
 }

@@ -180,3 +180,25 @@ TEST_CASE("a horizon in no column is told where it belongs, and one that crosses
   model.project.column.clear();
   CHECK(model.doubts().empty());
 }
+
+TEST_CASE("a horizon against the order of the column is told the unit that would bring it in order", "[plausibility]") {
+  const auto at = [](double z) { return Box3{{430500, 5800500, z - 100}, {439500, 5809500, z}}; };
+  const auto doubts_of = [&](const std::vector<double>& heights, const std::string& unit) {
+    Model model({sheet("top", SurfaceKind::horizon, at(heights[0])),
+                 sheet("middle", SurfaceKind::horizon, at(heights[1])),
+                 sheet("base", SurfaceKind::horizon, at(heights[2]))});
+    model.project.column = {"a", "top", "b", "middle", "c", "base", "d"};
+    model.project.crs.unit = unit;
+    return model.doubts();
+  };
+  const std::vector<Finding> feet = doubts_of({-400, -800 / 0.3048, -1200}, "m");
+  REQUIRE(feet.size() == 1);
+  CHECK(feet[0].inputs == std::vector<std::string>{"middle"});
+  CHECK(to_text(feet[0]).find("in feet where metres were understood; if so, give 'z_unit: ft'") != std::string::npos);
+  const std::vector<Finding> metres = doubts_of({-1500, -700, -2800}, "ft");
+  REQUIRE(metres.size() == 1);
+  CHECK(metres[0].inputs == std::vector<std::string>{"middle"});
+  CHECK(metres[0].remedy == "if so, give 'z_unit: m' in its entry");
+  CHECK(doubts_of({-400, -800, -1200}, "m").empty());
+  CHECK(doubts_of({-1200, -800, -400}, "m").empty());  // the column upside down
+}

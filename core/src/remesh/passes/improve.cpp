@@ -2,7 +2,6 @@
 // The schedule of improvement; declared in improve_passes.hpp.
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/pass_runner.hpp"
@@ -107,13 +106,6 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
-/// All where they are few. In a mesh that is full of them their mending is not seen, and takes longer than all else.
-std::size_t flat_cells_to_mend(const DomainMesh& mesh, const RescueRule& rule, const ImproveSchedule& schedule) {
-  const bool are_forced = share(count_below(mesh, rule.bad_shape), mesh) > schedule.few_flat;
-  return are_forced ? static_cast<std::size_t>(schedule.forced_share * static_cast<double>(mesh.n_cells()))
-                    : std::numeric_limits<std::size_t>::max();
-}
-
 /// One step of a pass that removes points: inside, then on surfaces that may be remeshed. Done when none was removed.
 template <class Thin>
 Next thin_points(const Toolbox& tools, const Thin& thin) {
@@ -165,15 +157,12 @@ void mend_what_is_left(const Mending& mending) {
   // Cells that solvers refuse are worth the effort at every level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
-      [&] {
-        const RescueWork work{rescue_limits.most_vain, flat_cells_to_mend(mesh, flat_rescue, schedule)};
-        rescue_flat_cells(tools, flat_rescue, work, out_of_time);
-      },
+      [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
       !tools.bad_cells_may_spread);
   const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle), schedule);
   passes.once(
       "the last poor cells mended by looking ahead",
-      [&] { rescue_flat_cells(tools, aim_rescue, {rescue_limits.most_vain_poor}, out_of_time); },
+      [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
       rescues_bad && share(count_below(mesh, aim_rescue.bad_shape), mesh) <= schedule.few_below_aim);
   const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
   passes.run({.name = "points too near to others taken out, and what is about them mended",

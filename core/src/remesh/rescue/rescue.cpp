@@ -322,12 +322,13 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) { return rescue_cell(tools, c, rule); });
 }
 
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, RescueWork work, const OutOfTime& out_of_time) {
-  VainTrials vain = vain_trials(tools.mesh.n_cells(), work.most_vain);
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time) {
+  VainTrials vain = vain_trials(tools.mesh.n_cells(), most_vain), vain_openings = vain;
   sweep_bad_cells(tools, rule, out_of_time, [&](CellIndex c) {
-    if (work.most_cells == 0) return false;
-    --work.most_cells;
-    return rescue_cell(tools, c, rule) || (vain.left > 0 && rescue_cell_by_openings(tools, c, rule, vain));
+    if (vain.left == 0) return false;
+    if (rescue_cell(tools, c, rule)) return true;
+    --vain.left;
+    return vain_openings.left > 0 && rescue_cell_by_openings(tools, c, rule, vain_openings);
   });
 }
 

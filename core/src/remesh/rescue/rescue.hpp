@@ -4,8 +4,6 @@
 /// it.
 #pragma once
 
-#include <limits>
-
 #include "remesh/operations/operations.hpp"
 #include "remesh/rescue/bad_cells.hpp"
 #include "remesh/rescue/openings.hpp"
@@ -67,14 +65,9 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues all bad cells of the mesh, and repeats that where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// Limits on the work.
-struct RescueWork {
-  std::size_t most_vain;  ///< number of sequences that may fail
-  std::size_t most_cells = std::numeric_limits<std::size_t>::max();
-};
-
-/// Rescues the worst cells of all: with openings if sequences without them fail, as long as few fail.
-void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, RescueWork work, const OutOfTime& out_of_time);
+/// Rescues the worst cells of all: with openings if sequences without them fail. Of either kind `most_vain` may fail,
+/// fewer in a small mesh: the input imposes what is left then.
+void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time);
 
 /// Rescues bad cells that the input does not impose, which are worth more effort: with openings, and a search among
 /// these. More sequences may fail than for cells imposed by the input.

@@ -25,22 +25,26 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }
 
-/// Integrals over the mesh, or parts of them that are more than enough. A field with too many small sizes to sample is
+/// The elements, or a number of them that is more than enough. A field with too many small sizes to sample is
 /// extrapolated from larger ones.
-SizeIntegrals integrals_of(const DomainMesh& mesh, const SizeField& size, const SizeIntegrals& enough) {
+double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
   constexpr double larger = 8;  // squared from try to try: sizes in other units are soon left behind
   constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths
-  if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return *found;
+  if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
     if (!first) continue;
-    std::array<double, 3> volume{first->volume}, surface{first->surface};
+    std::array<SizeIntegrals, 3> at{*first};
     for (unsigned k = 1; k < 3; ++k) {
       const auto next = integrate_sizes(mesh, size.times(std::ldexp(scale, static_cast<int>(k))), many_samples);
       GEOMESH_CHECK(next.has_value());
-      volume[k] = next->volume, surface[k] = next->surface;
+      at[k] = *next;
     }
-    return {at_scale_one(volume, scale), at_scale_one(surface, scale)};
+    const auto extrapolated = [&](double SizeIntegrals::*one) {
+      return at_scale_one({at[0].*one, at[1].*one, at[2].*one}, scale);
+    };
+    return elements_of({extrapolated(&SizeIntegrals::volume), extrapolated(&SizeIntegrals::surface),
+                        extrapolated(&SizeIntegrals::fold)});
   }
   throw InternalError("a size field asks for small sizes at every scale");
 }
@@ -48,13 +52,10 @@ SizeIntegrals integrals_of(const DomainMesh& mesh, const SizeField& size, const 
 }  // namespace
 
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options, double enough) {
-  // Measured by scripts/element-quality; 8.5 regular tetrahedra of unit size fill a unit of volume. Surfaces disturb
-  // the order of what is beside them, and about given points that stay there are cells for their own sake.
-  constexpr double per_volume = 11.2, per_area = 2.4, per_given_cell = 1.05;
-  const SizeIntegrals integrals = integrals_of(mesh, size, {enough / per_volume, enough / per_area});
-  const double count = per_volume * integrals.volume + per_area * integrals.surface;
-  const auto n_given = static_cast<double>(mesh.n_cells());
-  return options.honour == Honour::exact ? count + per_given_cell * n_given : count;
+  // Cells about given points that stay there are there for their own sake.
+  constexpr double per_given_cell = 1.05;
+  const double count = elements_by_sizes(mesh, size, enough);
+  return options.honour == Honour::exact ? count + per_given_cell * static_cast<double>(mesh.n_cells()) : count;
 }
 
 namespace {

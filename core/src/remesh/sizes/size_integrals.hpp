@@ -15,16 +15,19 @@ namespace geomesh::remesh {
 struct SizeIntegrals {
   double volume = 0;   ///< over the cells, of 1 / size^3
   double surface = 0;  ///< over the constrained faces, each once, of 1 / size^2
+  double fold = 0;     ///< along the curves at which two constrained faces meet, of 1 / size
 };
 
-/// Cuts cells and faces at their longest sides until sizes are even in each piece; pieces that bring less than an
-/// element are sampled, which changes a sum of N elements by about its square root. Pieces of constant size are not
-/// cut, so a fine even size costs no more than a coarse one. Nothing where the field grows away from so many small
-/// sizes that more samples would be needed. A million samples take half a second. Five for each cell come on top of
-/// `most_samples`: one for it and each of its faces. Ends where either integral is more than `enough`. The same result
-/// for the same input.
+/// The number of elements that sizes with these integrals take, where surfaces may be remeshed: within 30 % of what
+/// scripts/element-counts prints for samples, templates and real sets, and for models of only a thousand elements.
+double elements_of(const SizeIntegrals& integrals);
+
+/// Cuts cells, faces and edges at their longest sides until sizes are even in each piece; pieces that bring less than a
+/// ten-thousandth are sampled, which changes a sum by about a hundredth. Pieces of constant size are not cut, so a fine
+/// even size costs no more than a coarse one. Nothing where the field grows away from so many small sizes that more
+/// samples would be needed. A million samples take half a second. Five for each cell come on top of `most_samples`: one
+/// for it and each of its faces. Ends where the elements are more than `enough`. The same result for the same input.
 std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
-                                             const SizeIntegrals& enough = {std::numeric_limits<double>::infinity(),
-                                                                            std::numeric_limits<double>::infinity()});
+                                             double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace geomesh::remesh

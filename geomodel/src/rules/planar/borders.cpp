@@ -19,7 +19,7 @@ Vec3 area_vector(const TriangulatedSurface& s, const Triangle& t) {
 
 std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface) {
   const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
-  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
+  using Ends = std::pair<VertexIndex, VertexIndex>;
   const auto for_each = [&](auto&& visit) {
     for (Index t = 0; t < surface.triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
@@ -27,10 +27,17 @@ std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface) {
         if (a != b) visit(a, b, t);
       }
   };
-  for_each([&](VertexIndex a, VertexIndex b, Index) { ++uses[{std::min(a, b), std::max(a, b)}]; });
+  std::vector<Ends> uses, once;
+  for_each([&](VertexIndex a, VertexIndex b, Index) { uses.push_back(std::minmax(a, b)); });
+  std::ranges::sort(uses);
+  for (auto at = uses.begin(); at != uses.end();) {
+    const auto next = std::find_if(at, uses.end(), [&](const Ends& e) { return e != *at; });
+    if (next - at == 1) once.push_back(*at);
+    at = next;
+  }
   std::vector<BorderEdge> edges;
   for_each([&](VertexIndex a, VertexIndex b, Index t) {
-    if (uses[{std::min(a, b), std::max(a, b)}] == 1) edges.push_back({a, b, t});
+    if (std::ranges::binary_search(once, Ends(std::minmax(a, b)))) edges.push_back({a, b, t});
   });
   return edges;
 }
