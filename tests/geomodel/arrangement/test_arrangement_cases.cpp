@@ -186,7 +186,7 @@ TEST_CASE("arrange: wells get a vertex where they meet a facet", "[arrangement]"
   CHECK(has_point(result.soup, {0, 0, 0}));
   CHECK(has_point(result.soup, {0, 0, 2}));
   CHECK_FALSE(has_point(result.soup, {0, 0, 7}));
-  CHECK(any_contains(result.warnings, "polyline well"));
+  CHECK(std::ranges::count(result.spots, "clipped polyline", &Spot::what) == 1);
   CHECK(any_contains(result.warnings, "point lost"));
   REQUIRE(result.soup.isolated_points.size() == 1);
   std::array<double, 2> length{};

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "arrangement/clip/clip.hpp"
-#include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
@@ -50,13 +49,9 @@ void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outsi
   }
   arranged.segments = std::move(kept);
   for (std::size_t l = 0; l < polylines.size(); ++l)
-    if (length_outside[l] > 0) {
-      context.result.warnings.push_back("polyline " + polylines[l].name + ": a length of " +
-                                        short_words(length_outside[l]) + " lies outside the box, near " +
-                                        to_text(place[l]) + ", and is left out");
+    if (length_outside[l] > 0)
       context.result.spots.push_back(
           {"clipped polyline", static_cast<Index>(l), no_index, 1, length_outside[l], place[l]});
-    }
 }
 
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "geomesh/geomodel/words.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "pipeline/jobs/prepare.hpp"
@@ -77,11 +78,16 @@ void warn_of_absent_surfaces(PreparedModel& model, const RunContext& context) {
   }
 }
 
-/// Whether it says that a well lies outside, of one that a warning has said this of with its cause.
-bool is_of_doubted_well(const std::string& warning, const PreparedModel& model) {
-  return std::any_of(model.doubted.begin(), model.doubted.end(), [&](const std::string& name) {
-    return warning.starts_with("polyline " + name + ": a length of ");
-  });
+/// Wells of which a part is left out, but for those that a warning has said this of with its cause.
+void warn_of_clipped_wells(PreparedModel& model, const std::vector<Polyline>& wells, const RunContext& context) {
+  for (const Spot& spot : model.arrangement.spots) {
+    if (spot.what != "clipped polyline") continue;
+    const std::string& name = wells[spot.surface_a].name;
+    if (std::find(model.doubted.begin(), model.doubted.end(), name) != model.doubted.end()) continue;
+    warn(model.warnings, context,
+         "polyline " + name + ": a length of " + short_words(spot.measure) + " lies outside the box, near " +
+             to_text(spot.place) + ", and is left out");
+  }
 }
 
 /// What crosses, has gaps and dangles, but for what was warned of.
@@ -207,8 +213,8 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   model.arrangement = arrange_merging_near(model, wells, with_parts, context);
   drop_spots_of_blocks(model);
   drop_spots_of_stack(model);
-  for (const std::string& text : model.arrangement.warnings)
-    if (!is_of_doubted_well(text, model)) warn(model.warnings, context, text);
+  for (const std::string& text : model.arrangement.warnings) warn(model.warnings, context, text);
+  warn_of_clipped_wells(model, wells, context);
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
   note_findings(model, context);
