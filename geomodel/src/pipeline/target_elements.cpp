@@ -82,7 +82,7 @@ class CountSearch {
     const double power = power_of_size(tries);
     if (may_grow_sooner && (now.scale.size >= most_.size || power < 1))
       return {tries.size() > 1 ? std::min(tries[tries.size() - 2].scale.size, now.scale.size) : now.scale.size,
-              std::min(2 * now.scale.gradation, most_.gradation)};
+              most_.gradation};
     const double larger = now.scale.size * std::pow(now.count / target_, 1 / power);
     return {std::min(larger, most_.size), now.scale.gradation};
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The schedule of improvement; declared in improve_passes.hpp.
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <utility>
 
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/pass_runner.hpp"
@@ -164,7 +166,11 @@ void mend_what_is_left(const Mending& mending) {
       "the last poor cells mended by looking ahead",
       [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
       rescues_bad && share(count_below(mesh, aim_rescue.bad_shape), mesh) <= schedule.few_below_aim);
-  const auto thin_mending = [&](ShortEdges which) { return thin_out_mending(tools, which, aim_rescue, context); };
+  std::array<std::uint64_t, 2> looked_at{};  // on surfaces, inside
+  const auto thin_mending = [&](ShortEdges which) {
+    const std::uint64_t since = std::exchange(looked_at[static_cast<std::size_t>(which)], mesh.tick());
+    return thin_out_mending(tools, which, aim_rescue, since, context);
+  };
   passes.run({.name = "points too near to others taken out, and what is about them mended",
               .round = [&](unsigned) { return thin_points(tools, thin_mending); },
               .most_rounds = schedule.thinning_rounds,

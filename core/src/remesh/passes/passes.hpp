@@ -3,6 +3,7 @@
 /// The passes that bring the mesh to the size field: curves, then surfaces, then the inside.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "geomesh/core/run_context.hpp"
@@ -30,8 +31,10 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
 std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context);
 
 /// Collapses those below RefineRatios::promised_edge at any cost for the cells about, as long as these can be mended
-/// (collapse_mending).
-std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context);
+/// (collapse_mending). Only those about whose ends the mesh has changed after the moment `since` (DomainMesh::tick);
+/// all where it is 0.
+std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, std::uint64_t since,
+                             const RunContext& context);
 
 enum class LongEdges : bool { of_curves, of_surfaces };
 /// Splits edges longer than RefineRatios::split_edge, the longest first. Throws Error{cannot_mesh} beyond max_cells, as

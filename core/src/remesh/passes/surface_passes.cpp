@@ -189,8 +189,13 @@ std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunCo
   });
 }
 
-std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, const RunContext& context) {
-  const auto edges = short_edges(tools, which, refine_ratios.promised_edge, context);
+std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, std::uint64_t since,
+                             const RunContext& context) {
+  std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.promised_edge, context);
+  const DomainMesh& mesh = tools.mesh;
+  std::erase_if(edges, [&](const MeasuredEdge& e) {
+    return since > 0 && std::max(mesh.changed_at(e.a), mesh.changed_at(e.b)) <= since;
+  });
   const std::size_t n = collapse_edges(
       tools, edges, context, [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
   return n + collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
