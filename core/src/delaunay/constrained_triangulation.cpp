@@ -113,49 +113,64 @@ void ConstrainedTriangulation::restore_delaunay() {
   }
 }
 
-std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::crossed_edges(VertexIndex a, VertexIndex b,
-                                                                                          std::vector<Edge>& out,
-                                                                                          std::size_t most) const {
-  // The triangle at a whose far edge r-l (r right of a-b, l left of it) the segment crosses.
-  std::optional<Edge> entry;
+/// The face opposite a through which a-b leaves the star of a, or the vertex of the star that it runs through.
+std::variant<FaceRef, ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::exit_from_star(
+    VertexIndex a, VertexIndex b) const {
+  const auto side_of = [&](VertexIndex v) {
+    return v == space().infinite() ? std::nullopt : std::optional(v == b ? Sign::zero : orient(a, b, v));
+  };
   const auto is_ahead = [&](VertexIndex v) { return dot(records[v] - records[a], records[b] - records[a]) > 0; };
-  CellIndex c = cell_of_[a];
+  const CellIndex first = cell_of_[a];
+  std::optional<Sign> right = side_of(mesh.vertex(first, (mesh.index_of(first, a) + 1) % 3));
+  CellIndex c = first;
   do {
     const unsigned i = mesh.index_of(c, a);
-    const VertexIndex r = mesh.vertex(c, (i + 1) % 3), l = mesh.vertex(c, (i + 2) % 3);
-    for (const VertexIndex v : {r, l})
-      if (v != space().infinite() && orient(a, b, v) == Sign::zero && is_ahead(v)) return Obstacle{v};
-    if (r != space().infinite() && l != space().infinite() && orient(a, b, r) == Sign::negative &&
-        orient(a, b, l) == Sign::positive && orient(a, r, b) == Sign::positive && orient(l, a, b) == Sign::positive)
-      entry = Edge{r, l};
+    const VertexIndex l = mesh.vertex(c, (i + 2) % 3);
+    const std::optional<Sign> left = side_of(l);
+    if (left == Sign::zero && is_ahead(l)) return Obstacle{l};
+    if (right == Sign::negative && left == Sign::positive) return FaceRef(c, i);
+    right = left;
     c = mesh.neighbor_cell(c, (i + 1) % 3);
-  } while (c != cell_of_[a]);
-  if (!entry) return Obstacle{a, b};
-  Edge e = *entry;
+  } while (c != first);
+  return Obstacle{a, b};
+}
+
+template <class Visit>
+std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::cross_edges(VertexIndex a, VertexIndex b,
+                                                                                        const Visit& visit) const {
+  const auto exit = exit_from_star(a, b);
+  if (const auto* obstacle = std::get_if<Obstacle>(&exit)) return *obstacle;
+  FaceRef f = std::get<FaceRef>(exit);
   while (true) {
-    if (is_constraint(e[0], e[1])) return Obstacle{e[0], e[1]};
-    out.push_back(e);
-    if (out.size() == most) return std::nullopt;
-    const auto v = apex(e[1], e[0]);
-    if (!v) return Obstacle{a, b};
-    if (*v == b) return std::nullopt;
-    const Sign side = orient(a, b, *v);
-    if (side == Sign::zero) return Obstacle{*v};
-    e = side == Sign::positive ? Edge{e[0], *v} : Edge{*v, e[1]};
+    const FaceRef g = mesh.mirror(f);
+    const CellIndex c = g.cell();
+    const unsigned i = g.face(), of_left = (i + 1) % 3, of_right = (i + 2) % 3;
+    const Edge crossed{mesh.vertex(c, of_right), mesh.vertex(c, of_left)};
+    if (is_constraint(crossed[0], crossed[1])) return Obstacle{crossed[0], crossed[1]};
+    if (!visit(crossed)) return std::nullopt;
+    const VertexIndex v = mesh.vertex(c, i);
+    if (v == space().infinite()) return Obstacle{a, b};
+    if (v == b) return std::nullopt;
+    const Sign side = orient(a, b, v);
+    if (side == Sign::zero) return Obstacle{v};
+    f = FaceRef(c, side == Sign::positive ? of_left : of_right);
   }
 }
 
 std::size_t ConstrainedTriangulation::n_crossed(VertexIndex a, VertexIndex b, std::size_t most) const {
-  if (edge(a, b).valid()) return 0;
-  std::vector<Edge> crossed;
-  return crossed_edges(a, b, crossed, most) ? 0 : crossed.size();
+  std::size_t n = 0;
+  return cross_edges(a, b, [&](const Edge&) { return ++n < most; }) ? 0 : n;
 }
 
 std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::insert_constraint(VertexIndex a,
                                                                                               VertexIndex b) {
   if (!edge(a, b).valid()) {
     std::vector<Edge> crossed;
-    if (auto obstacle = crossed_edges(a, b, crossed)) return obstacle;
+    const auto list = [&](const Edge& e) {
+      crossed.push_back(e);
+      return true;
+    };
+    if (auto obstacle = cross_edges(a, b, list)) return obstacle;
     // Crossed edges of convex quadrilaterals are flipped until none is crossed.
     std::deque<Edge> queue(crossed.begin(), crossed.end());
     while (!queue.empty()) {

@@ -5,9 +5,9 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <optional>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "common/flat_map.hpp"
@@ -56,8 +56,11 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   bool is_constraint(VertexIndex a, VertexIndex b) const { return constraints_.find({a, b}) != no_index; }
   bool is_flippable(VertexIndex a, VertexIndex b) const;
   void flip(VertexIndex a, VertexIndex b);
-  std::optional<Obstacle> crossed_edges(VertexIndex a, VertexIndex b, std::vector<Edge>& out,
-                                        std::size_t most = std::numeric_limits<std::size_t>::max()) const;
+  std::variant<FaceRef, Obstacle> exit_from_star(VertexIndex a, VertexIndex b) const;
+  /// Shows `visit` each edge that a-b crosses, its end on the right of a-b first, while it returns true. An obstacle:
+  /// it has been shown what is before it.
+  template <class Visit>
+  std::optional<Obstacle> cross_edges(VertexIndex a, VertexIndex b, const Visit& visit) const;
 
   std::vector<CellIndex> cell_of_;
   EdgeMap constraints_;

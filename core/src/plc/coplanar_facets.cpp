@@ -7,6 +7,7 @@
 
 #include "geomesh/core/predicates.hpp"
 #include "plc/flat_patch.hpp"
+#include "plc/patch_crossings.hpp"
 
 namespace geomesh {
 
@@ -38,7 +39,11 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    uses_.reserve(plc_.loop_vertices.size() + plc_.segments.size() + plc_.facet_segments.size());
+    std::vector<Use> uses;
+    uses.reserve(plc_.loop_vertices.size() + plc_.segments.size() + plc_.facet_segments.size());
+    const auto add_use = [&uses](VertexIndex a, VertexIndex b, Index facet, VertexIndex apex) {
+      uses.push_back({std::min(a, b), std::max(a, b), facet, apex});
+    };
     for (Index f = 0; f < plc_.n_facets(); ++f)
       for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
         const auto loop = plc_.loop(l);
@@ -48,13 +53,21 @@ class EdgeUses {
       }
     for (const auto& s : plc_.segments) add_use(s.a, s.b, no_index, no_vertex);
     for (const auto& s : plc_.facet_segments) add_use(s.a, s.b, no_index, no_vertex);
-    std::sort(uses_.begin(), uses_.end());
+    sort(uses);
+  }
+  /// By the first end at one go, then the few of each.
+  void sort(const std::vector<Use>& uses) {
+    std::vector<Index> begin(plc_.points.size() + 1, 0);
+    for (const Use& use : uses) ++begin[use.a + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> end = begin;
+    uses_.resize(uses.size());
+    for (const Use& use : uses) uses_[end[use.a]++] = use;
+    for (std::size_t v = 0; v < plc_.points.size(); ++v)
+      std::sort(uses_.begin() + begin[v], uses_.begin() + begin[v + 1]);
   }
   bool is_triangle(Index f) const {
     return plc_.n_loops(f) == 1 && plc_.outer_loop(f).size() == 3 && !has_inner_items_[f];
-  }
-  void add_use(VertexIndex a, VertexIndex b, Index facet, VertexIndex apex) {
-    uses_.push_back({std::min(a, b), std::max(a, b), facet, apex});
   }
 
   const PiecewiseLinearComplex& plc_;
@@ -73,10 +86,11 @@ class Merger {
     edges_.for_each_edge([&](std::span<const Use> uses) {
       if (!is_inside_patch(uses)) return;
       unite(uses[0].facet, uses[1].facet);
-      ++n_inner_edges_;
+      inner_edges_.push_back({uses[0].a, uses[0].b, uses[0].apex, uses[1].apex});
+      facet_of_inner_edge_.push_back(uses[0].facet);
     });
-    gather_patches();
     if (!are_far_from_delaunay()) return {};
+    gather_patches();
     edges_.for_each_edge([&](std::span<const Use> uses) { note_segments(uses); });
     write();
     return std::move(out_);
@@ -151,16 +165,16 @@ class Merger {
     return FlatPatch::of(plc_.points, std::move(triangles));
   }
 
-  /// Whether the inner edges of all patches together cross more edges of the Delaunay triangulations than they may.
-  bool are_far_from_delaunay() const {
-    const auto most = static_cast<std::size_t>(most_crossings_ * static_cast<double>(n_inner_edges_));
-    std::size_t n = 0;
-    for (const Patch& patch : patches_) {
-      if (patch.facets.size() < 2) continue;
-      if (const std::optional<FlatPatch> flat_patch = flat(patch)) n += flat_patch->crossings_with_delaunay(most - n);
-      if (n > most) return true;
-    }
-    return false;
+  /// All patches together decide.
+  bool are_far_from_delaunay() {
+    std::vector<Index> begin(plc_.n_facets() + 1, 0);
+    for (Index& f : facet_of_inner_edge_) ++begin[(f = find(f)) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Index> first = begin;
+    first.erase(std::unique(first.begin(), first.end()), first.end());
+    std::vector<InnerEdge> by_patch(inner_edges_.size());
+    for (std::size_t i = 0; i < by_patch.size(); ++i) by_patch[begin[facet_of_inner_edge_[i]]++] = inner_edges_[i];
+    return geomesh::are_far_from_delaunay(plc_.points, by_patch, first, most_crossings_);
   }
 
   bool write_polygon(const Patch& patch) {
@@ -200,8 +214,9 @@ class Merger {
   std::vector<Index> patch_;  ///< union-find over facets
   std::vector<Index> row_;    ///< in patches_, by first facet
   std::vector<Patch> patches_;
-  std::size_t n_inner_edges_ = 0;  ///< in all patches
-  std::vector<Index> new_row_;     ///< facets that are kept as they are
+  std::vector<InnerEdge> inner_edges_;      ///< of all patches
+  std::vector<Index> facet_of_inner_edge_;  ///< one of the two
+  std::vector<Index> new_row_;              ///< facets that are kept as they are
   MergedFacets out_;
 };
 

@@ -9,7 +9,6 @@
 #include "common/flat_map.hpp"
 #include "common/geometry.hpp"
 #include "common/sort_unique.hpp"
-#include "delaunay/constrained_triangulation.hpp"
 #include "geomesh/core/predicates.hpp"
 
 namespace geomesh {
@@ -73,13 +72,6 @@ std::span<const Index> FlatPatch::corners_at(VertexIndex v) const {
                                      static_cast<std::size_t>(last - first));
 }
 
-std::vector<FlatPatch::Edge> FlatPatch::inner_edges() const {
-  std::vector<Edge> out;
-  for (Index c = 0; c < opposite_.size(); ++c)
-    if (opposite_[c] != no_index && c < opposite_[c]) out.push_back({vertex(c), vertex(next(c))});
-  return out;
-}
-
 Index FlatPatch::next_on_border(Index corner) const {
   Index c = next(corner);
   while (opposite_[c] != no_index) c = next(opposite_[c]);
@@ -122,25 +114,6 @@ FacetPolygon FlatPatch::polygon(std::vector<Edge> segments) const {
   }
   out.segments = std::move(segments);
   return out;
-}
-
-std::size_t FlatPatch::crossings_with_delaunay(std::size_t most) const {
-  std::vector<VertexIndex> vertices;
-  for (const Index c : corners_)
-    if (vertices.empty() || vertices.back() != vertex(c)) vertices.push_back(vertex(c));
-  std::vector<Vec3> points;
-  for (const VertexIndex v : vertices) points.push_back(points_[v]);
-  ConstrainedTriangulation delaunay(points, projection_);
-  if (!delaunay.triangulate()) return 0;
-  const auto row = [&](VertexIndex v) {
-    return static_cast<VertexIndex>(std::ranges::lower_bound(vertices, v) - vertices.begin());
-  };
-  std::size_t n = 0;
-  for (const Edge& e : inner_edges()) {
-    if (n > most) break;
-    n += delaunay.n_crossed(row(e[0]), row(e[1]), most - n + 1);
-  }
-  return n;
 }
 
 bool FlatPatch::holds(Index triangle, const Vec2& x) const {

@@ -25,14 +25,9 @@ class FlatPatch {
 
   /// Whether the given triangle runs against the first one.
   bool is_turned(Index triangle) const { return is_turned_[triangle]; }
-  /// Edges with a triangle on both sides, each once.
-  std::vector<Edge> inner_edges() const;
   /// Outer loop and holes, with the patch on the left; its vertices inside, apart from those on `segments`, which
   /// become segments of the polygon. O(n log n).
   FacetPolygon polygon(std::vector<Edge> segments) const;
-  /// Number of edges of the Delaunay triangulation of the patch's vertices that its inner edges cross, counted up to
-  /// about `most`. O(n log n + most).
-  std::size_t crossings_with_delaunay(std::size_t most) const;
 
   /// The triangle that holds the centroid (rounded to doubles) of a triangle inside the patch, whose vertices are
   /// points of the patch or on it. Exact for the rounded centroid. `near`: rows of the patch's vertices among the

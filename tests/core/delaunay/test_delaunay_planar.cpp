@@ -156,3 +156,38 @@ TEST_CASE("Points on one line have no triangulation in a plane", "[delaunay]") {
   CHECK_FALSE(
       ConstrainedTriangulation(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}}, {}).triangulate());
 }
+
+TEST_CASE("A line through a plane triangulation crosses the edges that brute force finds, none where it meets a vertex",
+          "[delaunay]") {
+  std::mt19937_64 random(5);
+  for (const unsigned side : {12u, 1000000u}) {  // a dozen: many points on the lines
+    std::set<std::pair<double, double>> places;
+    while (places.size() < 50) places.insert({double(random() % side), double(random() % side)});
+    std::vector<Vec3> points;
+    for (const auto& [x, y] : places) points.push_back({x, y, 0});
+    ConstrainedTriangulation delaunay(points, {});
+    REQUIRE(delaunay.triangulate());
+    const auto turn = [&](VertexIndex a, VertexIndex b, VertexIndex c) {
+      return orient2d({points[a].x, points[a].y}, {points[b].x, points[b].y}, {points[c].x, points[c].y});
+    };
+    const auto n = static_cast<VertexIndex>(points.size());
+    std::vector<std::array<VertexIndex, 2>> edges;
+    for (VertexIndex a = 0; a < n; ++a)
+      for (VertexIndex b = a + 1; b < n; ++b)
+        if (delaunay.apex(a, b) || delaunay.apex(b, a)) edges.push_back({a, b});
+    for (VertexIndex a = 0; a < n; ++a)
+      for (VertexIndex b = 0; b < n; ++b) {
+        if (a == b) continue;
+        bool meets_vertex = false;
+        for (VertexIndex c = 0; c < n && !meets_vertex; ++c)
+          meets_vertex =
+              c != a && c != b && turn(a, b, c) == Sign::zero && dot(points[c] - points[a], points[c] - points[b]) < 0;
+        std::size_t crossed = 0;
+        for (const auto& [p, q] : edges)
+          crossed += turn(a, b, p) * turn(a, b, q) == Sign::negative && turn(p, q, a) * turn(p, q, b) == Sign::negative;
+        if (meets_vertex) crossed = 0;
+        CHECK(delaunay.n_crossed(a, b, 1000) == crossed);
+        if (!meets_vertex) CHECK(delaunay.n_crossed(a, b, 2) == std::min<std::size_t>(crossed, 2));
+      }
+  }
+}

@@ -6,6 +6,7 @@
 #include "corpus_builder.hpp"
 #include "plc/coplanar_facets.hpp"
 #include "plc/flat_patch.hpp"
+#include "plc/patch_crossings.hpp"
 #include "recovery_families.hpp"
 
 using namespace geomesh;
@@ -58,6 +59,23 @@ TEST_CASE("coplanar facets: what lies at an edge keeps it, and another surface i
 TEST_CASE("coplanar facets: a triangulation near to Delaunay is kept", "[plc][coplanar]") {
   CHECK(!merged(fans_in_plane(), 100).has_merged());
   CHECK(!merged(flat_sheets(2, 4, 0.1).plc, 1).has_merged());
+}
+
+TEST_CASE("patch crossings: on average over all patches, which few vertices bound", "[plc][coplanar]") {
+  // A rhombus with its long diagonal, and one with its short one.
+  std::vector<Vec3> points;
+  for (const double x : {0.0, 10.0})
+    for (const Vec3& p : {Vec3{x - 2, 0, 0}, Vec3{x, -1, 0}, Vec3{x + 2, 0, 0}, Vec3{x, 1, 0}}) points.push_back(p);
+  const std::vector<InnerEdge> edges{{0, 2, 1, 3}, {5, 7, 4, 6}};
+  const std::vector<Index> first{0, 1, 2};
+  CHECK(are_far_from_delaunay(points, edges, first, 0));
+  CHECK(!are_far_from_delaunay(points, edges, first, 0.5));
+  CHECK(are_far_from_delaunay(points, {edges.data(), 1}, {first.data(), 2}, 0.5));
+  CHECK(!are_far_from_delaunay(points, {edges.data() + 1, 1}, {first.data(), 2}, 0));
+  CHECK(!are_far_from_delaunay(points, {}, {first.data(), 1}, 0));
+  CHECK(most_crossed(3) == 0);
+  CHECK(most_crossed(4) == 1);
+  CHECK(most_crossed(6) == 4);
 }
 
 TEST_CASE("coplanar facets: the walls of a plate are merged with a cap that is far from Delaunay", "[plc][coplanar]") {

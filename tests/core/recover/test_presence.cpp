@@ -126,3 +126,24 @@ TEST_CASE("replacements that are taken back leave cells and locks as they were",
   }
   CHECK(n_changed > 20);
 }
+
+TEST_CASE("flips stop where the work of their segment or facet is used up, and count all that they try", "[recover]") {
+  Start start("chazelle_4");
+  std::size_t work_left = 0;
+  recover::EdgeRemover remover(start.mesh, start.model.constraints, &work_left);
+  const auto snapshot_after = [&](std::size_t work) {
+    work_left = work;
+    for (CellIndex c = 0, n = start.mesh.cells().n_slots(); c < n; ++c) {
+      if (!start.mesh.cells().is_live(c) || start.mesh.cells().is_ghost(c)) continue;
+      if (remover.flip_face(FaceRef(c, 0))) continue;
+      remover.remove(start.mesh.cells().vertex(c, 0), start.mesh.cells().vertex(c, 1), 1, nullptr, 10);
+    }
+    return start.snapshot();
+  };
+  const auto given = start.snapshot();
+  CHECK((snapshot_after(0) == given && work_left == 0));
+  const auto some = snapshot_after(200);
+  CHECK((some != given && work_left == 0));
+  CHECK(snapshot_after(0) == some);
+  CHECK((snapshot_after(1000000) != some && work_left > 0 && work_left < 1000000 - 200));
+}

@@ -117,6 +117,7 @@ class FacetRecovery {
 
   FacetTrace checked_trace() {
     FacetTrace trace = trace_facet(mesh_, sides_, border_);
+    if (n_traced_ == 0) work_left_ = recovery_budget.flips_tried * trace.piercing.size();
     n_traced_ += trace.faces.size() + trace.piercing.size();
     if (trace.status == FacetTrace::Status::touched) {
       if (holds(trace.culprit)) recovery_.end(error_of_vertex_on_facet(recovery_, trace.culprit, subfacet_));
@@ -200,7 +201,7 @@ class FacetRecovery {
   /// trace. Up to one level deep, flips look at no cells but those of the edge's ends. Where these have not changed
   /// since a failure, flips would fail again.
   void remove_by_flips(std::vector<Piercing>& left, unsigned depth) {
-    EdgeRemover remover(mesh_, recovery_.constraints);
+    EdgeRemover remover(mesh_, recovery_.constraints, &work_left_);
     const NoNewPiercing rule(sides_);
     for (bool progress = true; progress;) {
       progress = false;
@@ -278,6 +279,7 @@ class FacetRecovery {
   bool is_plain_ = true;         ///< a triangle to which no point has been added
   bool has_been_split_ = false;  ///< got a point here
   std::size_t n_traced_ = 0;     ///< for the budget's traced_of_facet
+  std::size_t work_left_ = 0;    ///< of flips, from the budget's flips_tried
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
 namespace {
 
 /// The first crossing from either end in turn.
-bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
-  EdgeRemover remover(recovery.mesh, recovery.constraints);
+bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left) {
+  EdgeRemover remover(recovery.mesh, recovery.constraints, &work_left);
   unsigned failures = 0;
   for (unsigned step = 0; step < recovery_budget.flips_of_segment && failures < 2; ++step) {
     const Crossing crossing = first_crossing(recovery.mesh, a, b);
@@ -68,10 +68,11 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
 /// quadrilateral that is not convex has to wait for its neighbours.)
 class CrossingReduction {
  public:
-  CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth)
+  CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left)
       : recovery_(recovery),
         mesh_(recovery.mesh),
-        remover_(recovery.mesh, recovery.constraints),
+        remover_(recovery.mesh, recovery.constraints, &work_left),
+        work_left_(work_left),
         a_(a),
         b_(b),
         depth_(depth) {}
@@ -95,7 +96,7 @@ class CrossingReduction {
  private:
   bool step(bool sideways) {
     const std::vector<Crossing> crossings = line_.crossings;
-    for (std::size_t k = 0; k < crossings.size(); ++k) {
+    for (std::size_t k = 0; k < crossings.size() && work_left_ > 0; ++k) {
       // Slots may have been renumbered by an attempt that was rolled back.
       if ((!walk_line(mesh_, a_, b_, line_) || line_.crossings.size() != crossings.size())) return false;
       const std::size_t mark = mesh_.mark();
@@ -117,6 +118,7 @@ class CrossingReduction {
   Recovery& recovery_;
   ConstrainedMesh& mesh_;
   EdgeRemover remover_;
+  std::size_t& work_left_;
   VertexIndex a_, b_;
   unsigned depth_;
   LineCrossings line_;
@@ -124,9 +126,10 @@ class CrossingReduction {
 
 }  // namespace
 
-bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth) {
-  return recover_from_ends(recovery, a, b, depth) ||
-         (depth > 1 && !recovery.has_ended() && CrossingReduction(recovery, a, b, depth).run());
+bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth,
+                              std::size_t& work_left) {
+  return recover_from_ends(recovery, a, b, depth, work_left) ||
+         (depth > 1 && !recovery.has_ended() && CrossingReduction(recovery, a, b, depth, work_left).run());
 }
 
 }  // namespace geomesh::recover

@@ -86,11 +86,6 @@ VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   return no_vertex;
 }
 
-struct Missing {
-  Index subsegment;
-  unsigned halvings;
-};
-
 std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
   LineCrossings line;
   walk_line(mesh, s.a, s.b, line);
@@ -103,12 +98,11 @@ std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
   return recovery_budget.points_on_subsegment + recovery_budget.points_on_crossing * n_crossings(mesh, s);
 }
 
-/// Deep flips may bring back what points have removed, so beyond a few halvings points alone step on, which ends. And
-/// lines that cross much they clear hardly ever, at ten times the cost.
-bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, unsigned halvings) {
-  if (halvings >= recovery_budget.halvings_flipped) return false;
-  const unsigned deepest = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
-  return recover_segment_by_flips(recovery, s.a, s.b, halvings < recovery_budget.halvings_deep ? deepest : 0);
+/// Flips may bring back what points have removed, so once their work is used up points alone step on, which ends. And
+/// deep flips clear lines that cross much hardly ever, at ten times the cost.
+bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, std::size_t& work_left) {
+  const unsigned depth = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
+  return work_left > 0 && recover_segment_by_flips(recovery, s.a, s.b, depth, work_left);
 }
 
 /// Recovery of subsegments by points, which can be taken back.
@@ -149,26 +143,26 @@ class PointsOnSegments {
 
   /// The attempt ends where no point can be placed or `most_points` do not suffice.
   void recover_one(Index first) {
-    std::vector<Missing> stack{{first, 0}};
+    std::vector<Index> stack{first};
+    std::size_t work_left = recovery_budget.flips_tried;
     std::size_t points_left = most_points(mesh_, constraints_.subsegments[first]);
     while (!stack.empty() && !recovery_.has_ended()) {
       recovery_.context.check_cancelled();
-      const Missing item = stack.back();
+      const Index subsegment = stack.back();
       stack.pop_back();
-      const Subsegment s = constraints_.subsegments[item.subsegment];
-      if (!s.live || mesh_.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery_, s, item.halvings))
-        continue;
+      const Subsegment s = constraints_.subsegments[subsegment];
+      if (!s.live || mesh_.find_edge(s.a, s.b) != no_cell || recover_parted_by_flips(recovery_, s, work_left)) continue;
       if (recovery_.has_ended()) return;
-      const VertexIndex x = recovery_.has_exact_points ? step_along_segment(recovery_, item.subsegment)
-                                                       : insert_on_segment(recovery_, item.subsegment);
+      const VertexIndex x = recovery_.has_exact_points ? step_along_segment(recovery_, subsegment)
+                                                       : insert_on_segment(recovery_, subsegment);
       if (x == no_vertex || points_left-- == 0)
-        recovery_.end(error_of_segment_not_recovered(recovery_, item.subsegment));
+        recovery_.end(error_of_segment_not_recovered(recovery_, subsegment));
       else
         recovery_.count_added_point();
       if (x == no_vertex) return;
-      const std::array<Index, 2> halves = split(item.subsegment, x);
-      stack.push_back({halves[1], item.halvings + 1});
-      stack.push_back({halves[0], item.halvings + 1});
+      const std::array<Index, 2> halves = split(subsegment, x);
+      stack.push_back(halves[1]);
+      stack.push_back(halves[0]);
     }
   }
 
@@ -228,8 +222,9 @@ void recover_segments(Recovery& recovery) {
     std::erase_if(missing, [&](Index s) {
       if (n_tried++ % 64 == 0) recovery.context.report(n_tried, n_missing);
       const VertexIndex a = constraints.subsegments[s].a, b = constraints.subsegments[s].b;
+      std::size_t work_left = recovery_budget.flips_tried;
       return !recovery.has_ended() &&
-             (recover_segment_by_flips(recovery, a, b, depth) ||
+             (recover_segment_by_flips(recovery, a, b, depth, work_left) ||
               (depth > 0 && !recovery.has_ended() &&
                recover_segment_by_cavity(recovery, a, b, {recovery_budget.filling_nodes * depth})));
     });

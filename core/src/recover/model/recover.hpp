@@ -66,8 +66,9 @@ struct Recovery {
 /// cross.
 void recover_segments(Recovery& recovery);
 
-/// Tries flips alone to make a-b an edge. False: still missing.
-bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth);
+/// Tries flips alone to make a-b an edge. `work_left`: edges and faces that may be tried; what has been is taken off.
+/// False: still missing.
+bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left);
 
 /// Every live subfacet is a locked face of the mesh afterwards; all subsegments are present before and after. Flips
 /// first, then points where mesh edges pierce the facet. The attempt ends where a segment or a vertex pierces a facet.

@@ -46,7 +46,11 @@ struct RecoveryBudget {
   double forecast_reach = 1e6;        ///< half lengths of a segment: empty spheres beyond are no hope
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
-  std::size_t ring = 24;                                    ///< cells about an edge that is removed: O(n^3) each
+  std::size_t ring = 24;  ///< cells about an edge that is removed: O(n^3) each
+  /// Edges and faces that flips try for one segment and all its parts, or for each edge that pierces a facet: what
+  /// takes more gets points. Segments that flips recovered at last took up to 16,000; 4,000 double the time of
+  /// chazelle_slits_8.
+  std::size_t flips_tried = 16000;
   std::array<unsigned, 4> edges_by_depth{1, 40, 160, 600};  ///< edges of one removal: those that succeed do so early
   unsigned flips_of_segment = 200;                          ///< for one segment, from both ends
   unsigned sideways_flips = 3;                              ///< that leave as many crossings as before
@@ -66,8 +70,6 @@ struct RecoveryBudget {
   double least_part = 1e-6;                ///< of a subsegment, next to its ends: rounded points there would crowd
   double near_crossing = 1e-7;             ///< of a subsegment: what is so near to a new point goes with it
   std::size_t crossings_flipped = 20;      ///< crossings up to which flips two levels deep are tried again
-  unsigned halvings_deep = 6;              ///< halvings of a subsegment up to which that is so
-  unsigned halvings_flipped = 12;          ///< the same for any flips: beyond, points alone step on, which ends
   std::size_t points_on_subsegment = 100;  ///< more points only crowd; and for each crossing
   std::size_t points_on_crossing = 4;      ///< so many more
   /// Parts of itself by which an exact parameter may be off, one after the other. The first is nearly always enough.

@@ -79,8 +79,16 @@ bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   return false;
 }
 
+/// False where the work is used up.
+bool EdgeRemover::spend() {
+  if (!work_left_) return true;
+  if (*work_left_ == 0) return false;
+  --*work_left_;
+  return true;
+}
+
 bool EdgeRemover::remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear) {
-  if (budget_ == 0) return false;
+  if (budget_ == 0 || !spend()) return false;
   --budget_;
   if (constraints_.is_subsegment(p, q)) return false;
   const std::size_t mark = mesh_.mark();
@@ -103,6 +111,7 @@ bool EdgeRemover::remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsign
 }
 
 bool EdgeRemover::flip_face(FaceRef f) {
+  if (!spend()) return false;
   const TetMesh& cells = mesh_.cells();
   const FaceRef g = cells.mirror(f);
   if (mesh_.is_locked(f) || cells.is_ghost(f.cell()) || cells.is_ghost(g.cell())) return false;

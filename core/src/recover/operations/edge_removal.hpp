@@ -21,7 +21,9 @@ class EdgeRule {
 
 class EdgeRemover {
  public:
-  EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints) : mesh_(mesh), constraints_(constraints) {}
+  /// `work_left`: edges and faces that may still be tried, in all calls and by others who count there; null: no bound.
+  EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints, std::size_t* work_left = nullptr)
+      : mesh_(mesh), constraints_(constraints), work_left_(work_left) {}
 
   /// Removes edge p-q, with `depth` levels of recursion. Refuses subsegments and edges of locked faces. False: the mesh
   /// is as before (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call. `hint`: see
@@ -29,13 +31,14 @@ class EdgeRemover {
   bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr,
               unsigned budget = most_edges, CellIndex hint = no_cell);
 
-  /// 2-3 flip of a face: false where it is locked or a new cell would not be positive.
+  /// 2-3 flip of a face: false where it is locked, a new cell would not be positive or no work is left.
   bool flip_face(FaceRef f);
 
   static constexpr std::size_t max_ring = recovery_budget.ring;
   static constexpr unsigned most_edges = 2000;  ///< tried in one call
 
  private:
+  bool spend();
   bool remove_at(VertexIndex p, VertexIndex q, CellIndex hint, unsigned depth, VertexIndex ear);
   bool replace_ring(const EdgeRing& ring, VertexIndex ear);
   bool is_fixed(const EdgeRing& ring) const;
@@ -43,6 +46,7 @@ class EdgeRemover {
 
   ConstrainedMesh& mesh_;
   const Constraints& constraints_;
+  std::size_t* work_left_;
   const EdgeRule* rule_ = nullptr;
   unsigned budget_ = 0;
   std::vector<EdgeRing> rings_;  ///< of the edge in work at each depth

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "plc/patch_crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "delaunay/constrained_triangulation.hpp"
+
+namespace geomesh {
+
+namespace {
+
+class PatchCrossings {
+ public:
+  PatchCrossings(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first)
+      : points_(points), edges_(edges), first_(first), row_(points.size(), 0) {}
+
+  bool exceed(std::size_t most) {
+    std::vector<Bound> bounds;
+    std::size_t left = 0, n = 0;
+    for (Index patch = 0; patch + 1 < first_.size(); ++patch) {
+      list_vertices(edges_of(patch));
+      bounds.push_back({edges_of(patch).size() * most_crossed(vertices_.size()), patch});
+      left += bounds.back().crossings;
+    }
+    std::sort(bounds.begin(), bounds.end(), [](const Bound& x, const Bound& y) {
+      return x.crossings != y.crossings ? x.crossings > y.crossings : x.patch < y.patch;
+    });
+    for (const Bound& bound : bounds) {
+      if (n + left <= most) return false;
+      left -= bound.crossings;
+      n += crossings(edges_of(bound.patch), most - n);
+      if (n > most) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Bound {
+    std::size_t crossings;
+    Index patch;
+  };
+
+  std::span<const InnerEdge> edges_of(Index patch) const {
+    return edges_.subspan(first_[patch], first_[patch + 1] - first_[patch]);
+  }
+
+  void list_vertices(std::span<const InnerEdge> edges) {
+    vertices_.clear();
+    for (const InnerEdge& e : edges)
+      for (const VertexIndex v : {e.a, e.b, e.apex, e.other_apex}) {
+        if (row_[v] < vertices_.size() && vertices_[row_[v]] == v) continue;
+        row_[v] = static_cast<VertexIndex>(vertices_.size());
+        vertices_.push_back(v);
+      }
+  }
+
+  /// Along the axis in which the largest triangle's normal is longest.
+  PlaneProjection projection(std::span<const InnerEdge> edges) const {
+    Vec3 normal;
+    for (const InnerEdge& e : edges)
+      for (const VertexIndex apex : {e.apex, e.other_apex}) {
+        const Vec3 n = triangle_normal(points_[e.a], points_[e.b], points_[apex]);
+        if (squared_length(n) > squared_length(normal)) normal = n;
+      }
+    const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
+    PlaneProjection out;
+    out.axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    return out;
+  }
+
+  /// Counted up to about `most`; none where the vertices have no Delaunay triangulation.
+  std::size_t crossings(std::span<const InnerEdge> edges, std::size_t most) {
+    list_vertices(edges);
+    std::vector<Vec3> points;
+    points.reserve(vertices_.size());
+    for (const VertexIndex v : vertices_) points.push_back(points_[v]);
+    ConstrainedTriangulation delaunay(points, projection(edges));
+    if (!delaunay.triangulate()) return 0;
+    std::size_t n = 0;
+    for (const InnerEdge& e : edges) {
+      if (n > most) break;
+      n += delaunay.n_crossed(row_[e.a], row_[e.b], most - n + 1);
+    }
+    return n;
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const InnerEdge> edges_;
+  std::span<const Index> first_;
+  std::vector<VertexIndex> vertices_;  ///< of the patch that is looked at
+  std::vector<VertexIndex> row_;       ///< in vertices_, by point; of others anything
+};
+
+}  // namespace
+
+bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
+                           double most) {
+  return PatchCrossings(points, edges, first)
+      .exceed(static_cast<std::size_t>(most * static_cast<double>(edges.size())));
+}
+
+}  // namespace geomesh

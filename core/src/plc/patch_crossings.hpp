@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+/// @file
+/// How far patches of coplanar triangles are from Delaunay: whether it pays to recover their inner edges.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "common/geometry.hpp"
+
+namespace geomesh {
+
+/// An edge between two coplanar triangles.
+struct InnerEdge {
+  VertexIndex a, b;
+  VertexIndex apex, other_apex;  ///< of the two triangles
+};
+
+/// Edges of a triangulation of n points that a segment between two of them can cross: each joins a vertex on its left
+/// with one on its right, and a planar graph of that kind with m >= 3 vertices has at most 2 m - 4 edges.
+constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 1 : 2 * (n - 2) - 4; }
+
+/// Whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of the
+/// Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1; at each of its
+/// triangles is one of them. Patches are not triangulated once those that are left can change nothing. O(n log n).
+bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
+                           double most);
+
+}  // namespace geomesh
