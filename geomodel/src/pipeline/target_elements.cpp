@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "geomesh/geomodel/sizes_in_range.hpp"
@@ -130,8 +131,8 @@ constexpr unsigned most_tries = 8;
 
 /// The scale whose estimate is nearest to the target: 1 where it is within a factor of `near` of it as it is, else one
 /// that is near enough, or the nearest of eight.
-Scale scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
-                        double near) {
+Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
+                      double near) {
   std::vector<Try> tries;
   Try best;
   Scale scale;
@@ -144,7 +145,7 @@ Scale scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& 
     if (next.size == scale.size && next.gradation == scale.gradation) break;
     scale = next;
   }
-  return best.scale;
+  return best;
 }
 
 /// The scale of the sizes alone by which the estimate meets the target; at most `most`, however many elements surfaces
@@ -173,8 +174,10 @@ void settle(PreparedModel& model, const RefineOptions& options) {
   model.input_json = input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-ElementEstimate by_cause(const ElementEstimator& estimator, const PreparedModel& model, const RefineOptions& options) {
-  return estimator.by_cause(options, model.stack.settled ? model.stack.sizes.size() : 0);  // see ask_of_thin_units
+ElementEstimate by_cause(const ElementEstimator& estimator, const PreparedModel& model, const RefineOptions& options,
+                         std::optional<double> known_total = std::nullopt) {
+  const std::size_t n_thin = model.stack.settled ? model.stack.sizes.size() : 0;  // see ask_of_thin_units
+  return estimator.by_cause(options, n_thin, known_total);
 }
 
 /// Whether the size of the whole model is ours to choose: sizes that the user asks for are never scaled.
@@ -206,9 +209,9 @@ CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahed
   if (!settings.gradation_by_default) most.gradation = 1;
   const bool drops_gaps = gaps_ask_for_too_many(model, estimator, options, most);
   if (drops_gaps) options.size.gap_layers = 0;
-  const Scale scale = scale_by_estimate(estimator, options, CountSearch(target, most), near);
+  const auto [scale, count] = scale_by_estimate(estimator, options, CountSearch(target, most), near);
   options = scaled(options, scale);
-  const CountedOptions chosen{options, by_cause(estimator, model, options), drops_gaps, scale.gradation};
+  const CountedOptions chosen{options, by_cause(estimator, model, options, count), drops_gaps, scale.gradation};
   settle(model, chosen.options);
   return chosen;
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 
 #include "geomesh/core/refine.hpp"
 
@@ -36,7 +37,9 @@ class ElementEstimator {
   /// Whether the total is above `limit`; sooner known than the total where it is far above.
   bool is_above(double limit, const RefineOptions& options) const;
   /// Tells how much of that number each cause asks for. The first `n_thin` sources are those of thin units.
-  ElementEstimate by_cause(const RefineOptions& options, std::size_t n_thin = 0) const;
+  /// `known_total`: total(options), if the caller has it.
+  ElementEstimate by_cause(const RefineOptions& options, std::size_t n_thin = 0,
+                           std::optional<double> known_total = std::nullopt) const;
 
  private:
   double count(const RefineOptions& options, double enough) const;

@@ -93,7 +93,8 @@ double ElementEstimator::count(const RefineOptions& options, double enough) cons
                                    options, enough);
 }
 
-ElementEstimate ElementEstimator::by_cause(const RefineOptions& options, std::size_t n_thin) const {
+ElementEstimate ElementEstimator::by_cause(const RefineOptions& options, std::size_t n_thin,
+                                           std::optional<double> known_total) const {
   check_options(basis_->plc, options);
   const remesh::DomainMesh& domain = basis_->domain;
   const auto count = [&](const SizeField& size) { return remesh::estimate_elements(domain, size, options); };
@@ -102,13 +103,16 @@ ElementEstimate ElementEstimator::by_cause(const RefineOptions& options, std::si
                                   without_thin.size.sources.begin() + static_cast<std::ptrdiff_t>(n_thin));
   SizeField::Limits global;
   if (options.size.global > 0) global.global = options.size.global;
-  const remesh::SizeFields all =
-      remesh::build_size_field(basis_->sizes, domain, options, remesh::allowed_tolerance(basis_->plc, domain, options));
   const double by_volume = count(SizeField({}, global));
   const double by_name = count(remesh::sizes_asked_by_name(basis_->sizes, domain, without_thin));
   const double with_thin = n_thin > 0 ? count(remesh::sizes_asked_by_name(basis_->sizes, domain, options)) : by_name;
+  const double total = known_total ? *known_total : this->total(options);
   const bool has_gaps = options.size.gap_layers > 0 || !options.size.component_layers.empty();
-  const double total = count(all.all), with_bends = has_gaps ? count(all.without_gaps) : total;
+  const auto without_gaps = [&] {
+    const remesh::LocalTolerance tolerance = remesh::allowed_tolerance(basis_->plc, domain, options);
+    return count(remesh::build_size_field(basis_->sizes, domain, options, tolerance).without_gaps);
+  };
+  const double with_bends = has_gaps ? without_gaps() : total;
   return {by_volume, by_name - by_volume, with_thin - by_name, with_bends - with_thin, total - with_bends};
 }
 

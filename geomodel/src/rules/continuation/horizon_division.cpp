@@ -15,19 +15,18 @@ HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, 
   const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
   for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
   for (Index t = 0; t < triangles_.size(); ++t)
-    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_[std::minmax(a, b)].push_back(t); });
-  std::map<MapEdge, bool> is_cut;
-  for (const auto& [edge, _] : at_edge_) {
-    const Vec3 &p = horizon.points[edge.first], &q = horizon.points[edge.second];
-    is_cut[edge] = cutters.first_surface(p, q, row) || cutters.first_surface(q, p, row);
+    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_.emplace_back(std::minmax(a, b), t); });
+  std::ranges::sort(at_edge_);
+  crosses_.assign(triangles_.size(), false);
+  for (auto at = at_edge_.begin(); at != at_edge_.end();) {
+    const auto next = std::find_if(at, at_edge_.end(), [&](const auto& use) { return use.first != at->first; });
+    const Vec3 &p = horizon.points[at->first.first], &q = horizon.points[at->first.second];
+    const bool is_cut = cutters.first_surface(p, q, row) || cutters.first_surface(q, p, row);
+    for (; at != next; ++at)
+      if (is_cut) crosses_[at->second] = true;
   }
   Index last = no_index;
-  for (Index t = 0; t < triangles_.size(); ++t) {
-    bool crosses = false;
-    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { crosses |= is_cut.at(std::minmax(a, b)); });
-    crosses_.push_back(crosses);
-    block_.push_back(crosses ? no_index : block_of(t, last));
-  }
+  for (Index t = 0; t < triangles_.size(); ++t) block_.push_back(crosses_[t] ? no_index : block_of(t, last));
 }
 
 std::optional<BorderState> HorizonDivision::border_state(VertexIndex a, VertexIndex b) const {
@@ -46,7 +45,8 @@ std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   for (std::size_t k = 0; k < sheet.size(); ++k) {
     const bool crosses = crosses_[sheet[k]];
     for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
-      for (const Index other : at_edge_.at(std::minmax(a, b))) {
+      for (const auto& [_, other] :
+           std::ranges::equal_range(at_edge_, MapEdge(std::minmax(a, b)), {}, &std::pair<MapEdge, Index>::first)) {
         if (taken[other] || block_[other] != no_index) continue;
         if (crosses && !(crosses_[other] && framework_.overlaps(block, corners(other)))) continue;
         taken[other] = true;

@@ -47,7 +47,7 @@ class HorizonDivision {
   const BlockFramework& framework_;
   std::map<MapEdge, BorderState> states_;
   std::vector<Triangle> triangles_;
-  std::map<MapEdge, std::vector<Index>> at_edge_;
+  std::vector<std::pair<MapEdge, Index>> at_edge_;  ///< edges with their triangles, in ascending order
   std::vector<bool> crosses_;
   std::vector<Index> block_;
 };
