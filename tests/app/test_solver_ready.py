@@ -116,7 +116,7 @@ class Defaults(ProgramTest):
 
     def test_without_a_size_one_is_derived_and_told(self):
         printed, report = self.run_layers("")
-        self.assertIn("elements to come: about 110,000 with edges of 0.48 m", printed)
+        self.assertIn("elements to come: about 100,000 with edges of 0.48 m", printed)
         self.assertTrue(any("nothing asks for a size" in note for note in report["notes"]), report["notes"])
         self.assertGreater(report["tetrahedra"], 60_000)
         self.assertLess(report["tetrahedra"], 140_000)
