@@ -68,9 +68,9 @@ class CountSearch {
     return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
   }
 
-  /// Where elements go with less than the size itself, those about surfaces that ask for short edges count: sizes grow
-  /// away from them sooner. Between tries with too many and too few elements, as if these went with a power of the
-  /// scale.
+  /// A larger size that brings hardly fewer elements shows that most of them stand about surfaces that ask for short
+  /// edges: then sizes are let grow away from these as soon as may be. Between tries with too many and with too few
+  /// elements, the scale is interpolated as if their number went with a power of it.
   Scale after(const std::vector<Try>& tries) const {
     const Try& now = tries.back();
     const auto [many, few] = nearest_on_both_sides(tries);
@@ -98,8 +98,8 @@ class CountSearch {
     return {many, few};
   }
 
-  /// Elements go with the inverse cube of the size; where surfaces take their share, with a lower power, which the last
-  /// two tries tell.
+  /// The number of elements goes with the inverse cube of the size, or with a lower power if surfaces take their share:
+  /// the last two tries tell which.
   static double power_of_size(const std::vector<Try>& tries) {
     constexpr double least = 0.5, of_volume = 3;
     if (tries.size() < 2) return of_volume;

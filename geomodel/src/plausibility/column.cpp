@@ -2,6 +2,7 @@
 // Horizons and the column, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "plausibility/doubts.hpp"
 #include "rules/planar/map_locator.hpp"
@@ -13,10 +14,11 @@ constexpr std::size_t most_samples = 500;  // triangles of a horizon in no colum
 /// Share of the samples on one side of a horizon of the column, from which on the two do not cross.
 constexpr double nearly_all = 0.98;
 
+using HeightMap = std::function<double(double)>;
+double as_given(double z) { return z; }
+
 /// 1: above, -1: below, 0: the two cross, or lie nowhere over each other. Heights of the surface are mapped first.
-int side_of(
-    const TriangulatedSurface& surface, const MapLocator& other,
-    const std::function<double(double)>& map = [](double z) { return z; }) {
+int side_of(const TriangulatedSurface& surface, const MapLocator& other, const HeightMap& map = as_given) {
   const std::size_t step = 1 + surface.triangles.size() / most_samples;
   std::size_t above = 0, below = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); t += step) {
@@ -42,44 +44,35 @@ std::vector<const TriangulatedSurface*> horizons_in_column(const Inspected& mode
   return horizons;
 }
 
-/// How many pairs of horizons lie the other way round than the column has them. Heights of one are mapped.
-class ColumnOrder {
- public:
-  explicit ColumnOrder(const std::vector<const TriangulatedSurface*>& horizons) : horizons_(horizons) {
-    for (const TriangulatedSurface* s : horizons) locators_.emplace_back(*s);
-  }
+std::vector<MapLocator> locators_of(const std::vector<const TriangulatedSurface*>& horizons) {
+  std::vector<MapLocator> locators;
+  for (const TriangulatedSurface* s : horizons) locators.emplace_back(*s);
+  return locators;
+}
 
-  std::size_t n_against(std::size_t one, const std::function<double(double)>& map) const {
-    std::size_t n = 0;
-    for (std::size_t k = 0; k < horizons_.size(); ++k)
-      if (k != one && side_of(*horizons_[one], locators_[k], map) == (k < one ? 1 : -1)) ++n;
-    return n;
-  }
-  std::size_t n_against() const {
-    std::size_t n = 0;
-    for (std::size_t k = 0; k < horizons_.size(); ++k) n += n_against(k, [](double z) { return z; });
-    return n / 2;
-  }
-
- private:
-  const std::vector<const TriangulatedSurface*>& horizons_;
-  std::vector<MapLocator> locators_;
-};
-
-/// A model as deep as it is wide holds a horizon in feet that is read as metres: only the column tells.
+/// A horizon in feet that is read as metres lies inside a model that is deep enough: then the column alone tells.
 void doubt_units(const Inspected& model, std::vector<Finding>& findings) {
-  constexpr double foot = 0.3048;
-  const bool in_feet = model.project.crs.unit.starts_with("ft");
-  const double factor = in_feet ? 1 / foot : foot;
   const std::vector<const TriangulatedSurface*> horizons = horizons_in_column(model);
   if (horizons.size() < 3) return;  // of two it is not known which is meant
-  const ColumnOrder order(horizons);
-  const std::size_t n_all = order.n_against();
-  if (n_all == 0) return;
-  const double zero = model.project.output.origin.z;
+  const std::vector<MapLocator> locators = locators_of(horizons);
+  // Whether the horizons lie the other way round than the column has them.
+  const auto is_against = [&](std::size_t one, std::size_t other, const HeightMap& map) {
+    return side_of(*horizons[one], locators[other], map) == (other < one ? 1 : -1);
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> against;
+  for (std::size_t k = 0; k < horizons.size(); ++k)
+    for (std::size_t one = 0; one < k; ++one)
+      if (is_against(one, k, as_given)) against.emplace_back(one, k);
+  if (against.empty()) return;
+  const bool in_feet = model.project.crs.unit.starts_with("ft");
+  const double factor = in_feet ? 1 / foot : foot, zero = model.project.output.origin.z;
+  const HeightMap in_other_unit = [&](double z) { return factor * (z + zero) - zero; };
   for (std::size_t one = 0; one < horizons.size(); ++one) {
-    const bool is_the_only_one = order.n_against(one, [](double z) { return z; }) == n_all;
-    if (!is_the_only_one || order.n_against(one, [&](double z) { return factor * (z + zero) - zero; }) > 0) continue;
+    bool would_be_in_order =
+        std::ranges::all_of(against, [&](const auto& p) { return p.first == one || p.second == one; });
+    for (std::size_t k = 0; would_be_in_order && k < horizons.size(); ++k)
+      would_be_in_order = k == one || !is_against(one, k, in_other_unit);
+    if (!would_be_in_order) continue;
     const std::string& name = horizons[one]->name;
     findings.push_back({Finding::Sureness::probable,
                         "unit of z",
@@ -98,9 +91,10 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   if (column.size() < 2) return;
   const auto& surfaces = model.inputs.surfaces;
   doubt_units(model, findings);
-  std::vector<MapLocator> locators;
+  const std::vector<const TriangulatedSurface*> in_column = horizons_in_column(model);
+  const std::vector<MapLocator> locators = locators_of(in_column);
   std::vector<std::string> names;
-  for (const TriangulatedSurface* s : horizons_in_column(model)) locators.emplace_back(*s), names.push_back(s->name);
+  for (const TriangulatedSurface* s : in_column) names.push_back(s->name);
   std::vector<std::string> left_out;
   std::string places;
   for (const TriangulatedSurface& s : surfaces) {

@@ -7,6 +7,8 @@
 
 namespace geomesh::geomodel {
 
+inline constexpr double foot = 0.3048;  // metres
+
 /// What the functions look at.
 struct Inspected {
   const Project& project;
@@ -25,7 +27,8 @@ void doubt_heights(const Inspected& model, std::vector<Finding>& findings);
 /// surfaces that are given twice, single vertices of horizons far above or below all neighbours.
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings);
 
-/// Horizons that stand in no column and yet lie in the order of its horizons.
+/// Horizons that stand in no column and yet lie in the order of its horizons, and one that lies against that order but
+/// would not if its heights were in feet (or in metres, in a project in feet).
 void doubt_column(const Inspected& model, std::vector<Finding>& findings);
 
 /// "top, base and 3 more".

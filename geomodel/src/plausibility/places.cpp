@@ -26,7 +26,6 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
   return out;
 }
 
-constexpr double foot = 0.3048;
 struct Factor {
   double factor;
   const char* words;  ///< in which unit the coordinates would then be

@@ -101,7 +101,7 @@ struct ImproveSchedule {
   double forced_share = 0.001;  ///< of all cells, 0..1: number of the worst repaired if they are imposed
   double forced_room = 0.01;    ///< of the target size
   double flat_angle = 1.5;      ///< degrees; below 1 solvers refuse a cell: these are mended at a high cost a cell
-  double few_flat = 0.01;       ///< of all cells, 0..1, bad; more are imposed by the surfaces
+  double few_bad = 0.01;        ///< of all cells, 0..1: if more of them are bad, the surfaces impose them
   /// If few cells are below, they are repaired like those. Removing points that are too near must not make more.
   double aim_angle = 20;
   double few_below_aim = 2e-3;   ///< of all cells, 0..1; more are imposed by the surfaces

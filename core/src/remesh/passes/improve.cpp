@@ -154,7 +154,7 @@ void mend_what_is_left(const Mending& mending) {
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
-      rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_flat);
+      rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_bad);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
   // Cells that solvers refuse are worth the effort at every level.
   passes.once(

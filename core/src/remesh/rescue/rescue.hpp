@@ -65,8 +65,8 @@ bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, 
 /// Rescues all bad cells of the mesh, and repeats that where something has changed since.
 void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time);
 
-/// Rescues the worst cells of all: with openings if sequences without them fail. Of either kind `most_vain` may fail,
-/// fewer in a small mesh: the input imposes what is left then.
+/// Rescues the worst cells of all: with openings if sequences without them fail. It ends when `most_vain` sequences of
+/// a kind have failed, or fewer in a small mesh: then the input imposes what is left.
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time);
 
 /// Rescues bad cells that the input does not impose, which are worth more effort: with openings, and a search among
