@@ -127,10 +127,10 @@ RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
   return out;
 }
 
-constexpr unsigned most_tries = 8;
+constexpr unsigned most_tries = 6;
 
 /// The scale whose estimate is nearest to the target: 1 where it is within a factor of `near` of it as it is, else one
-/// that is near enough, or the nearest of eight.
+/// that is near enough, or the nearest of six.
 Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
                       double near) {
   std::vector<Try> tries;
