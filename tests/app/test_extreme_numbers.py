@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects with one extreme number (tests/fuzz/extreme_numbers.py): a mesh or a message, never a crash, ten seconds to a refusal at most. One in
 a hundred in every run of the tests, all by night."""
+import copy
 import json
 import os
 import resource
@@ -79,6 +80,25 @@ class ExtremeNumbers(ProgramTest):
     def test_a_size_below_a_millionth_of_the_model_is_refused(self):
         self.assertIn("shorter than a millionth of the model", self.refused({"size": 1e-5}, USAGE))
         self.assertIn("mesh.size.units.b", self.refused({"size": {"global": 100, "units": {"b": 1e-9}}}, USAGE))
+
+    def test_a_gradation_that_bounds_nothing_is_refused(self):
+        """1.8e308 ended in an internal error: the size a metre from its source was infinite."""
+        self.assertIn("mesh.size.gradation", self.refused({"size": {"global": 100, "gradation": "1.7976931348623157e308"}}, USAGE))
+
+    def test_fractures_that_would_be_too_many_are_refused_before_one_is_drawn(self):
+        """They were drawn one by one, in up to 78 s."""
+        base = copy.deepcopy(extreme_numbers.BASES["network"])
+        for family, key, value, said in ((0, "radius", {"min": 1e-3, "max": 300, "exponent": 2.5}, "needs about"),
+                                         (0, "radius", {"min": 100, "max": 1e30, "exponent": 2.5}, "hardly a disc meets it"),
+                                         (1, "radius", "5e-324", "cannot be told from a point")):
+            project = copy.deepcopy(base)
+            project["fractures"]["families"][family][key] = value
+            text = "".join("%s: %s\n" % (k, extreme_numbers.written(part)) for k, part in {"name": "m", **project}.items())
+            status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+            with self.subTest(said):
+                self.assertEqual(status, USAGE, printed)
+                self.assertIn(said, printed)
+                self.assertLess(seconds, 2 * SLOWNESS)
 
     def test_a_box_that_no_element_fits_in_is_refused(self):
         """It took 23 s, and all memory."""

@@ -7,11 +7,17 @@
 #include <random>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/sizes_in_range.hpp"
+#include "geomesh/geomodel/words.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_fractures = 200'000;
+/// Centres lie about the box as far as the largest radius, so most discs may miss it.
+constexpr std::size_t most_tries = 100 * most_fractures;
+/// Of the largest coordinate: corners of a smaller disc can hardly be told apart in doubles.
+constexpr double least_share = 1e-9;
 
 /// Uniform numbers from 0 to below 1, the same in every library.
 class Uniform {
@@ -26,10 +32,9 @@ class Uniform {
 double radius(const FractureFamily& family, Uniform& next) {
   const double u = next();
   if (family.least_radius == family.greatest_radius) return family.least_radius;
-  if (family.exponent == 0) return family.least_radius * std::pow(family.greatest_radius / family.least_radius, u);
-  const double a = std::pow(family.least_radius, -family.exponent);
-  const double b = std::pow(family.greatest_radius, -family.exponent);
-  return std::pow(a - u * (a - b), -1 / family.exponent);
+  const double ratio = family.greatest_radius / family.least_radius;
+  if (family.exponent == 0) return family.least_radius * std::pow(ratio, u);
+  return family.least_radius * std::pow(1 - u * (1 - std::pow(ratio, -family.exponent)), -1 / family.exponent);
 }
 
 /// Cosine of the angle to the mean pole, by inversion of its distribution.
@@ -56,6 +61,60 @@ Ellipse disc(const FractureFamily& family, const Box3& box, Uniform& next) {
   return disc;
 }
 
+/// Mean area of the family's discs: the second moment of the power law between the radii, in units of the least one.
+double mean_area(const FractureFamily& family) {
+  const double r = family.least_radius, x = family.greatest_radius / r, e = family.exponent;
+  double moment = 1;
+  if (x > 1)
+    moment = e == 0   ? (x * x - 1) / (2 * std::log(x))
+             : e == 2 ? 2 * std::log(x) / (1 - 1 / (x * x))
+                      : e / (2 - e) * (std::pow(x, 2 - e) - 1) / (1 - std::pow(x, -e));
+  return std::numbers::pi * r * r * moment;
+}
+
+/// Places whose distance from a disc of the largest radius is at most half of the diagonal, by Steiner's formula: where
+/// the box's centre must be for the box to meet the disc.
+double volume_about_disc(double radius, double half_diagonal) {
+  const double r = radius, d = half_diagonal;
+  return std::numbers::pi * d * (2 * r * r + std::numbers::pi * r * d + 4.0 / 3 * d * d);
+}
+
+[[noreturn]] void refuse(const FractureFamily& family, const std::string& text) {
+  throw Error(ErrorKind::usage, "fractures: " + text + " (family " + family.name + ")");
+}
+
+/// Refuses at once what would be refused after millions of discs. A disc whose centre lies in the box meets it, so
+/// p32 V / A discs or more are expected for a volume V and a mean area A; each disc drawn brings V / W of its area
+/// on average, if centres are drawn from a volume W.
+void require_drawable(const FractureFamily& family, const Box3& box) {
+  const Vec3 size = box.max - box.min;
+  const double volume = size.x * size.y * size.z, r = family.greatest_radius;
+  const double drawn_from = (size.x + 2 * r) * (size.y + 2 * r) * (size.z + 2 * r);
+  double farthest = 0;
+  for (std::size_t a = 0; a < 3; ++a) farthest = std::max({farthest, std::abs(box.min[a]), std::abs(box.max[a])});
+  if (family.least_radius < least_share * farthest)
+    refuse(family, "a radius of " + short_words(family.least_radius) +
+                       " cannot be told from a point at coordinates of " + short_words(farthest) +
+                       "; is it in the model's units?");
+  const double area = mean_area(family);
+  if (family.p32 > 0 && !(area > 0 && std::isfinite(area)))
+    refuse(family, "radii from " + short_words(family.least_radius) + " to " + short_words(r) +
+                       " with an exponent of " + short_words(family.exponent) +
+                       " have no mean area that can be computed; an exponent from 1 to 4 is usual");
+  const double discs = family.p32 * volume / area;
+  if (discs > static_cast<double>(most_fractures))
+    refuse(family, "a p32 of " + short_words(family.p32) + " needs about " + count_words(discs) + " discs, more than " +
+                       count_words(most_fractures) + "; a smaller p32 or larger radii were expected");
+  const double half_diagonal = std::hypot(size.x, size.y, size.z) / 2;
+  const double tries = family.p32 > 0
+                           ? family.p32 * drawn_from / area
+                           : static_cast<double>(family.count) * drawn_from / volume_about_disc(r, half_diagonal);
+  if (!(tries <= static_cast<double>(most_tries)))
+    refuse(family, "radii of up to " + short_words(r) + " are so much larger than the model, which is " +
+                       short_words(2 * half_diagonal) +
+                       " across, that hardly a disc meets it; is radius.max in the model's units?");
+}
+
 }  // namespace
 
 std::vector<Fracture> generate_fractures(const std::vector<FractureFamily>& families, const Box3& box, int n_corners,
@@ -64,16 +123,16 @@ std::vector<Fracture> generate_fractures(const std::vector<FractureFamily>& fami
   const Vec3 size = box.max - box.min;
   Uniform next(seed);
   for (const FractureFamily& family : families) {
+    require_drawable(family, box);
     const double wanted = family.p32 * size.x * size.y * size.z;
     double area = 0;
     std::size_t n_tried = 0, n_found = 0;
     while (family.p32 > 0 ? area < wanted : n_found < family.count) {
       Fracture fracture{family.name + "_" + std::to_string(n_found + 1),
                         polygon_of(disc(family, box, next), n_corners, PolygonSize::same_area)};
-      if (++n_tried > 100 * most_fractures || fractures.size() >= most_fractures)
-        throw Error(ErrorKind::usage, "fractures: the family " + family.name + " would need more than " +
-                                          std::to_string(most_fractures) +
-                                          " discs; a smaller p32 or larger radii were expected");
+      if (++n_tried > most_tries || fractures.size() >= most_fractures)
+        refuse(family, "more than " + count_words(most_fractures) +
+                           " discs would be needed; a smaller p32 or larger radii were expected");
       const double in_box = area_of(clipped(fracture.corners, box));
       if (!(in_box > 0)) continue;
       area += in_box;

@@ -131,6 +131,37 @@ TEST_CASE("drawn families reach their density, keep their radii and scatter as F
   CHECK(generate_fractures({family}, box, 24, 10)[7].corners != found[7].corners);
 }
 
+TEST_CASE("a family that needs too many discs is refused before one is drawn", "[fractures]") {
+  FractureFamily family{"f", 90, 80, 20, 100, 300, 2.5, 1e-5, 0};
+  const Box3 box = cube(1000);
+  const auto refused = [&](double FractureFamily::*key, double value, const char* words) {
+    FractureFamily changed = family;
+    changed.*key = value;
+    CHECK_THROWS_WITH(generate_fractures({changed}, box, 8, 7),
+                      Catch::Matchers::Contains(words) && Catch::Matchers::Contains("(family f)"));
+  };
+  refused(&FractureFamily::least_radius, 1e-30, "cannot be told from a point");
+  refused(&FractureFamily::least_radius, 1e-3, "needs about");
+  refused(&FractureFamily::greatest_radius, 1e30, "hardly a disc meets it");
+  refused(&FractureFamily::exponent, -1e300, "no mean area");
+  refused(&FractureFamily::p32, 1e3, "more than 200,000");
+  family.p32 = 0;
+  family.count = 3;
+  refused(&FractureFamily::greatest_radius, 1e30, "hardly a disc meets it");
+  refused(&FractureFamily::least_radius, 5e-324, "cannot be told from a point");
+  CHECK(generate_fractures({family}, box, 8, 7).size() == 3);
+  // Just below the limit by the mean area, whatever the exponent: the discs are drawn.
+  family.count = 0;
+  for (const double exponent : {0.0, 1.0, 2.0, 2.5, 3.5}) {
+    family = {"f", 90, 80, 20, 4, 40, exponent, 0.01, 0};
+    const std::size_t n = generate_fractures({family}, box, 8, 7).size();
+    family.p32 = 0.01 * 190'000 / static_cast<double>(n);
+    CHECK(generate_fractures({family}, box, 8, 7).size() > 180'000);
+    family.p32 = 0.01 * 220'000 / static_cast<double>(n);
+    CHECK_THROWS(generate_fractures({family}, box, 8, 7));
+  }
+}
+
 TEST_CASE("a fracture is a plane polygon whose border stays, and a bent or continued surface is none", "[fractures]") {
   TriangulatedSurface square;
   square.kind = SurfaceKind::fault;

@@ -9,6 +9,103 @@ namespace geomesh::recover {
 
 namespace {
 
+/// A polygon triangulated in a projection, the roundest ear first. An ear is looked at again where a neighbour has
+/// gone, or the vertex that was found in it: O(n^2) for n vertices, with about n^2 orientations.
+class EarClipping {
+ public:
+  EarClipping(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& rim, std::size_t i, std::size_t j)
+      : mesh_(mesh), i_(i), j_(j) {
+    for (const VertexIndex v : rim) corners_.push_back({v});
+    for (std::size_t k = 0; k < corners_.size(); ++k) look_at(k);
+  }
+
+  /// None where no ear is left, or the last triangle does not turn the right way.
+  std::optional<std::vector<Triangle>> run() {
+    std::vector<Triangle> triangles;
+    while (corners_.size() > 3) {
+      const std::size_t k = find_ear();
+      if (k == corners_.size()) return std::nullopt;
+      triangles.push_back(ear(k));
+      cut(k);
+    }
+    const Triangle last{corners_[0].vertex, corners_[1].vertex, corners_[2].vertex};
+    if (!turns(last[0], last[1], last[2])) return std::nullopt;
+    triangles.push_back(last);
+    return triangles;
+  }
+
+ private:
+  struct Corner {
+    VertexIndex vertex;
+    double shape = -1;                     ///< of its ear; negative: it does not turn the right way
+    VertexIndex found_inside = no_vertex;  ///< a vertex that its ear holds
+  };
+
+  Triangle ear(std::size_t k) const {
+    const std::size_t n = corners_.size();
+    return {corners_[(k + n - 1) % n].vertex, corners_[k].vertex, corners_[(k + 1) % n].vertex};
+  }
+
+  bool turns(VertexIndex a, VertexIndex b, VertexIndex c) const {
+    return mesh_.orient_flat(a, b, c, i_, j_) == Sign::positive;
+  }
+
+  void look_at(std::size_t k) {
+    const Triangle t = ear(k);
+    corners_[k].shape = turns(t[0], t[1], t[2]) ? ear_shape(t[0], t[1], t[2]) : -1;
+    corners_[k].found_inside = no_vertex;
+  }
+
+  /// The roundest ear that holds no other vertex; the number of corners where there is none.
+  std::size_t find_ear() {
+    while (true) {
+      std::size_t best = corners_.size();
+      double best_shape = -1;
+      for (std::size_t k = 0; k < corners_.size(); ++k)
+        if (corners_[k].found_inside == no_vertex && corners_[k].shape > best_shape) {
+          best_shape = corners_[k].shape;
+          best = k;
+        }
+      if (best == corners_.size()) return best;
+      corners_[best].found_inside = vertex_inside(ear(best));
+      if (corners_[best].found_inside == no_vertex) return best;
+    }
+  }
+
+  VertexIndex vertex_inside(const Triangle& ear) const {
+    const auto is_beside = [&](VertexIndex a, VertexIndex b, VertexIndex c) {
+      return mesh_.orient_flat(a, b, c, i_, j_) != Sign::negative;
+    };
+    for (const Corner& corner : corners_) {
+      const VertexIndex v = corner.vertex;
+      if (v != ear[0] && v != ear[1] && v != ear[2] && is_beside(ear[0], ear[1], v) && is_beside(ear[1], ear[2], v) &&
+          is_beside(ear[2], ear[0], v))
+        return v;
+    }
+    return no_vertex;
+  }
+
+  void cut(std::size_t k) {
+    const VertexIndex gone = corners_[k].vertex;
+    corners_.erase(corners_.begin() + static_cast<std::ptrdiff_t>(k));
+    for (Corner& corner : corners_)
+      if (corner.found_inside == gone) corner.found_inside = no_vertex;
+    const std::size_t n = corners_.size();
+    look_at((k + n - 1) % n);
+    look_at(k % n);
+  }
+
+  double ear_shape(VertexIndex a, VertexIndex b, VertexIndex c) const {
+    const Vec3 u = mesh_.offset(a, b), v = mesh_.offset(b, c), w = mesh_.offset(c, a);
+    const Vec3 n = cross(u, v);
+    return dot(n, n) / ((dot(u, u) + dot(v, v) + dot(w, w)) * (dot(u, u) + dot(v, v) + dot(w, w)));
+  }
+
+  const ConstrainedMesh& mesh_;
+  std::size_t i_, j_;
+  std::vector<Corner> corners_;
+};
+
 class FanSearch {
  public:
   FanSearch(Recovery& recovery, VertexIndex x, const std::vector<CellIndex>& star)
@@ -79,7 +176,7 @@ class FanSearch {
     return no_index;
   }
 
-  /// The rim polygon by ears that turn the right way in the facet's main projection, the roundest ear first.
+  /// The rim polygons by ears that turn the right way in the facet's main projection.
   bool triangulate_fans() {
     for (Fan& fan : out_.fans) {
       if (fan.is_thin()) continue;
@@ -88,40 +185,11 @@ class FanSearch {
                             : std::fabs(n.y) >= std::fabs(n.z)                                   ? 1
                                                                                                  : 2;
       const std::size_t i = (axis + (n[axis] > 0 ? 1u : 2u)) % 3, j = (axis + (n[axis] > 0 ? 2u : 1u)) % 3;
-      const auto turn = [&](VertexIndex a, VertexIndex b, VertexIndex c) { return mesh_.orient_flat(a, b, c, i, j); };
-      std::vector<VertexIndex> rim = fan.rim;
-      while (rim.size() > 3) {
-        std::size_t best = rim.size();
-        double best_shape = -1;
-        for (std::size_t k = 0; k < rim.size(); ++k) {
-          const VertexIndex a = rim[(k + rim.size() - 1) % rim.size()], b = rim[k], c = rim[(k + 1) % rim.size()];
-          if (turn(a, b, c) != Sign::positive || holds_other(rim, {a, b, c}, turn)) continue;
-          const double shape = ear_shape(a, b, c);
-          if (shape > best_shape) {
-            best_shape = shape;
-            best = k;
-          }
-        }
-        if (best == rim.size()) return false;
-        fan.triangles.push_back({rim[(best + rim.size() - 1) % rim.size()], rim[best], rim[(best + 1) % rim.size()]});
-        rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(best));
-      }
-      if (turn(rim[0], rim[1], rim[2]) != Sign::positive) return false;
-      fan.triangles.push_back({rim[0], rim[1], rim[2]});
+      auto triangles = EarClipping(mesh_, fan.rim, i, j).run();
+      if (!triangles) return false;
+      fan.triangles = std::move(*triangles);
     }
     return true;
-  }
-  template <class Turn>
-  static bool holds_other(const std::vector<VertexIndex>& rim, const Triangle& ear, const Turn& turn) {
-    return std::any_of(rim.begin(), rim.end(), [&](VertexIndex v) {
-      return v != ear[0] && v != ear[1] && v != ear[2] && turn(ear[0], ear[1], v) != Sign::negative &&
-             turn(ear[1], ear[2], v) != Sign::negative && turn(ear[2], ear[0], v) != Sign::negative;
-    });
-  }
-  double ear_shape(VertexIndex a, VertexIndex b, VertexIndex c) const {
-    const Vec3 u = mesh_.offset(a, b), v = mesh_.offset(b, c), w = mesh_.offset(c, a);
-    const Vec3 n = cross(u, v);
-    return dot(n, n) / ((dot(u, u) + dot(v, v) + dot(w, w)) * (dot(u, u) + dot(v, v) + dot(w, w)));
   }
 
   ConstrainedMesh& mesh_;

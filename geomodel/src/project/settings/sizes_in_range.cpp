@@ -57,6 +57,13 @@ class Range {
   /// A bound that is longer than the model asks for nothing.
   void require_not_short(const std::string& key, double size) const { require_size(key, std::min(size, longest_)); }
 
+  /// One that takes sizes from the least to the greatest over an edge of the least bounds nothing.
+  static void require_gradation(double gradation) {
+    if (gradation > 1 / least_share)
+      refuse("mesh.size.gradation: sizes that grow by " + short_words(gradation) +
+             " for each unit of distance are not graded at all; 0.1 to 0.5 is usual");
+  }
+
   void require_tolerance(double tolerance) const {
     const std::string key = "mesh.surfaces_within: a tolerance of " + length_words(tolerance);
     const std::string start = "; a thousandth of the diagonal, " + short_words(0.001 * diagonal_) +
@@ -105,6 +112,7 @@ void require_sizes_in_range(const RefinementSettings& settings, const Box3& boun
   range.require_size("mesh.size" + waves, size.base.global);
   range.require_size("mesh.size.min", size.base.min_size);
   range.require_not_short("mesh.size.max", size.base.max_size);
+  range.require_gradation(size.base.gradation);
   const auto require_all = [&](const char* key, const std::map<std::string, AskedSize>& named) {
     for (const auto& [name, asked] : named)
       range.require_size(std::string("mesh.size.") + key + "." + name, asked.size);

@@ -60,6 +60,7 @@ void BlockPlaces::find_open_places() {
   for (std::size_t v = n_border_; v < points_.size(); ++v)
     if (in_block_[v] && distance_[v] > radius_ && !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
       open_.push_back(points_[v]);
+  if (!open_.empty()) nearest_open_.emplace(open_);
 }
 
 /// Whether another horizon lies between a place and the border. What only passes a fault or body is in the block.
@@ -84,7 +85,9 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
 }
 
 bool BlockPlaces::is_open(const Vec3& p) const {
-  return std::ranges::any_of(open_, [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y) < radius_; });
+  if (open_.empty()) return false;
+  const Vec3& q = open_[nearest_open_->find(p.x, p.y)];
+  return std::hypot(p.x - q.x, p.y - q.y) < radius_;
 }
 
 bool BlockPlaces::overlaps(const std::array<Index, 3>& t) const {

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "rules/continuation/sheet_border.hpp"
 #include "rules/framework/block_framework.hpp"
 #include "rules/framework/walls.hpp"
+#include "rules/planar/nearest_place.hpp"
 
 namespace geomesh::geomodel {
 
@@ -30,6 +32,8 @@ class BlockPlaces {
  public:
   /// `sheet`: triangles over the horizon's points. O(n m) for n edges of the border and m places of the grid.
   BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
+  BlockPlaces(const BlockPlaces&) = delete;
+  BlockPlaces& operator=(const BlockPlaces&) = delete;
 
   /// False where the distance is too short for a grid: there are no places then.
   bool has_grid() const;
@@ -61,6 +65,7 @@ class BlockPlaces {
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs
+  std::optional<NearestPlace> nearest_open_;
 };
 
 }  // namespace geomesh::geomodel
