@@ -13,6 +13,7 @@ std::vector<Finding> find_doubts(const Project& project, const ProjectInputs& in
   std::vector<Finding> findings;
   const Inspected model{project, inputs, volume};
   doubt_places(model, findings);
+  doubt_box_extent(model, findings);
   doubt_heights(model, findings);
   doubt_shapes(model, findings);
   doubt_column(model, findings);

@@ -76,6 +76,22 @@ const Box3 inside{{430500, 5800500, -1200}, {439500, 5809500, -1000}};
 
 }  // namespace
 
+TEST_CASE("a box far longer than all horizons is refused, unless one of them says how it goes on", "[plausibility]") {
+  const auto doubts_over = [](double length, Extend extend, SurfaceKind kind) {
+    Model model({sheet("top", kind, {{430000, 5800500, -1200}, {430000 + length, 5809500, -1000}})});
+    model.project.rules.surfaces[0].extend = extend;
+    return model.doubts();
+  };
+  const std::vector<Finding> found = doubts_over(190, Extend::none, SurfaceKind::horizon);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].sureness == Sureness::certain);
+  CHECK_THAT(found[0].text, Catch::Contains("top reaches over 190 m of the box's 1e+04 m in x"));
+  CHECK_THAT(found[0].remedy, Catch::Contains("digit too many"));
+  CHECK(doubts_over(210, Extend::none, SurfaceKind::horizon).empty());
+  CHECK(doubts_over(190, Extend::flat, SurfaceKind::horizon).empty());
+  CHECK(doubts_over(190, Extend::none, SurfaceKind::fault).empty());
+}
+
 TEST_CASE("a surface that lies elsewhere is told what would bring it in", "[plausibility]") {
   struct Case {
     Box3 bounds;

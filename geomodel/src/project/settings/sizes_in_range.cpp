@@ -57,11 +57,12 @@ class Range {
   /// A bound that is longer than the model asks for nothing.
   void require_not_short(const std::string& key, double size) const { require_size(key, std::min(size, longest_)); }
 
-  /// One that takes sizes from the least to the greatest over an edge of the least bounds nothing.
+  /// Sizes go from the least to the greatest within an edge of the least by the steepest; by the least, the least size
+  /// holds in all of the model.
   static void require_gradation(double gradation) {
-    if (gradation > 1 / least_share)
-      refuse("mesh.size.gradation: sizes that grow by " + short_words(gradation) +
-             " for each unit of distance are not graded at all; 0.1 to 0.5 is usual");
+    if (gradation <= 1 / least_share && gradation >= least_share) return;
+    refuse("mesh.size.gradation: sizes that grow by " + short_words(gradation) + " for each unit of distance are " +
+           (gradation > 1 ? "not graded at all" : "the same everywhere") + "; 0.1 to 0.5 is usual");
   }
 
   void require_tolerance(double tolerance) const {
