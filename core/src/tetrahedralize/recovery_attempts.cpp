@@ -22,10 +22,10 @@ const char* Attempt::difference() const {
   return "Steiner points rounded as they are made";
 }
 
-Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
+Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts) {
   Attempt out;
   out.number = number;
-  if (number > 0) out.places = SteinerPlaces::exact;
+  if (options.mode == MeshMode::constrained && options.max_attempts > 1) out.places = SteinerPlaces::exact;
   if (number > 1 && hard_parts.has_learned()) out.order = InsertionOrder::hard_parts_first;
   return out;
 }
@@ -33,7 +33,7 @@ Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts) {
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts) {
   if (attempt.number + 1 >= most_attempts(options)) return std::nullopt;
-  return attempt_of(attempt.number + 1, hard_parts);
+  return attempt_of(attempt.number + 1, options, hard_parts);
 }
 
 }  // namespace geomesh

@@ -12,7 +12,8 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  rounded,  ///< doubles from the moment they are made: fast, and may end in a dead end
+  rounded,  ///< doubles from the moment they are made, which may end in a dead end: conforming mode, and one attempt
+            ///< alone
   exact,    ///< exactly on their segments and facets until all is recovered, rounded at the end: recovery always ends
 };
 
@@ -31,7 +32,7 @@ struct Attempt {
 };
 
 /// The attempt of that number, given what those before it have learned.
-Attempt attempt_of(unsigned number, const recover::HardPartsFirst& hard_parts);
+Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
 /// The one after `attempt`; nothing after the last.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,

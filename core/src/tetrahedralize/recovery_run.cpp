@@ -15,6 +15,7 @@ namespace geomesh {
 
 using recover::BoundaryPoints;
 using recover::ConstrainedMesh;
+using recover::InnerEffort;
 using recover::Recovery;
 using recover::StartFrame;
 using recover::StartTriangulation;
@@ -65,7 +66,7 @@ RecoveryRun::RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& na
       conform_(conform),
       least_spacing_(recover::recovery_budget.least_spacing_ulps * ulp_of_largest(plc.points)) {}
 
-void RecoveryRun::triangulate() { first_start_ = start(attempt_of(0, hard_parts_)); }
+void RecoveryRun::triangulate() { first_start_ = start(attempt_of(0, options_.recover, hard_parts_)); }
 
 StartTriangulation RecoveryRun::start(const Attempt& attempt) {
   model_ = recover::declare_constraints(plc_, names_, context_);
@@ -89,7 +90,7 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
-  Attempt attempt = attempt_of(0, hard_parts_);
+  Attempt attempt = attempt_of(0, options_.recover, hard_parts_);
   std::optional<Error> refusal;  // the last dead end of which the place can be looked at, else the last one
   for (unsigned n_made = 1;; ++n_made) {
     StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
@@ -98,7 +99,6 @@ RecoveryOutcome RecoveryRun::recover() {
     Recovery recovery{mesh, model_.constraints, statistics_, context_, model_.input_vertex, plc_, names_, crossings};
     recovery.attempt = attempt.number;
     recovery.has_exact_points = attempt.places == SteinerPlaces::exact;
-    recovery.may_change_to_exact = options_.recover.mode == MeshMode::constrained && options_.recover.max_attempts > 1;
     recovery.least_spacing = least_spacing_;
     recover_stages(attempt, recovery);
     n_decided_ += mesh.exact_places().n_decided();
@@ -128,7 +128,8 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
       recovery.end(Error(ErrorKind::cannot_mesh, "the model needs more points than conforming mode may add"));
   };
   const auto remove_points = [&] {
-    if (options.mode == MeshMode::constrained) recover::remove_added_points(recovery, boundary);
+    const InnerEffort effort = recovery.has_exact_points ? InnerEffort::star : InnerEffort::region;  // regions later
+    if (options.mode == MeshMode::constrained) recover::remove_added_points(recovery, boundary, effort);
   };
   const auto round_points = [&] {
     if (!recovery.has_exact_points) return;

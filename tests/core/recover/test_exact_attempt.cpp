@@ -47,7 +47,7 @@ TEST_CASE("a fan of needles where rounded points end in a dead end is meshed by 
     unsigned n_ended = 0;
     const CorpusRun run = run_and_judge(plc, options, 60, counting(n_ended));
     CHECK(run.trouble == "");
-    CHECK(n_ended == 1);
+    CHECK(n_ended == 0);
     if (!run.ok()) continue;
     const RecoveryStatistics& s = run.mesh->recovery;
     CHECK(100 * (s.steiner_on_segments + s.steiner_on_facets + s.steiner_inside) <= plc.points.size());

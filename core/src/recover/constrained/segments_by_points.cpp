@@ -105,44 +105,14 @@ bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, std::size_
   return work_left > 0 && recover_segment_by_flips(recovery, s.a, s.b, depth, work_left);
 }
 
-/// Recovery of subsegments by points, which can be taken back.
+/// Recovery of subsegments by points.
 class PointsOnSegments {
  public:
   explicit PointsOnSegments(Recovery& recovery)
       : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints) {}
 
-  /// Rounded points may end in a cascade (docs/decisions/recovery.md). Then all of them are taken back and made again
-  /// as points that are held exactly, which ends: what flips have done for the other segments is kept.
-  void recover(const std::vector<Index>& subsegments) {
-    if (recovery_.has_exact_points || !recovery_.may_change_to_exact) return recover_each(subsegments);
-    const std::size_t mark = mesh_.mark();
-    recover_each(subsegments);
-    if (!recovery_.has_ended()) return mesh_.keep();
-    mesh_.roll_back(mark);
-    undo();
-    recovery_.context.note(LogLevel::debug, std::string("points are held exactly: ") + recovery_.dead_end->what());
-    recovery_.dead_end.reset();
-    recovery_.has_exact_points = true;
-    recover_each(subsegments);
-  }
-
- private:
-  struct Split {
-    Index subsegment;
-    VertexIndex x;
-    std::size_t first_piece;
-  };
-
-  void recover_each(const std::vector<Index>& subsegments) {
-    for (const Index s : subsegments) {
-      recovery_.context.check_cancelled();
-      recover_one(s);
-      if (recovery_.has_ended()) return;
-    }
-  }
-
   /// The attempt ends where no point can be placed or `most_points` do not suffice.
-  void recover_one(Index first) {
+  void recover(Index first) {
     std::vector<Index> stack{first};
     std::size_t work_left = recovery_budget.flips_tried;
     std::size_t points_left = most_points(mesh_, constraints_.subsegments[first]);
@@ -166,32 +136,19 @@ class PointsOnSegments {
     }
   }
 
+ private:
   std::array<Index, 2> split(Index subsegment, VertexIndex x) {
     const Subsegment& s = constraints_.subsegments[subsegment];
     const bool inside_facet = s.segment == no_index;
     constraints_.vertices.resize(mesh_.points().size());
     constraints_.vertices[x] = {inside_facet ? VertexOrigin::on_facet : VertexOrigin::on_segment,
                                 inside_facet ? s.facet : s.segment};
-    splits_.push_back({subsegment, x, constraints_.n_pieces()});
     return constraints_.split_subsegment(subsegment, x);
-  }
-
-  /// The mesh has been rolled back already.
-  void undo() {
-    for (; !splits_.empty(); splits_.pop_back()) {
-      const auto& [subsegment, x, first_piece] = splits_.back();
-      constraints_.undo_split(subsegment, x, first_piece);
-      mesh_.forget(x);
-      mesh_.drop_last_point();
-      --recovery_.n_points_added;
-    }
-    constraints_.vertices.resize(mesh_.points().size());
   }
 
   Recovery& recovery_;
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
-  std::vector<Split> splits_;
 };
 
 }  // namespace
@@ -238,8 +195,11 @@ void recover_segments(Recovery& recovery) {
       recovery.hard_segments.push_back(hard.segment);
     }
   }
-  PointsOnSegments(recovery).recover(missing);
-  if (recovery.has_ended()) return;
+  PointsOnSegments by_points(recovery);
+  for (const Index s : missing) {
+    by_points.recover(s);
+    if (recovery.has_ended()) return;
+  }
   recovery.statistics.edges_reinserted += n_missing_before;
 }
 

@@ -31,6 +31,8 @@ void ExactPlaces::set(VertexIndex v, ExactPlace place) {
   }
   const Vec3 near = place.nearest();
   for (std::size_t i = 0; i < 3; ++i) rows_[row].rest[i] = (place.coordinates[i] - LongExpansion(near[i])).estimate();
+  rows_[row].is_between_ends = place.is_on_line() && place.parameter.sign() == Sign::positive &&
+                               (LongExpansion(1) - place.parameter).sign() == Sign::positive;
   rows_[row].place = std::move(place);
 }
 
@@ -161,11 +163,54 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
   return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
 }
 
+/// The determinant of the nearest doubles. Each is off by an ulp at most, a difference of two by 2^-51 of the greater.
+filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  const Vec3& d = points[v[3]];
+  Vec3 largest = larger({}, d), reach;
+  std::array<std::array<double, 3>, 3> u;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 &p = points[v[k]], offset = p - d;
+    u[k] = {offset.x, offset.y, offset.z};
+    largest = larger(largest, p);
+    reach = larger(reach, offset);
+  }
+  return {-determinant(u),
+          filter::orient3d_factor * reach.x * reach.y * reach.z + error_by_rests(reach, 0x1p-51 * largest)};
+}
+
+/// A place between the ends of its line lies on the side where both ends lie, or one of them if the other is in the
+/// plane. Nothing where the ends lie on either side, or may have moved.
+std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
+                                              const std::array<VertexIndex, 4>& v) const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!contains(v[k]) || !rows_[row_of_[v[k] - first_]].is_between_ends) continue;
+    const auto& frame = of(v[k]).frame;
+    if (frame[0] >= first_ || frame[1] >= first_) continue;
+    std::array<Sign, 2> sides;
+    for (std::size_t end = 0; end < 2; ++end) {
+      std::array<VertexIndex, 4> w = v;
+      w[k] = frame[end];
+      sides[end] = std::count(w.begin(), w.end(), frame[end]) > 1 ? Sign::zero : decide(points, w);
+    }
+    if (sides[0] != -sides[1] || sides[0] == Sign::zero) return sides[0] == Sign::zero ? sides[1] : sides[0];
+  }
+  return std::nullopt;
+}
+
 Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   count_decided(1);
+  return decide(points, v);
+}
+
+Sign ExactPlaces::decide(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  if (std::none_of(v.begin(), v.end(), [&](VertexIndex w) { return contains(w); }))
+    return orient3d(points[v[0]], points[v[1]], points[v[2]], points[v[3]]);
+  const filter::Estimate first = of_nearest(points, v);
+  if (first.certain()) return first.sign();
   const Rough near = rough(points, v);
   if (near.plain.certain()) return near.plain.sign();
   if (are_declared_flat(v) || are_in_plane_across_axis(points, v)) return Sign::zero;
+  if (const std::optional<Sign> side = side_of_line(points, v)) return *side;
   const filter::Estimate nearer = sharp(points, v, near);
   return nearer.certain() ? nearer.sign() : volume(points, v).sign();
 }

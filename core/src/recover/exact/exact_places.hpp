@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,7 +70,8 @@ class ExactPlaces {
  private:
   struct Row {
     ExactPlace place;
-    Vec3 rest;  ///< place - nearest double, rounded
+    Vec3 rest;                     ///< place - nearest double, rounded
+    bool is_between_ends = false;  ///< on a line, strictly between the ends of its frame
   };
   /// Six times a volume in doubles, and what the bounds of both filters are made of.
   struct Rough {
@@ -78,6 +80,9 @@ class ExactPlaces {
   };
   Rough rough(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   filter::Estimate sharp(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v, const Rough& of) const;
+  filter::Estimate of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  std::optional<Sign> side_of_line(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  Sign decide(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 

@@ -100,34 +100,4 @@ std::array<Index, 2> Constraints::split_subsegment(Index s, VertexIndex x) {
   return halves;
 }
 
-void Constraints::undo_split(Index s, VertexIndex x, std::size_t first_piece) {
-  const VertexIndex a = subsegments[s].a, b = subsegments[s].b;
-  for (unsigned half = 0; half < 2; ++half) {
-    remove_subsegment(static_cast<Index>(subsegments.size() - 1));
-    subsegments.pop_back();
-  }
-  subsegments[s].live = true;
-  subsegment_map_.insert({a, b}, s);
-  for (const Index f : subsegments[s].subfacets) {
-    FacetPiece& piece = pieces_[subfacets[f].piece];
-    if (subfacets[f].piece >= first_piece) {
-      const Triangle& t = subfacets[f].vertices;
-      subfacet_map_.insert({t[0], t[1], t[2]}, f);
-      subfacets[f].piece = no_index;
-      continue;
-    }
-    std::erase(piece.members, x);
-    piece.seen.clear();
-    for (std::size_t i = piece.border.size(); i-- > 1;)
-      if (piece.border[i][0] == x) {
-        piece.border[i - 1][1] = piece.border[i][1];
-        piece.border.erase(piece.border.begin() + static_cast<std::ptrdiff_t>(i));
-      }
-  }
-  pieces_.resize(first_piece);
-  if (subsegments[s].segment == no_index) return;
-  const ModelSegment& whole = segments[subsegments[s].segment];
-  if ((whole.a == a && whole.b == b) || (whole.a == b && whole.b == a)) split_map_.erase({a, b});
-}
-
 }  // namespace geomesh::recover

@@ -110,10 +110,6 @@ class Constraints {
 
   /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
   std::array<Index, 2> split_subsegment(Index s, VertexIndex x);
-  /// The last split, of subsegment s at x, is undone. `first_piece`: number of pieces before that split.
-  /// Precondition: nothing else has been added or removed since.
-  void undo_split(Index s, VertexIndex x, std::size_t first_piece);
-  std::size_t n_pieces() const { return pieces_.size(); }
 
  private:
   EdgeMap subsegment_map_;

@@ -39,9 +39,7 @@ struct Recovery {
   /// it is begun again.
   double least_spacing = 0;
   bool has_exact_points = false;  ///< Steiner points are held exactly (exact_places.hpp) and rounded at the end
-  /// Whether has_exact_points may become true where a rounded point leads to a dead end, for all points from then on.
-  bool may_change_to_exact = false;
-  unsigned attempt = 0;  ///< another attempt works in another order and puts points elsewhere
+  unsigned attempt = 0;           ///< another attempt works in another order and puts points elsewhere
 
   std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of those without a filling (region_filling.cpp)
 
@@ -80,8 +78,12 @@ enum class BoundaryPoints {
   must_go,   ///< at the price of more points inside
 };
 
+/// How hard the points inside regions are tried. Regions are decided several times faster in doubles than with exact
+/// places, so they wait until places have been rounded.
+enum class InnerEffort { star, region };
+
 /// Takes Steiner points away again, or off segments and facets into the regions, where the mesh allows it.
-void remove_added_points(Recovery& recovery, BoundaryPoints boundary);
+void remove_added_points(Recovery& recovery, BoundaryPoints boundary, InnerEffort effort_at_last = InnerEffort::region);
 
 /// The attempt ends where an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(Recovery& recovery);

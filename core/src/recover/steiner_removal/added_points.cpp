@@ -117,7 +117,7 @@ void require_untouched_boundary(Recovery& recovery) {
   }
 }
 
-void remove_added_points(Recovery& recovery, BoundaryPoints boundary) {
+void remove_added_points(Recovery& recovery, BoundaryPoints boundary, InnerEffort effort_at_last) {
   if (recovery.mesh.points().size() == first_added(recovery)) return;
   constexpr unsigned hardest = recovery_budget.removal_effort;
   for (unsigned pass = 0; pass < recovery_budget.removal_passes; ++pass) {
@@ -135,7 +135,7 @@ void remove_added_points(Recovery& recovery, BoundaryPoints boundary) {
     });
     if (left == 0) break;
   }
-  remove_inner_points(recovery, InnerEffort::region);
+  if (effort_at_last == InnerEffort::region) remove_inner_points(recovery, InnerEffort::region);
 }
 
 }  // namespace geomesh::recover

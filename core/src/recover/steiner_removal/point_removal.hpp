@@ -27,9 +27,6 @@ bool lower_degree(Recovery& recovery, VertexIndex x);
 /// x are the apexes of sheets that part it. False: nothing has changed.
 bool take_off_with_sheets(Recovery& recovery, VertexIndex x);
 
-/// How hard the points inside regions are tried.
-enum class InnerEffort { star, region };
-
 /// Removes added points that no constraint holds where their star, or a region about it, can be filled without them.
 void remove_inner_points(Recovery& recovery, InnerEffort effort);
 
