@@ -3,14 +3,10 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
 
 #include <deque>
-#include <numeric>
 
 namespace geomesh::geomodel {
 
@@ -47,37 +43,17 @@ void find_depths(Triangulation& triangulation) {
   }
 }
 
-/// Vertices by the row of their point; none where two points are one. The points are inserted along a curve that fills
-/// the plane: row by row of a long grid, each would flip a row of edges.
-std::optional<std::vector<Triangulation::Vertex_handle>> insert_points(Triangulation& triangulation,
-                                                                       const std::vector<Vec2>& points) {
-  std::vector<Kernel::Point_2> places;
-  for (const Vec2& p : points) places.emplace_back(p.x, p.y);
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto place_of = CGAL::make_property_map(places);
-  CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, decltype(place_of)>(place_of));
-  std::vector<Triangulation::Vertex_handle> vertices(points.size());
-  Triangulation::Face_handle near;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const auto vertex = triangulation.insert(places[order[k]], near);
-    if (triangulation.number_of_vertices() != k + 1) return std::nullopt;
-    vertex->info() = static_cast<Index>(order[k]);
-    vertices[order[k]] = vertex;
-    near = vertex->face();
-  }
-  return vertices;
-}
-
 }  // namespace
 
 std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<Vec2>& points,
                                                              const std::vector<std::pair<Index, Index>>& constraints) {
   Triangulation triangulation;
-  const auto inserted = insert_points(triangulation, points);
-  if (!inserted) return std::nullopt;
-  const std::vector<Triangulation::Vertex_handle>& vertices = *inserted;
+  std::vector<Triangulation::Vertex_handle> vertices;
+  for (Index i = 0; i < points.size(); ++i) {
+    vertices.push_back(triangulation.insert({points[i].x, points[i].y}));
+    if (triangulation.number_of_vertices() != i + 1) return std::nullopt;
+    vertices.back()->info() = i;
+  }
   try {
     for (const auto& [a, b] : constraints) triangulation.insert_constraint(vertices[a], vertices[b]);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
