@@ -38,28 +38,31 @@ std::uint64_t key(double column, double row) {
 }  // namespace
 
 PlanarSampler::PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size) : size_(std::move(size)) {
-  double high = -std::numeric_limits<double>::infinity();
-  low_ = -high;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 low{infinity, infinity}, high{-infinity, -infinity};
   for (const auto& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i) {
-      edges_.push_back({loop[i].at, loop[(i + 1) % loop.size()].at, loop[i].size});
-      low_ = std::min(low_, loop[i].at.y);
-      high = std::max(high, loop[i].at.y);
+      const Vec2& p = loop[i].at;
+      edges_.push_back({p, loop[(i + 1) % loop.size()].at, loop[i].size});
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
+  is_along_x_ = high.x - low.x > high.y - low.y;
+  low_ = along(low);
   rows_.resize(std::clamp<std::size_t>(edges_.size() / 2, 1, 4096));
-  strip_ = std::max(high - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
+  strip_ = std::max(along(high) - low_, std::numeric_limits<double>::min()) / static_cast<double>(rows_.size());
   for (Index e = 0; e < edges_.size(); ++e) {
     enter(e, edges_[e], rows_);
     add(edges_[e].a, edges_[e].size);
   }
 }
 
-std::size_t PlanarSampler::row(double y) const {
-  return static_cast<std::size_t>(std::clamp((y - low_) / strip_, 0.0, static_cast<double>(rows_.size() - 1)));
+std::size_t PlanarSampler::row(double at) const {
+  return static_cast<std::size_t>(std::clamp((at - low_) / strip_, 0.0, static_cast<double>(rows_.size() - 1)));
 }
 
 void PlanarSampler::enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const {
-  const auto [first, last] = std::minmax({row(edge.a.y), row(edge.b.y)});
+  const auto [first, last] = std::minmax({row(along(edge.a)), row(along(edge.b))});
   for (std::size_t r = first; r <= last; ++r) rows[r].push_back(e);
 }
 
@@ -81,13 +84,16 @@ void PlanarSampler::add(const Vec2& p, double size) {
 }
 
 bool PlanarSampler::is_inside(const Vec2& p) const {
-  if (!(p.y >= low_)) return false;
-  const auto r = static_cast<std::size_t>((p.y - low_) / strip_);
+  const double at = along(p);
+  if (!(at >= low_)) return false;
+  const auto r = static_cast<std::size_t>((at - low_) / strip_);
   if (r >= rows_.size()) return false;
   bool inside = false;
   for (const Index e : rows_[r]) {
     const auto& [a, b, size] = edges_[e];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+    if ((along(a) > at) != (along(b) > at) &&
+        across(p) < across(a) + (at - along(a)) / (along(b) - along(a)) * (across(b) - across(a)))
+      inside = !inside;
   }
   return inside;
 }
@@ -114,7 +120,7 @@ bool PlanarSampler::is_clear_of(const std::vector<Edge>& edges, const std::vecto
                                 const Vec2& p, double radius) const {
   if (rows.empty()) return true;
   const double limit = radius * radius;
-  for (std::size_t r = row(p.y - radius), last = row(p.y + radius); r <= last; ++r)
+  for (std::size_t r = row(along(p) - radius), last = row(along(p) + radius); r <= last; ++r)
     for (const Index e : rows[r])
       if (squared_distance(p, edges[e].a, edges[e].b) < limit) return false;
   return true;

@@ -42,7 +42,9 @@ class PlanarSampler {
     Vec2 direction;  ///< of length one: where the next point is tried first
   };
   void add(const Vec2& p, double size);
-  std::size_t row(double y) const;
+  double along(const Vec2& p) const { return is_along_x_ ? p.x : p.y; }
+  double across(const Vec2& p) const { return is_along_x_ ? p.y : p.x; }
+  std::size_t row(double at) const;
   void enter(Index e, const Edge& edge, std::vector<std::vector<Index>>& rows) const;
   bool is_inside(const Vec2& p) const;
   bool is_clear_of(const std::vector<Edge>& edges, const std::vector<std::vector<Index>>& rows, const Vec2& p,
@@ -53,7 +55,9 @@ class PlanarSampler {
 
   SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
-  std::vector<std::vector<Index>> rows_, inner_rows_;  // edges by strip in y
+  /// Edges by strip across the longer way of the polygon: a straight border along it is in all of them.
+  std::vector<std::vector<Index>> rows_, inner_rows_;
+  bool is_along_x_ = false;
   double low_ = 0, strip_ = 1;
   /// Points of sizes from one power of two up to the next, in cells as large as the next: smaller ones would be many.
   struct Level {
