@@ -109,6 +109,26 @@ class ExtremeNumbers(ProgramTest):
         self.assertIn("the model is 1,000 thick and 1e+30 long", printed)
         self.assertLess(seconds, 2 * SLOWNESS)
 
+    def test_a_field_far_larger_than_its_tolerance_is_refused(self):
+        """Its cells were bisected up to their limit, in 32 s."""
+        base = dict(extreme_numbers.BASES["inputs"])
+        base["surfaces"] = [{**s, "spacing": "1e300"} if s["name"] == "top" else s for s in base["surfaces"]]
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, BAD_INPUT, printed)
+        self.assertIn("too much to follow a surface in", printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+
+    def test_a_model_a_million_times_as_deep_as_wide_is_refused(self):
+        """It was not meshed within 100 s, where about 2,000 elements had been told."""
+        base = dict(extreme_numbers.BASES["target"])
+        base["box"] = {**base["box"], "bottom": -9e8}
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, USAGE, printed)
+        self.assertIn("no mesh has elements for both", printed)
+        self.assertLess(seconds, 2 * SLOWNESS)
+
     def test_a_field_of_a_thin_sheet_is_refused(self):
         """Its first cells took 24 GB: cubes as small as the sheet is thin."""
         base = dict(extreme_numbers.BASES["inputs"])

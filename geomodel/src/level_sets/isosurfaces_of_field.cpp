@@ -20,8 +20,15 @@ constexpr double cubes_with_bounds = 8, cubes_of_function = 24;
 constexpr double sheet_share = 0.25;
 /// Bounds memory to about 1 GB.
 constexpr std::size_t most_cells = 8'000'000;
+/// Of the longest side of the box, as for mesh.surfaces_within: doubles tell no less apart, to some seven digits.
+constexpr double least_distance = 1e-9;
 /// Rounds of proof and refinement. Each halves cells twice or more; a smooth field needs two or three.
 constexpr int most_rounds = 12;
+
+std::string size_words(const Box3& box) {
+  const Vec3 size = box.max - box.min;
+  return short_words(size.x) + " by " + short_words(size.y) + " by " + short_words(size.z);
+}
 
 /// Cubes no more than twice as long as the box is thin. Throws Error{invalid_input} where a sheet of a box would take
 /// more cells than are allowed from the start: a spacing in another unit along one axis.
@@ -34,10 +41,19 @@ double first_edge(const ScalarField& field, const Box3& box) {
   for (std::size_t a = 0; a < 3; ++a) n_cells *= std::max(1.0, std::round(size[a] / edge));
   if (!(n_cells <= static_cast<double>(most_cells)))
     throw Error(ErrorKind::invalid_input,
-                "a field covers " + short_words(size.x) + " by " + short_words(size.y) + " by " + short_words(size.z) +
+                "a field covers " + size_words(box) +
                     " of the model, too thin a sheet to follow its values in: are its spacing and origin right along "
                     "all three axes?");
   return edge;
+}
+
+/// Cells would be bisected without end: the spacing is in another unit, or the tolerance.
+void require_distance(const Box3& box, double distance) {
+  const Vec3 size = box.max - box.min;
+  if (distance >= least_distance * std::max({size.x, size.y, size.z})) return;
+  throw Error(ErrorKind::invalid_input,
+              "a field covers " + size_words(box) + " of the model, too much to follow a surface in within " +
+                  short_words(distance) + ": are its spacing and origin, and mesh.surfaces_within, in the same unit?");
 }
 
 Range values_at_vertices(const BackgroundMesh& mesh) {
@@ -114,6 +130,7 @@ class FieldMesher {
 
 FieldSurfaces isosurfaces_of(const ScalarField& field, const Box3& box, const std::vector<double>& values,
                              double distance) {
+  require_distance(box, distance);
   return FieldMesher(field, box, values, distance).mesh();
 }
 

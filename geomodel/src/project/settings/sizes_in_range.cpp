@@ -19,6 +19,10 @@ constexpr double greatest_tolerance = 0.1;  ///< of the diagonal, as the engine 
 /// Of the diagonal. Surfaces held more closely than that are kept: to some seven digits, doubles tell no less apart.
 constexpr double least_tolerance = 1e-9;
 
+/// Of the longest edge of the model. Elements as long as a thinner model is thick are more in one row than a model of
+/// usual size has in all.
+constexpr double least_thickness = 1e-5;
+
 std::string length_words(double length) {
   constexpr double with_separators = 1000;
   return length >= with_separators ? count_words(length) : short_words(length);
@@ -36,9 +40,8 @@ class Range {
 
   bool is_known() const { return longest_ > 0 && std::isfinite(longest_); }
 
-  /// No element is shorter than a billionth of the diagonal: there is none for a model that is thinner.
   void require_thick() const {
-    if (shortest_ > 0 && shortest_ < least_tolerance * longest_)
+    if (shortest_ > 0 && shortest_ < least_thickness * longest_)
       refuse(
           "the model is " + length_words(shortest_) + " thick and " + length_words(longest_) +
           " long: no mesh has elements for both. Are all limits of the box in the same unit, with no digit too many?");
