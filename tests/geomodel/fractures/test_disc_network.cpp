@@ -10,21 +10,17 @@
 
 using namespace geomesh;
 
-TEST_CASE("networks of discs in which rounded points end in a cascade are recovered in one attempt",
+TEST_CASE("networks of discs in which rounded points would end in a cascade are recovered in one attempt",
           "[fractures][judged][families]") {
   for (const unsigned seed : {2u, 3u}) {
     const test::FamilyModel model = geomodel::testing::disc_network(seed, 80);
     INFO(model.name);
-    unsigned n_ended = 0, n_changed = 0;
+    unsigned n_ended = 0;
     RunContext watch;
-    watch.log = [&](LogLevel, std::string_view text) {
-      n_ended += text.substr(0, 8) == "attempt ";
-      n_changed += text.substr(0, 24) == "points are held exactly:";
-    };
+    watch.log = [&](LogLevel, std::string_view text) { n_ended += text.substr(0, 8) == "attempt "; };
     const test::CorpusRun run = test::run_and_judge(model.plc, test::constrained_mode(), 60, watch);
     CHECK(run.trouble == "");
     CHECK(n_ended == 0);
-    CHECK(n_changed == 1);
     if (!run.mesh) continue;
     CHECK(std::fabs(test::volume_of(*run.mesh) / model.volume - 1) < 1e-9);
     std::size_t n_added = 0;
