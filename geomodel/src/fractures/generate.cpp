@@ -16,8 +16,6 @@ namespace {
 constexpr std::size_t most_fractures = 200'000;
 /// Centres lie about the box as far as the largest radius, so most discs may miss it.
 constexpr std::size_t most_tries = 100 * most_fractures;
-/// Of the largest coordinate: corners of a smaller disc can hardly be told apart in doubles.
-constexpr double least_share = 1e-9;
 
 /// Uniform numbers from 0 to below 1, the same in every library.
 class Uniform {
@@ -72,8 +70,8 @@ double mean_area(const FractureFamily& family) {
   return std::numbers::pi * r * r * moment;
 }
 
-/// Places whose distance from a disc of the largest radius is at most half of the diagonal, by Steiner's formula: where
-/// the box's centre must be for the box to meet the disc.
+/// Volume of the places that are at most half of the box's diagonal from a disc, by Steiner's formula. The centre of
+/// the box lies at one of them if the box meets the disc.
 double volume_about_disc(double radius, double half_diagonal) {
   const double r = radius, d = half_diagonal;
   return std::numbers::pi * d * (2 * r * r + std::numbers::pi * r * d + 4.0 / 3 * d * d);
@@ -92,7 +90,7 @@ void require_drawable(const FractureFamily& family, const Box3& box) {
   const double drawn_from = (size.x + 2 * r) * (size.y + 2 * r) * (size.z + 2 * r);
   double farthest = 0;
   for (std::size_t a = 0; a < 3; ++a) farthest = std::max({farthest, std::abs(box.min[a]), std::abs(box.max[a])});
-  if (family.least_radius < least_share * farthest)
+  if (family.least_radius < least_told_apart * farthest)
     refuse(family, "a radius of " + short_words(family.least_radius) +
                        " cannot be told from a point at coordinates of " + short_words(farthest) +
                        "; is it in the model's units?");

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geomesh/core/error.hpp"
+#include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "level_sets/distance_proof.hpp"
 #include "level_sets/mesh/adapt.hpp"
@@ -20,8 +21,6 @@ constexpr double cubes_with_bounds = 8, cubes_of_function = 24;
 constexpr double sheet_share = 0.25;
 /// Bounds memory to about 1 GB.
 constexpr std::size_t most_cells = 8'000'000;
-/// Of the longest side of the box, as for mesh.surfaces_within: doubles tell no less apart, to some seven digits.
-constexpr double least_distance = 1e-9;
 /// Rounds of proof and refinement. Each halves cells twice or more; a smooth field needs two or three.
 constexpr int most_rounds = 12;
 
@@ -47,10 +46,10 @@ double first_edge(const ScalarField& field, const Box3& box) {
   return edge;
 }
 
-/// Cells would be bisected without end: the spacing is in another unit, or the tolerance.
+/// Refuses a distance that rounding hides in so large a field: its cells would be bisected up to their limit.
 void require_distance(const Box3& box, double distance) {
   const Vec3 size = box.max - box.min;
-  if (distance >= least_distance * std::max({size.x, size.y, size.z})) return;
+  if (distance >= least_told_apart * std::max({size.x, size.y, size.z})) return;
   throw Error(ErrorKind::invalid_input,
               "a field covers " + size_words(box) + " of the model, too much to follow a surface in within " +
                   short_words(distance) + ": are its spacing and origin, and mesh.surfaces_within, in the same unit?");

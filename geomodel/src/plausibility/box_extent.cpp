@@ -6,8 +6,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// As many times as the data a horizon may be long before the model is made up. A box that leaves room for stresses to
-/// die out, or for waves to leave, has some ten times the data's length.
+/// A box may be this many times as long as the data of its horizons. One that leaves room for stresses to die out, or
+/// for waves to leave, is some ten times as long.
 constexpr double most_times = 50;
 
 }  // namespace
@@ -19,7 +19,8 @@ void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings) {
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = model.inputs.surfaces[s];
     if (surface.kind != SurfaceKind::horizon || surface.points.empty()) continue;
-    if (model.project.rules.of(s).extend != Extend::none) return;  // the user has said how it goes on
+    const SurfaceRules rule = model.project.rules.of(s);
+    if (rule.extend != Extend::none || !rule.continues) return;  // the user has said how it goes on, or that it ends
     for (const Vec3& p : surface.points) all.add(p);
     names.push_back(surface.name);
   }
@@ -33,7 +34,7 @@ void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings) {
                             unit + " of the box's " + short_words(of_box) + unit + " in " + "xy"[axis] +
                             ", so that nearly all of the model would be made up",
                         "are the limits of the box in the unit of the data, with no digit too many? If such a box is "
-                        "meant, say in the horizons' entries how they go on (extend: flat or tangent)"});
+                        "meant, say in the horizons' entries how they go on (extend: flat, tangent or none)"});
     return;
   }
 }

@@ -90,6 +90,10 @@ TEST_CASE("a box far longer than all horizons is refused, unless one of them say
   CHECK(doubts_over(210, Extend::none, SurfaceKind::horizon).empty());
   CHECK(doubts_over(190, Extend::flat, SurfaceKind::horizon).empty());
   CHECK(doubts_over(190, Extend::none, SurfaceKind::fault).empty());
+
+  Model ends({sheet("top", SurfaceKind::horizon, {{430000, 5800500, -1200}, {430190, 5809500, -1000}})});
+  ends.project.rules.surfaces[0].continues = false;  // extend: none in its entry
+  CHECK(ends.doubts().empty());
 }
 
 TEST_CASE("a surface that lies elsewhere is told what would bring it in", "[plausibility]") {

@@ -9,8 +9,9 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A polygon triangulated in a projection, the roundest ear first. An ear is looked at again where a neighbour has
-/// gone, or the vertex that was found in it: O(n^2) for n vertices, with about n^2 orientations.
+/// A polygon triangulated in a projection, the roundest ear first. An ear is looked at again only when a neighbour has
+/// gone, or the vertex that was found in it. Each look takes O(n) orientations for n vertices, and few ears need more
+/// than one: O(n^2) in practice, O(n^3) at worst.
 class EarClipping {
  public:
   EarClipping(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& rim, std::size_t i, std::size_t j)

@@ -9,9 +9,14 @@
 
 namespace geomesh::geomodel {
 
+/// Lengths below this share of a model's diagonal, or of its coordinates, are too near to their rounding: doubles tell
+/// them apart to some seven digits.
+inline constexpr double least_told_apart = 1e-9;
+
 /// Throws Error{usage} that names the key and suggests a value. A size may not be longer than the longest edge of the
-/// bounds, nor shorter than a millionth of it. A tolerance lies between a billionth and a tenth of their diagonal. The
-/// bounds may not be thinner than a billionth of their longest edge. Nothing is checked against empty bounds.
+/// bounds, nor shorter than a millionth of it. A tolerance lies between a billionth and a tenth of their diagonal. A
+/// gradation lies between a millionth and a million. The bounds may not be thinner than a hundred-thousandth of their
+/// longest edge. Nothing is checked against empty bounds.
 void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds);
 
 /// Throws Error{cannot_mesh} where edges of the size of the whole model fill this volume with more elements than

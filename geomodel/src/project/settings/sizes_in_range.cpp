@@ -16,11 +16,9 @@ namespace {
 /// slice of it, and a size written in other units than the model's is a thousandth or less.
 constexpr double least_share = 1e-6;
 constexpr double greatest_tolerance = 0.1;  ///< of the diagonal, as the engine demands (core/src/remesh/driver)
-/// Of the diagonal. Surfaces held more closely than that are kept: to some seven digits, doubles tell no less apart.
-constexpr double least_tolerance = 1e-9;
 
-/// Of the longest edge of the model. Elements as long as a thinner model is thick are more in one row than a model of
-/// usual size has in all.
+/// A model is at least this share of its longest edge thick. In a thinner one, a single row of elements as long as it
+/// is thick has more of them than a whole model usually has.
 constexpr double least_thickness = 1e-5;
 
 std::string length_words(double length) {
@@ -75,7 +73,7 @@ class Range {
     if (tolerance > greatest_tolerance * diagonal_)
       refuse(key + " is more than a tenth of the model's diagonal of " + length_words(diagonal_) +
              ": little would be left of its surfaces" + start);
-    if (tolerance > 0 && tolerance < least_tolerance * diagonal_)
+    if (tolerance > 0 && tolerance < least_told_apart * diagonal_)
       refuse(key + " is less than a billionth of the model's diagonal of " + length_words(diagonal_) +
              ": 'honour: exact' keeps every triangle of the surfaces" + start);
   }
