@@ -51,6 +51,18 @@ class Continuation(RulesTest):
         self.assertIn("sides of the model", entry["to"])
         self.assertAlmostEqual(entry["farthest"], 0.5, delta=1e-6)  # from the corners of the grid to those of the model
 
+    def test_triangles_with_two_equal_corners_at_the_border_change_nothing(self):
+        """Modelling programs write them where points were snapped together. Such a horizon was not continued, which joined both units."""
+        points, triangles = patch((0.3, 9.8), (0.4, 9.6), level(5.0), 0.46)
+        edges = [e for t in triangles for e in zip(t, t[1:] + t[:1])]
+        for a, b in [(a, b) for a, b in edges if (b, a) not in edges]:
+            points.append(points[a])
+            triangles.append((b, a, len(points) - 1))
+        self.given("h", (points, triangles))
+        report, volumes = self.mesh(HORIZON % "" + COLUMN)
+        self.assert_volumes(volumes, {"upper": 500, "lower": 500})
+        self.told(report, "warnings", "h", "without area were left out")
+
     def test_extend_none_keeps_the_border_open(self):
         self.given("h", patch((0.3, 9.8), (0.4, 9.6), level(5.0), 0.46))
         report, volumes = self.mesh(HORIZON % ", extend: none" + COLUMN)

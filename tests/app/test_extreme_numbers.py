@@ -100,6 +100,13 @@ class ExtremeNumbers(ProgramTest):
             with self.subTest(said):
                 self.assertIn(said, self.refused_project(project, USAGE))
 
+    def test_fractures_that_cross_too_often_are_refused_with_the_number_of_their_crossings(self):
+        """Neither a mesh nor a message came within ten minutes."""
+        project = copy.deepcopy(extreme_numbers.BASES["network"])
+        project["fractures"]["families"][0]["p32"] = 1.0
+        printed = self.refused_project(project, CANNOT_MESH)
+        self.assertRegex(printed, "cross each other in about 1,[0-9]00,000 lines and 1[0-9],000,000 points")
+
     def test_a_box_that_no_element_fits_in_is_refused(self):
         """It took 23 s, and all memory."""
         base = dict(extreme_numbers.BASES["background"], box={"min": [0, 0, -1000], "max": ["1e30", 1000, 0]})
@@ -119,10 +126,21 @@ class ExtremeNumbers(ProgramTest):
         self.assertIn("no mesh has elements for both", self.refused_project(base, USAGE))
 
     def test_a_field_of_a_thin_sheet_is_refused(self):
-        """Its first cells took 24 GB: cubes as small as the sheet is thin."""
+        """The first cells of a sheet took 24 GB, cubes as small as it is thin; a surface along a beam of them as much."""
+        for spacing in (["1e-4", 100, 100], [1e8, 100, 100]):
+            base = dict(extreme_numbers.BASES["inputs"])
+            base["surfaces"] = [{**s, "spacing": spacing} if s["name"] == "deep" else s for s in base["surfaces"]]
+            with self.subTest(spacing=spacing):
+                self.assertIn("too thin a sheet", self.refused_project(base, BAD_INPUT))
+
+    def test_a_field_that_touches_the_top_of_the_box_is_meshed(self):
+        """Triangles along the line where it does have two equal corners, beside which continuing did not end."""
         base = dict(extreme_numbers.BASES["inputs"])
-        base["surfaces"] = [{**s, "spacing": ["1e-4", 100, 100]} if s["name"] == "deep" else s for s in base["surfaces"]]
-        self.assertIn("too thin a sheet", self.refused_project(base, BAD_INPUT))
+        base["surfaces"] = [{**s, "value": "1e-30"} if s["name"] == "top" else s for s in base["surfaces"]]
+        text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
+        status, _, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        self.assertEqual(status, 0, printed)
+        self.assertIn("no room left between its horizons", printed)
 
     def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):
         """Counting stopped soon after the limit before, after a minute of building, and its number was told: 100,000,102."""

@@ -29,8 +29,9 @@ std::string size_words(const Box3& box) {
   return short_words(size.x) + " by " + short_words(size.y) + " by " + short_words(size.z);
 }
 
-/// Cubes no more than twice as long as the box is thin. Throws Error{invalid_input} where a sheet of a box would take
-/// more cells than are allowed from the start: a spacing in another unit along one axis.
+/// Cubes no more than twice as long as the box is thin. Throws Error{invalid_input} where the box is too thin for a
+/// mesh, or a sheet that would take more cells than are allowed from the start: a spacing in another unit along one
+/// axis.
 double first_edge(const ScalarField& field, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
@@ -38,7 +39,7 @@ double first_edge(const ScalarField& field, const Box3& box) {
   constexpr double cells_of_cube = 6;
   double n_cells = cells_of_cube;
   for (std::size_t a = 0; a < 3; ++a) n_cells *= std::max(1.0, std::round(size[a] / edge));
-  if (!(n_cells <= static_cast<double>(most_cells)))
+  if (!(n_cells <= static_cast<double>(most_cells)) || shortest < least_thickness * longest)
     throw Error(ErrorKind::invalid_input,
                 "a field covers " + size_words(box) +
                     " of the model, too thin a sheet to follow its values in: are its spacing and origin right along "

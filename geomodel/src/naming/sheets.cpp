@@ -20,12 +20,12 @@ struct DirectedEdge {
 };
 
 std::vector<DirectedEdge> sorted_directed_edges(const TriangulatedSurface& surface) {
-  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
+  const std::vector<Triangle> triangles = merged_triangles(surface);
   std::vector<DirectedEdge> edges;
-  edges.reserve(3 * surface.triangles.size());
-  for (Index t = 0; t < surface.triangles.size(); ++t) {
+  edges.reserve(3 * triangles.size());
+  for (Index t = 0; t < triangles.size(); ++t) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexIndex p = merged[surface.triangles[t][i]], q = merged[surface.triangles[t][(i + 1) % 3]];
+      const VertexIndex p = triangles[t][i], q = triangles[t][(i + 1) % 3];
       if (p != q) edges.push_back({std::min(p, q), std::max(p, q), t, p < q});
     }
   }

@@ -87,15 +87,14 @@ struct Border {
   std::vector<std::pair<VertexIndex, VertexIndex>> edges;
 };
 Border border_of(const TriangulatedSurface& s) {
-  const std::vector<VertexIndex> merged = merge_equal_points(s.points);
   struct Edge {
     VertexIndex low, high;
     bool operator<(const Edge& o) const { return std::tie(low, high) < std::tie(o.low, o.high); }
   };
   std::vector<Edge> edges;
-  for (const Triangle& t : s.triangles)
+  for (const Triangle& t : merged_triangles(s))
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexIndex a = merged[t[i]], b = merged[t[(i + 1) % 3]];
+      const VertexIndex a = t[i], b = t[(i + 1) % 3];
       if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
     }
   std::sort(edges.begin(), edges.end());

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "fractures/crossings.hpp"
 #include "fractures/generate.hpp"
 #include "fractures/plane_polygons.hpp"
 #include "fractures/read_fractures.hpp"
@@ -180,4 +181,52 @@ TEST_CASE("a fracture is a plane polygon whose border stays, and a bent or conti
   CHECK_FALSE(is_fracture_network(surfaces, rules));
   CHECK(is_fracture_network({square}, rules));
   CHECK_FALSE(is_fracture_network({}, rules));
+}
+
+TEST_CASE("the crossings of a network are estimated from samples, and one that is too dense is refused",
+          "[fractures]") {
+  // Squares at right angles to each axis: each crosses all of the other two sets, and three of them meet in a point.
+  const double n = 60, size = 100;
+  std::vector<TriangulatedSurface> squares;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double k = 1; k <= n; ++k) {
+      TriangulatedSurface& s = squares.emplace_back();
+      for (const auto& [u, v] : {std::pair(-1.0, -1.0), {101.0, -1.0}, {101.0, 101.0}, {-1.0, 101.0}}) {
+        Vec3& p = s.points.emplace_back();
+        p[axis] = k * size / (n + 1);
+        p[(axis + 1) % 3] = u;
+        p[(axis + 2) % 3] = v;
+      }
+      s.triangles = {{0, 1, 2}, {0, 2, 3}};
+    }
+  std::vector<const TriangulatedSurface*> rows;
+  for (const TriangulatedSurface& s : squares) rows.push_back(&s);
+  const NetworkCrossings found = estimate_crossings(rows, cube(size));
+  CHECK(found.lines == Approx(3 * n * n));
+  CHECK(found.points == Approx(n * n * n));
+
+  RefinementSettings settings;
+  settings.max_elements = 1'200'000;
+  CHECK_NOTHROW(require_countable(found, rows.size(), settings));
+  settings.max_elements = 1'000'000;
+  CHECK_THROWS_WITH(require_countable(found, rows.size(), settings),
+                    "fractures: 180 of them cross each other in about 11,000 lines and 220,000 points, which comes to "
+                    "1,100,000 elements or more, beyond the limit of 1,000,000 (mesh: {max_elements}): fewer or "
+                    "smaller fractures can be meshed");
+}
+
+TEST_CASE("parallel fractures, and those that cross outside of the model, have no crossings", "[fractures]") {
+  std::vector<TriangulatedSurface> squares(3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double z = static_cast<double>(i);
+    squares[i].points = {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}};
+    squares[i].triangles = {{0, 1, 2}, {0, 2, 3}};
+  }
+  squares[2].points = {{2, 0, -1}, {2, 1, -1}, {0.5, 1, 2}, {0.5, 0, 2}};  // meets z = 0 at x = 1.5 and z = 1 at x = 1
+  const std::vector<const TriangulatedSurface*> rows{&squares[0], &squares[1], &squares[2]};
+  Box3 left;
+  left.add({0, 0, -1});
+  left.add({0.9, 1, 2});
+  CHECK(estimate_crossings(rows, left).lines == 0);
+  CHECK(estimate_crossings({}, left).lines == 0);
 }

@@ -13,6 +13,10 @@ namespace geomesh::geomodel {
 /// them apart to some seven digits.
 inline constexpr double least_told_apart = 1e-9;
 
+/// A model, and the field of a surface, is at least this share of its longest edge thick. In a thinner one, a single
+/// row of elements as long as it is thick has more of them than a whole model usually has.
+inline constexpr double least_thickness = 1e-5;
+
 /// Throws Error{usage} that names the key and suggests a value. A size may not be longer than the longest edge of the
 /// bounds, nor shorter than a millionth of it. A tolerance lies between a billionth and a tenth of their diagonal. A
 /// gradation lies between a millionth and a million. The bounds may not be thinner than a hundred-thousandth of their

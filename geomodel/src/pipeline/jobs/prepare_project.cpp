@@ -4,6 +4,8 @@
 
 #include "common/thread_limit.hpp"
 #include "coordinates/project_inputs.hpp"
+#include "fractures/crossings.hpp"
+#include "fractures/plane_polygons.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
@@ -66,6 +68,11 @@ void refuse_sizes(const PreparedModel& model, const Box3& bounds) {
   constexpr double least_left = 0.1;
   const bool is_cut = !model.rules.topography.empty() || !model.rules.floor.empty();
   require_countable(model.refinement, (is_cut ? least_left : 1) * model.volume.volume, model.unit);
+  std::vector<const TriangulatedSurface*> fractures;
+  const std::vector<bool> is_fracture = plane_polygons(model.surfaces, model.rules);
+  for (std::size_t s = 0; s < is_fracture.size(); ++s)
+    if (is_fracture[s]) fractures.push_back(&model.surfaces[s]);
+  require_countable(estimate_crossings(fractures, bounds), fractures.size(), model.refinement);
 }
 
 /// The triangulation of a level set is off its field by a share of the tolerance; the mesh is left the rest.

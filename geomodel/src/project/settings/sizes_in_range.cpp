@@ -17,10 +17,6 @@ namespace {
 constexpr double least_share = 1e-6;
 constexpr double greatest_tolerance = 0.1;  ///< of the diagonal, as the engine demands (core/src/remesh/driver)
 
-/// A model is at least this share of its longest edge thick. In a thinner one, a single row of elements as long as it
-/// is thick has more of them than a whole model usually has.
-constexpr double least_thickness = 1e-5;
-
 std::string length_words(double length) {
   constexpr double with_separators = 1000;
   return length >= with_separators ? count_words(length) : short_words(length);

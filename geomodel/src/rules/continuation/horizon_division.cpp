@@ -12,10 +12,11 @@ HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, 
                                  const Walls& cutters, const BorderStates& states)
     : horizon_(horizon), framework_(framework) {
   for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
-  const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
-  for (const Triangle& t : horizon.triangles) triangles_.push_back({merged[t[0]], merged[t[1]], merged[t[2]]});
+  triangles_ = merged_triangles(horizon);
   for (Index t = 0; t < triangles_.size(); ++t)
-    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) { at_edge_.emplace_back(std::minmax(a, b), t); });
+    for_each_edge_of(t, [&](VertexIndex a, VertexIndex b) {
+      if (a != b) at_edge_.emplace_back(std::minmax(a, b), t);
+    });
   std::ranges::sort(at_edge_);
   crosses_.assign(triangles_.size(), false);
   for (auto at = at_edge_.begin(); at != at_edge_.end();) {
@@ -26,7 +27,8 @@ HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, 
       if (is_cut) crosses_[at->second] = true;
   }
   Index last = no_index;
-  for (Index t = 0; t < triangles_.size(); ++t) block_.push_back(crosses_[t] ? no_index : block_of(t, last));
+  for (Index t = 0; t < triangles_.size(); ++t)
+    block_.push_back(crosses_[t] || !has_area(t) ? no_index : block_of(t, last));
 }
 
 std::optional<BorderState> HorizonDivision::border_state(VertexIndex a, VertexIndex b) const {

@@ -23,7 +23,7 @@ class HorizonDivision {
   HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
                   const BorderStates& states);
 
-  const std::vector<Triangle>& triangles() const { return triangles_; }  ///< over the first of equal points
+  const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of merged_triangles
   /// Whether a wall cuts an edge of the triangle.
   bool crosses_wall(Index t) const { return crosses_[t]; }
   /// The state of an edge at which the horizon ends; nothing where it goes on.
@@ -37,6 +37,7 @@ class HorizonDivision {
   void for_each_edge_of(Index t, F&& visit) const {
     for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
+  bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }  ///< its corners are distinct
   Index block_of(Index t, Index& last) const;
   std::array<Vec3, 3> corners(Index t) const {
     const auto& [a, b, c] = triangles_[t];

@@ -18,12 +18,12 @@ Vec3 area_vector(const TriangulatedSurface& s, const Triangle& t) {
 }  // namespace
 
 std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface) {
-  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
+  const std::vector<Triangle> triangles = merged_triangles(surface);
   using Ends = std::pair<VertexIndex, VertexIndex>;
   const auto for_each = [&](auto&& visit) {
-    for (Index t = 0; t < surface.triangles.size(); ++t)
+    for (Index t = 0; t < triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
-        const VertexIndex a = merged[surface.triangles[t][i]], b = merged[surface.triangles[t][(i + 1) % 3]];
+        const VertexIndex a = triangles[t][i], b = triangles[t][(i + 1) % 3];
         if (a != b) visit(a, b, t);
       }
   };

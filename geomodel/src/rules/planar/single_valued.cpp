@@ -19,13 +19,13 @@ struct EdgeSide {
 }  // namespace
 
 bool is_single_valued(const TriangulatedSurface& surface) {
-  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
   const auto map = [&](VertexIndex v) { return Vec2{surface.points[v].x, surface.points[v].y}; };
   std::vector<EdgeSide> sides;
   sides.reserve(3 * surface.triangles.size());
-  for (const Triangle& t : surface.triangles)
+  for (const Triangle& t : merged_triangles(surface))
     for (std::size_t i = 0; i < 3; ++i) {
-      VertexIndex a = merged[t[i]], b = merged[t[(i + 1) % 3]];
+      VertexIndex a = t[i], b = t[(i + 1) % 3];
+      if (a == b) continue;
       if (a > b) std::swap(a, b);
       const Sign side = orient2d(map(a), map(b), map(t[(i + 2) % 3]));
       if (side == Sign::zero) return false;
@@ -38,7 +38,7 @@ bool is_single_valued(const TriangulatedSurface& surface) {
     if (end - i > 2 || (end - i == 2 && sides[i].side == sides[i + 1].side)) return false;
     i = end;
   }
-  return !surface.triangles.empty();
+  return !sides.empty();
 }
 
 }  // namespace geomesh::geomodel

@@ -36,12 +36,13 @@ std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
 }  // namespace
 
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& s) {
-  const std::vector<VertexIndex> merged = merge_equal_points(s.points);
+  const std::vector<Triangle> triangles = merged_triangles(s);
   std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
   std::vector<std::pair<Index, Index>> pairs;
-  for (Index t = 0; t < s.triangles.size(); ++t)
+  for (Index t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const VertexIndex a = merged[s.triangles[t][i]], b = merged[s.triangles[t][(i + 1) % 3]];
+      const VertexIndex a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+      if (a == b) continue;
       const auto [at, is_new] = first.emplace(std::pair(std::min(a, b), std::max(a, b)), t);
       if (!is_new) pairs.emplace_back(at->second, t);
     }
