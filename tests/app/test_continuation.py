@@ -63,6 +63,14 @@ class Continuation(RulesTest):
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
         self.told(report, "warnings", "h", "without area were left out")
 
+    def test_a_horizon_of_half_the_model_is_not_continued_along_its_sides(self):
+        """A rim along the sides, narrower than the places of the grid are apart, was filled however far from the data."""
+        self.given("h", patch((0.3, 5.0), (0.4, 9.63), level(5.0), 0.46))
+        report, volumes = self.mesh(HORIZON % "" + COLUMN)
+        self.assertEqual(list(volumes), ["upper+lower"])
+        self.assertLess(report["continued"][0]["farthest"], 0.75)
+        self.told(report, "warnings", "h", "stops short")
+
     def test_extend_none_keeps_the_border_open(self):
         self.given("h", patch((0.3, 9.8), (0.4, 9.6), level(5.0), 0.46))
         report, volumes = self.mesh(HORIZON % ", extend: none" + COLUMN)

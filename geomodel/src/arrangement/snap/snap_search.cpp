@@ -79,9 +79,10 @@ class Search {
     std::vector<Index> near;
     tree.boxes_meeting(place, [&](Index e) { near.push_back(e); });
     for (const Index e : near) {
-      if (!rule_.allows(rule_.of_vertex(v), things_[e])) continue;
       const double t = on_edges_.parameter(edges_[e], point(v));
-      if (t > 0 && t < 1 && length(point(v) - on_edges_.at(edges_[e], t)) < distance_) insert(edges_[e], v);
+      if (t > 0 && t < 1 && length(point(v) - on_edges_.at(edges_[e], t)) < distance_ &&
+          rule_.allows(rule_.of_vertex(v), things_[e]))
+        insert(edges_[e], v);
     }
   }
 
@@ -120,13 +121,19 @@ class Search {
 
   void insert_in_facets() {
     std::vector<Box3> boxes;
-    for (const Index f : facets_) boxes.push_back(wider(box_of({corner(f, 0), corner(f, 1), corner(f, 2)}), distance_));
+    std::vector<PlaneWithin> near_plane;
+    std::vector<JoinRule::Thing> things;
+    for (const Index f : facets_) {
+      boxes.push_back(wider(box_of({corner(f, 0), corner(f, 1), corner(f, 2)}), distance_));
+      near_plane.push_back({{point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_});
+      things.push_back(rule_.of_facet(complex_, f));
+    }
     const BoxTree tree(boxes);
     for (const VertexIndex v : vertices_) {
       Box3 place;
       place.add(point(v));
       tree.boxes_meeting(place, [&](Index k) {
-        if (rule_.allows(rule_.of_vertex(v), rule_.of_facet(complex_, facets_[k])) && is_in(v, facets_[k]))
+        if (near_plane[k].side(point(v)) == 0 && rule_.allows(rule_.of_vertex(v), things[k]) && is_in(v, facets_[k]))
           result_.in_facet[facets_[k]].push_back(v);
       });
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "naming/sums.hpp"
 
@@ -58,7 +59,8 @@ void BlockPlaces::add_grid() {
 void BlockPlaces::find_open_places() {
   if (s_.fills_blocks) return;
   for (std::size_t v = n_border_; v < points_.size(); ++v)
-    if (in_block_[v] && distance_[v] > radius_ && !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
+    if (in_block_[v] && distance_[v] > radius_ && !border_.covers({points_[v].x, points_[v].y}) &&
+        !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
       open_.push_back(points_[v]);
   if (!open_.empty()) nearest_open_.emplace(open_);
 }
@@ -84,10 +86,13 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   });
 }
 
-bool BlockPlaces::is_open(const Vec3& p) const {
+/// Whether a disc that ends in the open covers the place. Far from the horizon its centre may lie anywhere between four
+/// places of the grid: otherwise a rim along the walls, as wide as a step, would be filled there.
+bool BlockPlaces::is_open(Index v) const {
   if (open_.empty()) return false;
-  const Vec3& q = open_[nearest_open_->find(p.x, p.y)];
-  return std::hypot(p.x - q.x, p.y - q.y) < radius_;
+  const Vec3 &p = points_[v], &q = open_[nearest_open_->find(p.x, p.y)];
+  const double off = std::hypot(p.x - q.x, p.y - q.y);
+  return off < radius_ || (distance_[v] > s_.within && off <= radius_ + std::numbers::sqrt2 * step_);
 }
 
 bool BlockPlaces::overlaps(const std::array<Index, 3>& t) const {
@@ -99,7 +104,7 @@ bool BlockPlaces::is_filled(const std::array<Index, 3>& t, std::set<Index>& wall
   bool reaches_in = false;
   for (const Index v : t) {
     if (!in_block_[v]) continue;
-    if (is_open(points_[v])) return false;
+    if (is_open(v)) return false;
     reaches_in = true;
   }
   std::set<Index> crossed;

@@ -30,7 +30,8 @@ struct HorizonInBlocks {
 /// Places of the border of one sheet, then those of a grid over its block, with the heights of the border continued.
 class BlockPlaces {
  public:
-  /// `sheet`: triangles over the horizon's points. O(n m) for n edges of the border and m places of the grid.
+  /// `sheet`: triangles over the horizon's points. O(m log n) for n edges of the border and m places of the grid
+  /// near it.
   BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
   BlockPlaces(const BlockPlaces&) = delete;
   BlockPlaces& operator=(const BlockPlaces&) = delete;
@@ -52,7 +53,7 @@ class BlockPlaces {
   void find_open_places();
   bool is_beyond_horizon(std::size_t v) const;
   bool ends_in_the_open(std::size_t v) const;
-  bool is_open(const Vec3& p) const;
+  bool is_open(Index v) const;
 
   HorizonInBlocks s_;
   Index block_;

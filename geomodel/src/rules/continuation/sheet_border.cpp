@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 
 #include "common/union_find.hpp"
@@ -61,14 +62,43 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
   has_met_wall_.assign(points_.size(), true);
   for (const Edge& e : edges_)
     if (!e.has_met_wall) has_met_wall_[e.a] = has_met_wall_[e.b] = false;
+  index_edges();
+}
+
+void SheetBorder::index_edges() {
+  std::vector<Box3> boxes;
+  for (const Edge& e : edges_) {
+    Box3& box = boxes.emplace_back();
+    for (const Index v : {e.a, e.b}) box.add({points_[v].x, points_[v].y, 0});
+  }
+  tree_.emplace(boxes);
+}
+
+std::vector<Index> SheetBorder::edges_between(const Vec2& low, const Vec2& high) const {
+  std::vector<Index> found;
+  tree_->boxes_meeting({{low.x, low.y, 0}, {high.x, high.y, 0}}, [&](Index e) { found.push_back(e); });
+  std::ranges::sort(found);
+  return found;
 }
 
 SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
+  for (double reach = within_; reach > 0 && reach < std::numeric_limits<double>::infinity(); reach *= 2) {
+    const std::vector<Index> near = edges_between({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach});
+    const Place place = continued_from(near, p);
+    if (place.distance <= reach || near.size() == edges_.size()) return place;
+  }
+  std::vector<Index> all(edges_.size());
+  std::iota(all.begin(), all.end(), Index{0});
+  return continued_from(all, p);
+}
+
+SheetBorder::Place SheetBorder::continued_from(const std::vector<Index>& edges, const Vec2& p) const {
   double least = std::numeric_limits<double>::infinity(), z = 0;
   Vec2 slope{0, 0};
   Vec3 nearest;
   bool has_met_wall = false;
-  for (const Edge& e : edges_) {
+  for (const Index row : edges) {
+    const Edge& e = edges_[row];
     const Vec3 &a = points_[e.a], &b = points_[e.b];
     const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
     const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0.0;
@@ -85,14 +115,23 @@ SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
   return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};
 }
 
+bool SheetBorder::covers(const Vec2& p) const {
+  bool is_covered = false;
+  for (const Index row : edges_between(p, {std::numeric_limits<double>::infinity(), p.y})) {
+    Vec2 low{points_[edges_[row].a].x, points_[edges_[row].a].y},
+        high{points_[edges_[row].b].x, points_[edges_[row].b].y};
+    if (high.y < low.y) std::swap(low, high);
+    if (low.y <= p.y && p.y < high.y && orient2d(low, high, p) == Sign::positive) is_covered = !is_covered;
+  }
+  return is_covered;
+}
+
 bool SheetBorder::meets(const Vec2& from, const Vec2& to) const {
-  const double left = std::min(from.x, to.x), right = std::max(from.x, to.x), low = std::min(from.y, to.y),
-               high = std::max(from.y, to.y);
-  return std::ranges::any_of(edges_, [&](const Edge& e) {
+  const std::vector<Index> near =
+      edges_between({std::min(from.x, to.x), std::min(from.y, to.y)}, {std::max(from.x, to.x), std::max(from.y, to.y)});
+  return std::ranges::any_of(near, [&](Index row) {
+    const Edge& e = edges_[row];
     const Vec2 a{points_[e.a].x, points_[e.a].y}, b{points_[e.b].x, points_[e.b].y};
-    if (std::max(a.x, b.x) < left || std::min(a.x, b.x) > right || std::max(a.y, b.y) < low ||
-        std::min(a.y, b.y) > high)
-      return false;
     return orient2d(a, b, from) != orient2d(a, b, to) && orient2d(from, to, a) != orient2d(from, to, b);
   });
 }

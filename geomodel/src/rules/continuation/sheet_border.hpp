@@ -3,10 +3,12 @@
 /// The border of what a horizon has in a block, and the heights at which it is continued.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
 
+#include "arrangement/search/bvh.hpp"
 #include "rules/continuation/horizon_division.hpp"
 #include "rules/planar/planar_fill.hpp"
 
@@ -33,9 +35,11 @@ class SheetBorder {
     bool has_met_wall;  ///< the border has there
     Vec3 foot;          ///< the nearest place of the border in the map
   };
-  /// O(n) in the edges.
+  /// O(log n + k) for the k edges about twice as far in the map as the nearest, or as `within`.
   Place continued_at(const Vec2& p) const;
-  /// Whether an edge meets the way in the map. O(n) in the edges.
+  /// Whether the sheet covers the place in the map. O(log n + k) for the k edges east of it.
+  bool covers(const Vec2& p) const;
+  /// Whether an edge meets the way in the map. O(log n + k) for the k edges in its box.
   bool meets(const Vec2& from, const Vec2& to) const;
 
   /// Per triangle, whether it is kept, lies outside of the sheet, and hangs together, through those kept, with a place
@@ -50,13 +54,19 @@ class SheetBorder {
     bool has_met_wall;
   };
 
+  void index_edges();
+  /// Rows of the edges whose boxes in the map meet that of the two places, rising.
+  std::vector<Index> edges_between(const Vec2& low, const Vec2& high) const;
+  Place continued_from(const std::vector<Index>& edges, const Vec2& p) const;
+
   double within_;
   std::vector<Vec3> points_;
   std::vector<VertexIndex> rows_;
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
-  std::vector<bool> has_met_wall_;  ///< per point: all edges there have
+  std::optional<arrangement::BoxTree> tree_;  ///< of the edges in the map
+  std::vector<bool> has_met_wall_;            ///< per point: all edges there have
   bool faces_up_ = true;
 };
 

@@ -3,8 +3,11 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
 
 #include <deque>
 
@@ -43,16 +46,56 @@ void find_depths(Triangulation& triangulation) {
   }
 }
 
+/// Rows of the points along a curve that fills the plane, so that each is inserted near the one before.
+std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
+  std::vector<std::pair<Kernel::Point_2, Index>> rows;
+  for (Index i = 0; i < points.size(); ++i) rows.push_back({{points[i].x, points[i].y}, i});
+  using Map = CGAL::First_of_pair_property_map<std::pair<Kernel::Point_2, Index>>;
+  CGAL::spatial_sort(rows.begin(), rows.end(), CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>());
+  std::vector<Index> order;
+  for (const auto& [_, row] : rows) order.push_back(row);
+  return order;
+}
+
+/// Where four points lie on one circle, both diagonals between them are Delaunay. The one without the last of the
+/// points, by y and then x, is taken, so that the triangulation does not depend on the order of insertion.
+void settle_ties(Triangulation& triangulation) {
+  const auto is_before = [](const Triangulation::Vertex_handle& v, const Triangulation::Vertex_handle& w) {
+    const auto &p = v->point(), &q = w->point();
+    return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
+  };
+  std::vector<Triangulation::Edge> queue(triangulation.finite_edges_begin(), triangulation.finite_edges_end());
+  while (!queue.empty()) {
+    auto [face, i] = queue.back();
+    queue.pop_back();
+    const Triangulation::Face_handle other = face->neighbor(i);
+    if (triangulation.is_constrained({face, i}) || triangulation.is_infinite(face) || triangulation.is_infinite(other))
+      continue;
+    const int j = other->index(face);
+    const auto a = face->vertex(Triangulation::cw(i)), b = face->vertex(Triangulation::ccw(i)), c = face->vertex(i),
+               d = other->vertex(j);
+    const auto last = std::max({a, b, c, d}, is_before);
+    if (last != a && last != b) continue;
+    if (triangulation.side_of_oriented_circle(face, d->point(), false) != CGAL::ON_ORIENTED_BOUNDARY) continue;
+    triangulation.flip(face, i);
+    for (const auto& f : {face, other})
+      for (int k = 0; k < 3; ++k) queue.emplace_back(f, k);
+  }
+}
+
 }  // namespace
 
 std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<Vec2>& points,
                                                              const std::vector<std::pair<Index, Index>>& constraints) {
   Triangulation triangulation;
-  std::vector<Triangulation::Vertex_handle> vertices;
-  for (Index i = 0; i < points.size(); ++i) {
-    vertices.push_back(triangulation.insert({points[i].x, points[i].y}));
-    if (triangulation.number_of_vertices() != i + 1) return std::nullopt;
-    vertices.back()->info() = i;
+  std::vector<Triangulation::Vertex_handle> vertices(points.size());
+  Triangulation::Face_handle near;
+  for (const Index i : spatial_order(points)) {
+    const std::size_t n_before = triangulation.number_of_vertices();
+    vertices[i] = triangulation.insert({points[i].x, points[i].y}, near);
+    if (triangulation.number_of_vertices() == n_before) return std::nullopt;
+    vertices[i]->info() = i;
+    near = vertices[i]->face();
   }
   try {
     for (const auto& [a, b] : constraints) triangulation.insert_constraint(vertices[a], vertices[b]);
@@ -60,6 +103,7 @@ std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<V
     return std::nullopt;
   }
   if (triangulation.dimension() < 2) return std::nullopt;
+  settle_ties(triangulation);
   for (const auto& [a, b] : constraints) {
     Triangulation::Face_handle face;
     int at = 0;
