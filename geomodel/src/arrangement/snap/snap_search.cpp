@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 
 #include "arrangement/search/bvh.hpp"
 #include "arrangement/snap/nearness.hpp"
@@ -12,8 +13,11 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-Box3 wider(Box3 box, double by) {
-  const Vec3 margin{by, by, by};
+/// The box of the vertices, wider by the distance on all sides.
+Box3 box_about(const Complex& complex, std::span<const VertexIndex> vertices, double distance) {
+  Box3 box;
+  for (const VertexIndex v : vertices) box.add(complex.points[v]);
+  const Vec3 margin{distance, distance, distance};
   return {box.min - margin, box.max + margin};
 }
 
@@ -42,7 +46,7 @@ class Search {
     rule_.index_edges(complex_, [this](VertexIndex a, VertexIndex b) { return planes_of({a, b}) != 0; });
     std::vector<Box3> boxes;
     for (const EdgeKey& e : edges_) {
-      boxes.push_back(wider(box_of({e.first, e.second}), distance_));
+      boxes.push_back(box_about(complex_, std::array{e.first, e.second}, distance_));
       things_.push_back(rule_.of_edge(e.first, e.second));
     }
     const BoxTree tree(boxes);
@@ -61,11 +65,6 @@ class Search {
 
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
-  Box3 box_of(std::initializer_list<VertexIndex> vertices) const {
-    Box3 box;
-    for (const VertexIndex v : vertices) box.add(point(v));
-    return box;
-  }
   unsigned planes_of(const EdgeKey& e) const { return planes_.of(point(e.first)) & planes_.of(point(e.second)); }
   bool lies_on(VertexIndex v, unsigned planes) const { return (planes_.of(point(v)) & planes) == planes; }
 
@@ -124,7 +123,7 @@ class Search {
     std::vector<PlaneWithin> near_plane;
     std::vector<JoinRule::Thing> things;
     for (const Index f : facets_) {
-      boxes.push_back(wider(box_of({corner(f, 0), corner(f, 1), corner(f, 2)}), distance_));
+      boxes.push_back(box_about(complex_, complex_.facets[f], distance_));
       near_plane.push_back({{point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_});
       things.push_back(rule_.of_facet(complex_, f));
     }
