@@ -69,10 +69,16 @@ bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) 
 
 std::vector<Piece> overshoots_of(const WorkingSoup& working, const MeantEnd& end) {
   std::vector<Piece> pieces = pieces_of(working, end.surface, end.cutters, nullptr);
-  double largest = 0;
-  for (const Piece& piece : pieces) largest = std::max(largest, piece.area);
+  std::map<Index, double> largest;  // by block
+  const auto block_of = [&](const Piece& piece) {
+    return end.blocks == nullptr ? 0 : end.blocks->block_at(working.centre(piece.largest));
+  };
+  for (const Piece& piece : pieces) {
+    double& area = largest[block_of(piece)];
+    area = std::max(area, piece.area);
+  }
   std::erase_if(pieces, [&](const Piece& piece) {
-    return piece.free_border == 0 || piece.contact == 0 || piece.area == largest ||
+    return piece.free_border == 0 || piece.contact == 0 || piece.area == largest[block_of(piece)] ||
            reaches_beyond_contacts(working, piece, end) || something_ends_on(working, piece, end.surface);
   });
   return pieces;
