@@ -13,12 +13,10 @@
 #include "geomesh/core/predicates.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
-constexpr double steepest_slope = 3;
 
 Vec3 normal(const TriangulatedSurface& s, const Triangle& t) {
   return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);

@@ -6,6 +6,7 @@
 #include <ranges>
 
 #include "naming/region_facts.hpp"
+#include "rules/framework/end_at_walls.hpp"
 #include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
@@ -32,7 +33,7 @@ std::vector<EdgeEnds> contacts_of(const WorkingSoup& working, const Piece& piece
 
 bool is_given(const WorkingSoup& working, Index facet, const MeantEnd& end) {
   return end.part.empty() || std::ranges::any_of(working.origins[facet], [&](const PolygonSoup::Origin& o) {
-           return o.surface == end.surface && end.part[o.triangle] == 0;
+           return o.surface == end.surface && end.part[o.triangle] == given_part;
          });
 }
 
