@@ -63,6 +63,11 @@ class Families(ProgramTest):
         self.assert_right("noisy_grid", (4,))
         self.assert_right("noisy_grid", (4,), "careful")
 
+    def test_noise_is_not_continued(self):
+        """The slopes of single triangles at the border were, and the mesh had 195,000 elements."""
+        self.assert_right("noisy_grid", (0,), "careful")
+        self.assertLess(self.report(self.path("noisy_grid0", "out", "model.report.json"))["tetrahedra"], 60000)
+
     def test_noisy_grids_that_cross_and_stop_short_of_faults(self):
         """The stack was left as given, and there was no mesh in 100 CPU s."""
         self.assert_right("noisy_grid", (3,))

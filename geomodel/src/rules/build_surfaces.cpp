@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rules before the arrangement, in order, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
-#include <map>
 
 #include "geomesh/core/error.hpp"
 #include "naming/sheets.hpp"
@@ -11,7 +10,6 @@
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
 #include "rules/fault_ends.hpp"
-#include "rules/framework/walls.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 
@@ -100,7 +98,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     pass_on();
     TriangulatedSurface& surface = built.surfaces[s];
     const SurfaceRules rule = rules.of(s);
-    if ((rule.extend != Extend::none || !rule.throw_at.empty()) && !rules.box)
+    if ((rule.extend != Extend::none || rule.has_throw()) && !rules.box)
       throw Error(ErrorKind::usage,
                   "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
     if (built.rows.first_only_parting[s] != no_index) continue;  // continued, and filled, above
@@ -109,7 +107,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
       build_body(surface, rule, rules.box, log);
     } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
       build_blocks(built, s, rules, log);
-    } else if (rule.extend != Extend::none) {
+    } else if (rule.extend != Extend::none && !rule.fills_blocks()) {
       extend_to_box(surface, rule.extend, *rules.box, log);
     }
   }
@@ -122,56 +120,14 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   return built;
 }
 
-/// Horizons whose faults with throw were found from data that none of these crosses: they are given block by block, and
-/// there is no throw to restore.
-std::vector<Index> given_by_block(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
-  std::map<Index, TriangulatedSurface> faults;  // as they are built, up to their ends
-  std::vector<std::string> notes, warnings;     // told where the surfaces are built
-  const auto fault_of = [&](Index row) -> const TriangulatedSurface& {
-    const auto [at, is_new] = faults.emplace(row, TriangulatedSurface{});
-    if (!is_new) return at->second;
-    at->second = surfaces[row];
-    if (rules.of(row).extend != Extend::none && rules.box)
-      extend_to_box(at->second, rules.of(row).extend, *rules.box, {notes, warnings});
-    return at->second;
-  };
-  std::vector<Index> rows;
-  for (Index s = 0; s < surfaces.size(); ++s) {
-    const SurfaceRules rule = rules.of(s);
-    if (!rule.throw_auto || rule.throw_at.empty()) continue;
-    std::vector<TriangulatedSurface> own;
-    std::vector<Index> all;
-    for (const std::string& name : rule.throw_at) {
-      all.push_back(static_cast<Index>(own.size()));
-      own.push_back(fault_of(static_cast<Index>(throw_fault(surfaces, surfaces[s], name))));
-    }
-    const Walls walls(own, all, {});
-    const std::vector<Vec3>& p = surfaces[s].points;
-    const auto is_crossed = [&](const Triangle& t) {
-      return walls.first_surface(p[t[0]], p[t[1]], no_index) || walls.first_surface(p[t[1]], p[t[2]], no_index) ||
-             walls.first_surface(p[t[2]], p[t[0]], no_index);
-    };
-    if (std::ranges::none_of(surfaces[s].triangles, is_crossed)) rows.push_back(s);
-  }
-  return rows;
-}
-
 }  // namespace
 
 BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
                              const RunContext& context) {
-  const std::vector<Index> by_block = given_by_block(surfaces, rules);
-  if (by_block.empty() || asks_for_settling(rules.stack)) {
-    BuiltSurfaces built = build(surfaces, rules, {}, context);
-    if (by_block.empty() || built.stack.settled) return built;
-  }
-  ModelRules without_throw = rules;
-  for (const Index s : by_block) {
-    without_throw.surfaces[s].throw_at.clear();
-    without_throw.surfaces[s].throw_auto = false;
-    without_throw.surfaces[s].extend = Extend::none;
-  }
-  return build(surfaces, without_throw, by_block, context);
+  std::vector<Index> fill_blocks;
+  for (Index s = 0; s < surfaces.size(); ++s)
+    if (rules.of(s).fills_blocks()) fill_blocks.push_back(s);
+  return build(surfaces, rules, fill_blocks, context);
 }
 
 }  // namespace geomesh::geomodel

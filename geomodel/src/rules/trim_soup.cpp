@@ -65,17 +65,20 @@ struct Trimming {
     return area;
   }
 
-  /// The faults between the blocks of y: at these another surface may go from above one block to below the next. The
-  /// ends of the model may have a scarp at any fault.
-  std::vector<Index> dividers_of(Index y, Index x) const {
+  /// The faults other than x. Blocks end at them, so x may lie above y on one side of a fault and below y on the other.
+  std::vector<Index> faults_but(Index x) const {
     std::vector<Index> faults;
-    if (surfaces[y].name == rules.topography || surfaces[y].name == rules.floor) {
-      for (Index s = 0; s < surfaces.size(); ++s)
-        if (surfaces[s].kind == SurfaceKind::fault) faults.push_back(s);
-    } else if (y < built.parted_at.size()) {
-      faults = built.parted_at[y];
-    }
-    faults.erase(std::remove(faults.begin(), faults.end(), x), faults.end());
+    for (Index s = 0; s < surfaces.size(); ++s)
+      if (s != x && surfaces[s].kind == SurfaceKind::fault) faults.push_back(s);
+    return faults;
+  }
+
+  /// The faults other than x that end the blocks of y. The ends of the model may have a scarp at any fault.
+  std::vector<Index> dividers_of(Index y, Index x) const {
+    const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
+    if (is_end || rules.of(y).fills_blocks()) return faults_but(x);
+    std::vector<Index> faults = y < built.parted_at.size() ? built.parted_at[y] : std::vector<Index>{};
+    std::erase(faults, x);
     return faults;
   }
 
@@ -239,6 +242,24 @@ void order_horizons(Trimming& work) {
       }
 }
 
+/// Horizons that fill their fault blocks: data that run beyond the fault at which they should end.
+void end_data_at_faults(Trimming& work) {
+  std::optional<BlockFramework> blocks;  // made where something overshoots
+  for (Index s = 0; s < work.n_given(); ++s) {
+    if (!work.rules.of(s).fills_blocks()) continue;
+    MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
+    if (!(end.limit > 0) || overshoots_of(work.working, end).empty()) continue;
+    if (!blocks) {
+      BuiltSurfaces built;
+      built.surfaces.assign(work.surfaces.begin(), work.surfaces.begin() + work.n_given());
+      built.rows = work.built;
+      blocks.emplace(built, work.rules);
+    }
+    end.blocks = &*blocks;
+    work.removed[s] += remove_overshoots(work.working, end, work.surfaces[s].name, work.notes);
+  }
+}
+
 /// trim_overshoot: of horizons and faults, against all other surfaces.
 void trim_overshoots(Trimming& work) {
   for (Index s = 0; s < work.surfaces.size(); ++s) {
@@ -271,6 +292,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
     if (!is_end(s)) part_blocks(parting, s);
   remove_continuations(parting);
   truncate_faults(work.working, surfaces, built, rules.continuation.within_of_faults, work.removed, work.notes);
+  end_data_at_faults(work);
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);

@@ -10,6 +10,7 @@
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/continuation/horizon_division.hpp"
+#include "rules/framework/end_at_walls.hpp"
 #include "rules/planar/borders.hpp"
 #include "rules/planar/single_valued.hpp"
 #include "stack/horizon_group.hpp"
@@ -17,8 +18,6 @@
 
 namespace geomesh::geomodel {
 namespace {
-
-constexpr Index given_part = 0;
 
 /// A horizon as it was given, and what continues it, by block.
 class BlockSheets {

@@ -132,11 +132,12 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
   }
 }
 
-}  // namespace
-
+/// False where it is left as given whatever it is.
 bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }
+
+}  // namespace
 
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   const StackRules& asked = rules.stack;

@@ -18,7 +18,5 @@ namespace geomesh::geomodel {
 /// degrees; units thinner than a least thickness that was given; more than four times the triangles that the size asks
 /// for.
 bool settle_stack(BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks);
-/// False where it is left as given whatever it is.
-bool asks_for_settling(const StackRules& rules);
 
 }  // namespace geomesh::geomodel

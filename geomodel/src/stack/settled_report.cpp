@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/by_rounding.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "stack/sheets/sheet_locator.hpp"
@@ -72,7 +73,7 @@ void measure_moves(const MapSheets& sheets, const SettledFrom& from, const Sheet
         ++n_above[k];
         continue;
       }
-      if (move <= from.options.allowed * (1 + 1e-9)) {
+      if (move <= from.options.allowed * (1 + by_rounding)) {
         told.largest_off = std::max(told.largest_off, move);
         continue;
       }

@@ -12,8 +12,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double step_of_size = 1.0 / 8;   // between places where heights are compared
-constexpr double most_places = 250000;     // of them
 constexpr double far_over = 4;             // times the volume below: a horizon lies over another
 constexpr double narrow = 3;               // times the size: fewer elements show no island
 constexpr double length_of_edges = 0.785;  // pi / 4: of a line over the edges of a lattice that it crosses
@@ -55,8 +53,7 @@ struct Lie {
 Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, const StackRules& asked) {
   MapBounds bounds;
   for (const Vec2& p : asked.outline) bounds.add(p);
-  const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
-  const double step = std::max(step_of_size * asked.size, std::sqrt(width * height / most_places));
+  const double width = bounds.max.x - bounds.min.x, step = step_between_places(bounds, asked.size);
   const MapLocator over(upper), under(lower);
   const auto n_columns = static_cast<std::size_t>(width / step) + 1;
   std::vector<std::optional<double>> row(n_columns), last(n_columns);

@@ -8,18 +8,12 @@
 #include "stack/sheets/sheet_locator.hpp"
 
 namespace geomesh::geomodel {
-namespace {
-
-constexpr double most_places = 1e6;  // of the raster
-
-}  // namespace
-
 std::vector<SizeSource> sizes_of_thickness(const MapSheets& sheets, const MapBounds& bounds,
                                            const ThicknessSizeOptions& options) {
   const double least = options.of_thickness * options.thickness;
   if (!(least < options.size) || sheets.n_horizons < 2) return {};
   const double area = (bounds.max.x - bounds.min.x) * (bounds.max.y - bounds.min.y);
-  const double step = std::max(least, std::sqrt(area / most_places));
+  const double step = std::max(least, std::sqrt(area / most_cells));
   const MapRaster raster(bounds, step);
   const SheetLocator locator(sheets);
   std::vector<SizeSource> sources;

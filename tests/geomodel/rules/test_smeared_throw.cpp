@@ -148,10 +148,10 @@ TEST_CASE("a ramp tells that a fault displaces a horizon", "[smeared_throw][thro
   ModelRules rules;
   rules.surfaces.resize(2);
   rules.surfaces[0].throw_auto = true;
-  std::vector<std::string> notes, warnings;
-  find_throws({model.horizon(), model.fault()}, rules, notes, warnings);
+  std::vector<std::string> notes;
+  find_ramps({model.horizon(), model.fault()}, rules, notes);
   CHECK(rules.surfaces[0].throw_at == std::vector<std::string>{"fault"});
-  CHECK(warnings.empty());
+  CHECK(notes.size() == 1);
 }
 
 namespace {

@@ -55,12 +55,16 @@ struct SurfaceRules {
   /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
   /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
   std::vector<std::string> throw_at;
-  bool throw_auto = false;  ///< throw_at is found from the data (find_throws)
+  bool throw_auto = false;  ///< throw_at: where the throw is smeared, as found from the data (find_ramps)
   /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
   bool throw_at_polygons = false;
   /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
   bool continues = true;
-  bool continues_by_default() const { return continues && extend == Extend::none && throw_at.empty(); }
+  bool continues_by_default() const {
+    return continues && (fills_blocks() || (extend == Extend::none && throw_at.empty()));
+  }
+  /// In each fault block in which it has data the horizon is continued to the walls, however far they are.
+  bool fills_blocks() const { return throw_auto && throw_at.empty(); }
   bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
   /// Horizons with throw_at: where one runs on across a fault as a ramp, the throw is restored in its place. False: the
   /// ramp stays.
@@ -104,8 +108,7 @@ struct ModelRules {
   /// Whether any rule acts on the soup.
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
-      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() ||
-          !rule.throw_at.empty())
+      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || rule.has_throw())
         return true;
     return on_crossing != OnCrossing::leave || trim_overshoot > 0 || !topography.empty() || !floor.empty();
   }
@@ -178,9 +181,9 @@ struct BuiltSurfaces {
   std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
 
-/// Fills SurfaceRules::throw_at of horizons with `throw_auto` from the surfaces as given; notes and warnings tell.
-void find_throws(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes,
-                 std::vector<std::string>& warnings);
+/// Where a horizon with `throw_auto` runs across a fault as a ramp, adds that fault to its SurfaceRules::throw_at, and
+/// those that lie between sheets of it. Notes tell. Cost: that of find_ramp for each such horizon and each fault.
+void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes);
 
 /// Takes from SurfaceRules::throw_at of each horizon the faults that lie wholly above or below it, as given. Such a
 /// fault has no throw there, and its continuation would part the horizon. A warning tells of each.

@@ -146,7 +146,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   }
   inputs.add_throws(rules);
   std::vector<std::string> found, doubts;  // the run tells them
-  find_throws(inputs.surfaces, rules, found, doubts);
+  find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others

@@ -201,7 +201,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);
-  find_throws(model.surfaces, model.rules, found, doubts);
+  find_ramps(model.surfaces, model.rules, found);
   leave_out_unreached_faults(model.surfaces, model.rules, doubts);
   for (std::string& text : found) note(model.notes, context, std::move(text));
   for (std::string& text : doubts) warn(model.warnings, context, std::move(text));

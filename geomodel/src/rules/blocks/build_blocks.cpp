@@ -40,11 +40,10 @@ std::vector<const TriangulatedSurface*> surfaces_of(const std::vector<ThrowFault
 /// The faults that may have a ramp: across one between two sheets none is smeared.
 std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon,
                                       const PartingFaults& parting) {
-  const std::vector<SheetSides::Parting> how =
-      parting_of(horizon, surfaces_of(parting.faults), std::vector<double>(ramps.size(), 0));
+  const std::vector<bool> parts = parting_of(horizon, surfaces_of(parting.faults));
   std::vector<RampFault> left;
   for (std::size_t k = 0; k < ramps.size(); ++k)
-    if (how[k] != SheetSides::Parting::alone) left.push_back(ramps[k]);
+    if (!parts[k]) left.push_back(ramps[k]);
   return left;
 }
 

@@ -49,8 +49,8 @@ struct BlockSetting {
 /// of the block is filled unless a disc of diameter `within` that meets neither what is given nor a wall covers it:
 /// gaps narrower than the distance are closed whatever their length, and where the horizon ends in the open its border
 /// stays open. What is filled hangs together with the border that it continues. Heights are those of the nearest place
-/// of the border, with its slope up to the distance. O(n log n) in the triangles, and the product of border edges and
-/// grid places in a block.
+/// of the border, with its slope up to the distance, or the sheet's mean slope near it where blocks are filled. O(n log
+/// n) in the triangles, and the product of border edges and grid places in a block.
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
                                   const BlockSetting& setting);
 

@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rules/extend/extend.hpp"
+
 namespace geomesh::geomodel {
-namespace {
-
-/// Steeper slopes in the frame are continued level: a sheet that is folded over there has no one height.
-constexpr double steepest_slope = 3;
-
-}  // namespace
 
 ChainInPlane::ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame,
                            double within)

@@ -13,14 +13,13 @@
 #include "rules/continuation/apron.hpp"
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/bridges.hpp"
+#include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/end_on_faults.hpp"
 #include "rules/framework/fault_truncations.hpp"
 #include "rules/planar/borders.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-constexpr Index given_part = 0;  ///< part of the triangles that no continuation made
 
 /// Triangles that meet have the same points, which tells what a continuation belongs to.
 void share_points(TriangulatedSurface& surface) {

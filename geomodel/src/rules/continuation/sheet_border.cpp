@@ -5,38 +5,67 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <optional>
 
+#include "arrangement/search/bvh.hpp"
 #include "common/union_find.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/sheets.hpp"
 #include "naming/sums.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
-constexpr double steepest_slope = 3;
 
 Vec3 normal(const TriangulatedSurface& s, const Triangle& t) {
   return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
 }
 
+/// Where a sheet is going near its border. One triangle of a noisy grid says little about that.
+class SheetNormals {
+ public:
+  SheetNormals(const TriangulatedSurface& horizon, const std::vector<Triangle>& sheet) {
+    std::vector<Box3> boxes;
+    for (const Triangle& t : sheet) {
+      normals_.push_back(normal(horizon, t));
+      centres_.push_back((1.0 / 3) * (horizon.points[t[0]] + horizon.points[t[1]] + horizon.points[t[2]]));
+      boxes.emplace_back().add(centres_.back());
+    }
+    if (!boxes.empty()) tree_ = std::make_unique<arrangement::BoxTree>(boxes);
+  }
+  /// The sum of the normals of a triangle, by its row, and of those with centres within a distance of p.
+  Vec3 about(const Vec3& p, double within, Index own) const {
+    Box3 near;
+    near.add(p - Vec3{within, within, within});
+    near.add(p + Vec3{within, within, within});
+    Vec3 sum = normals_[own];
+    tree_->boxes_meeting(near, [&](Index t) {
+      if (t != own && norm(centres_[t] - p) <= within) sum = sum + normals_[t];
+    });
+    return sum;
+  }
+
+ private:
+  std::vector<Vec3> normals_, centres_;
+  std::unique_ptr<arrangement::BoxTree> tree_;
+};
+
 }  // namespace
 
 SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division,
-                         const std::vector<Triangle>& sheet, double within)
+                         const std::vector<Triangle>& sheet, double within, bool averages)
     : within_(within) {
-  std::map<MapEdge, std::pair<int, const Triangle*>> uses;
+  std::map<MapEdge, std::pair<int, Index>> uses;
   CompensatedSum up;
-  for (const Triangle& t : sheet) {
-    const Vec3 n = normal(horizon, t);
-    up.add(n.z);
+  for (Index k = 0; k < sheet.size(); ++k) {
+    const Triangle& t = sheet[k];
+    up.add(normal(horizon, t).z);
     for (std::size_t i = 0; i < 3; ++i) {
       auto& use = uses[std::minmax(t[i], t[(i + 1) % 3])];
       ++use.first;
-      use.second = &t;
+      use.second = k;
     }
   }
   faces_up_ = up.value() >= 0;
@@ -49,13 +78,15 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
     }
     return at->second;
   };
+  const SheetNormals normals(horizon, sheet);
+  const double mean_of = averages ? within : 0;
   for (const auto& [edge, use] : uses) {
     if (use.first != 1) continue;
     const Index a = row(edge.first), b = row(edge.second);
     constraints_.emplace_back(std::min(a, b), std::max(a, b));
     const std::optional<BorderState> state = division.border_state(edge.first, edge.second);
     if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
-    const Vec3 n = normal(horizon, *use.second);
+    const Vec3 n = normals.about(0.5 * (horizon.points[edge.first] + horizon.points[edge.second]), mean_of, use.second);
     const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
     edges_.push_back({a, b, is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
   }

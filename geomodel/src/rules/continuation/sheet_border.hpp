@@ -18,8 +18,9 @@ namespace geomesh::geomodel {
 class SheetBorder {
  public:
   /// `sheet`: triangles over the horizon's points. `within`: up to where slopes are continued, in m.
+  /// `averages`: slopes are means of the sheet within that distance, in place of the triangle's at the border.
   SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division, const std::vector<Triangle>& sheet,
-              double within);
+              double within, bool averages);
 
   const std::vector<Vec3>& points() const { return points_; }
   VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
@@ -31,7 +32,7 @@ class SheetBorder {
   struct Place {
     Vec3 at;            ///< with the height that the border has there
     double distance;    ///< from the border in the map
-    Vec2 slope;         ///< of the border where it is nearest; none beyond `within`
+    Vec2 slope;         ///< of the sheet where it is nearest; none beyond `within`
     bool has_met_wall;  ///< the border has there
     Vec3 foot;          ///< the nearest place of the border in the map
   };

@@ -19,7 +19,6 @@ namespace {
 constexpr int n_grid = 24;             // points added along the longer side of the extended area
 constexpr double margin = 0.05;        // how far beyond the box the continuation goes, in box diagonals
 constexpr double slope_radius = 0.05;  // radius for the mean slope near a border point, in surface diagonals
-constexpr double steepest_slope = 3;   // steeper mean slopes in the frame are not continued
 
 /// The surface's border in its frame: points without repeats and edges between them.
 struct PlanarBorder {

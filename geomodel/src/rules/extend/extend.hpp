@@ -10,6 +10,9 @@
 
 namespace geomesh::geomodel {
 
+/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
+inline constexpr double steepest_slope = 3;
+
 /// Each appends points and triangles to the surface (rows as given stay), and says what it did or why it could not.
 struct BuildLog {
   std::vector<std::string>& notes;

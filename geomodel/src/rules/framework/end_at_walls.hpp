@@ -10,6 +10,9 @@
 
 namespace geomesh::geomodel {
 
+/// Part of the triangles that no continuation made.
+inline constexpr Index given_part = 0;
+
 /// BuiltRows::part_of_triangle of a surface; empty where nothing continued it.
 std::span<const Index> part_of(const BuiltRows& built, Index row);
 

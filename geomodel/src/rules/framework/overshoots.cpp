@@ -6,6 +6,7 @@
 #include <ranges>
 
 #include "naming/region_facts.hpp"
+#include "rules/framework/end_at_walls.hpp"
 #include "rules/planar/reach.hpp"
 
 namespace geomesh::geomodel {
@@ -32,7 +33,7 @@ std::vector<EdgeEnds> contacts_of(const WorkingSoup& working, const Piece& piece
 
 bool is_given(const WorkingSoup& working, Index facet, const MeantEnd& end) {
   return end.part.empty() || std::ranges::any_of(working.origins[facet], [&](const PolygonSoup::Origin& o) {
-           return o.surface == end.surface && end.part[o.triangle] == 0;
+           return o.surface == end.surface && end.part[o.triangle] == given_part;
          });
 }
 
@@ -69,10 +70,16 @@ bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) 
 
 std::vector<Piece> overshoots_of(const WorkingSoup& working, const MeantEnd& end) {
   std::vector<Piece> pieces = pieces_of(working, end.surface, end.cutters, nullptr);
-  double largest = 0;
-  for (const Piece& piece : pieces) largest = std::max(largest, piece.area);
+  std::map<Index, double> largest;  // by block
+  const auto block_of = [&](const Piece& piece) {
+    return end.blocks == nullptr ? 0 : end.blocks->block_at(working.centre(piece.largest));
+  };
+  for (const Piece& piece : pieces) {
+    double& area = largest[block_of(piece)];
+    area = std::max(area, piece.area);
+  }
   std::erase_if(pieces, [&](const Piece& piece) {
-    return piece.free_border == 0 || piece.contact == 0 || piece.area == largest ||
+    return piece.free_border == 0 || piece.contact == 0 || piece.area == largest[block_of(piece)] ||
            reaches_beyond_contacts(working, piece, end) || something_ends_on(working, piece, end.surface);
   });
   return pieces;

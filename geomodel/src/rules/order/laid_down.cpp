@@ -6,14 +6,10 @@
 #include <limits>
 #include <optional>
 
+#include "common/by_rounding.hpp"
 #include "geomesh/core/error.hpp"
 
 namespace geomesh::geomodel {
-namespace {
-
-constexpr double same_height = 1e-9;  // of two triangles at their common edge, as a share of it
-
-}  // namespace
 
 LaidDown::LaidDown(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules) {
   std::vector<Index> rows;
@@ -65,7 +61,7 @@ double LaidDown::height(const Horizon& horizon, const Vec3& p) {
     least = std::min(least, z);
     most = std::max(most, z);
   });
-  const double tiny = same_height * (std::abs(least) + std::abs(most));
+  const double tiny = by_rounding * (std::abs(least) + std::abs(most));
   return most - least <= tiny ? 0.5 * (least + most) : nowhere;  // more than one height: it overhangs
 }
 

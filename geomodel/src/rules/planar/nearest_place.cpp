@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/by_rounding.hpp"
+
 namespace geomesh::geomodel {
 
 NearestPlace::NearestPlace(const std::vector<Vec3>& places) : places_(places) {
@@ -24,10 +26,11 @@ std::size_t NearestPlace::row(double y) const {
 }
 
 double NearestPlace::distance2_of_cell(std::size_t i, std::size_t j, double x, double y) const {
-  constexpr double rounding = 1e-9;  // of a cell: places on its rim may be counted to the next one
-  const double x0 = bounds_.min.x + width_ * (static_cast<double>(i) - rounding), x1 = x0 + width_ * (1 + 2 * rounding);
-  const double y0 = bounds_.min.y + height_ * (static_cast<double>(j) - rounding),
-               y1 = y0 + height_ * (1 + 2 * rounding);
+  // Places on the rim of a cell may be counted to the next one.
+  const double x0 = bounds_.min.x + width_ * (static_cast<double>(i) - by_rounding),
+               x1 = x0 + width_ * (1 + 2 * by_rounding);
+  const double y0 = bounds_.min.y + height_ * (static_cast<double>(j) - by_rounding),
+               y1 = y0 + height_ * (1 + 2 * by_rounding);
   const double dx = std::max({0.0, x0 - x, x - x1}), dy = std::max({0.0, y0 - y, y - y1});
   return dx * dx + dy * dy;
 }

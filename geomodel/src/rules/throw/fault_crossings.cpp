@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "arrangement/search/bvh.hpp"
+#include "common/by_rounding.hpp"
 #include "geomesh/core/predicates.hpp"
 
 namespace geomesh::geomodel {
@@ -20,7 +21,6 @@ Box3 bounds_of(const std::array<Vec3, 3>& t) {
 /// Of a fault that ends on a side of the box nothing inside goes round the end: what meets the side alone, but for
 /// rounding, is beyond.
 bool reaches_into(const Box3& a, const Box3& box) {
-  constexpr double by_rounding = 1e-9;  // of the box
   for (std::size_t k = 0; k < 3; ++k) {
     const double room = std::isfinite(box.max[k] - box.min[k]) ? by_rounding * (box.max[k] - box.min[k]) : 0;
     if (a.max[k] <= box.min[k] + room || box.max[k] - room <= a.min[k]) return false;

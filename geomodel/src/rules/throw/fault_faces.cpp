@@ -81,25 +81,8 @@ std::vector<Index> FaultFaces::faces_within(const Vec3& p, double reach) const {
   return found;
 }
 
-std::optional<double> FaultFaces::distance_over(const Vec3& p, double reach) const {
-  std::optional<double> nearest;
-  for (const Index row : faces_within(p, reach)) {
-    const Face& f = faces_[row];
-    if (f.is_further(p, reach)) continue;
-    const Vec3 &a = f.corners[0], u = f.corners[1] - a, w = f.corners[2] - a;
-    const double d = dot(p - a, f.normal);
-    if (std::abs(d) > (nearest ? std::abs(*nearest) : reach)) continue;
-    const Vec3 q = p - d * f.normal - a;
-    const double uu = dot(u, u), uw = dot(u, w), ww = dot(w, w), qu = dot(q, u), qw = dot(q, w);
-    const double whole = uu * ww - uw * uw, s = (ww * qu - uw * qw) / whole, t = (uu * qw - uw * qu) / whole;
-    constexpr double outside = 0.05;  // so that places between two triangles of a bend are over one of them
-    if (s >= -outside && t >= -outside && s + t <= 1 + outside) nearest = d;
-  }
-  return nearest;
-}
-
 std::optional<Beside> FaultFaces::beside(const Vec3& p, double reach) const {
-  if (steep_.empty() || !may_be_near({p, p, p}, reach)) return std::nullopt;
+  if (steep_.empty() || !may_be_near(p, reach)) return std::nullopt;
   const double bound = faces_[steep_[steep_centres_.find(p)]].distance(p).first;
   const Face* nearest = nullptr;
   double least = reach;
@@ -114,17 +97,17 @@ std::optional<Beside> FaultFaces::beside(const Vec3& p, double reach) const {
   if (nearest == nullptr) return std::nullopt;
   const Vec3& n = nearest->normal;
   const double level = std::hypot(n.x, n.y);
-  return Beside{least, dot(p - nearest->corners[0], n) / level, along_strike(p), {n.x / level, n.y / level}, is_within};
+  return Beside{least,
+                dot(p - nearest->corners[0], n) / level,
+                strike_.x * p.x + strike_.y * p.y,
+                {n.x / level, n.y / level},
+                is_within};
 }
 
-bool FaultFaces::may_be_near(const std::array<Vec3, 3>& corners, double reach) const {
-  Box3 box;
-  for (const Vec3& p : corners) box.add(p);
+bool FaultFaces::may_be_near(const Vec3& p, double reach) const {
   for (std::size_t i = 0; i < 3; ++i)
-    if (box.min[i] > bounds_.max[i] + reach || box.max[i] < bounds_.min[i] - reach) return false;
+    if (p[i] > bounds_.max[i] + reach || p[i] < bounds_.min[i] - reach) return false;
   return true;
 }
-
-double FaultFaces::extent() const { return std::hypot(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y); }
 
 }  // namespace geomesh::geomodel

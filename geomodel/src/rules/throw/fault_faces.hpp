@@ -29,15 +29,9 @@ class FaultFaces {
  public:
   explicit FaultFaces(const TriangulatedSurface& fault);
 
-  /// Signed distance from the nearest triangle that is over or under p along its own normal, within reach.
-  std::optional<double> distance_over(const Vec3& p, double reach) const;
   /// From the nearest triangle that is not level; beyond the fault's ends its plane goes on. Nothing further off than
   /// reach.
   std::optional<Beside> beside(const Vec3& p, double reach) const;
-  bool may_be_near(const std::array<Vec3, 3>& corners, double reach) const;
-  double along_strike(const Vec3& p) const { return strike_.x * p.x + strike_.y * p.y; }
-  /// In the map.
-  double extent() const;
 
  private:
   struct Face {
@@ -49,6 +43,7 @@ class FaultFaces {
     std::pair<double, bool> distance(const Vec3& p) const;
   };
 
+  bool may_be_near(const Vec3& p, double reach) const;
   /// Ascending.
   std::vector<Index> faces_within(const Vec3& p, double reach) const;
 

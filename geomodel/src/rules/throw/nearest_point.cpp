@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "common/by_rounding.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
@@ -39,10 +40,9 @@ void NearestPoint::build(std::size_t begin, std::size_t end) {
 }
 
 void NearestPoint::look_at(Index row, const Vec3& p, Best& best) const {
-  constexpr double by_rounding = 1 + 1e-9;
   const Vec3 off = p - points_[row];
   const double squared = dot(off, off);
-  if (best.row != no_index && squared > by_rounding * best.distance * best.distance) return;
+  if (best.row != no_index && squared > (1 + by_rounding) * best.distance * best.distance) return;
   const double d = std::sqrt(squared);
   if (best.row == no_index || d < best.distance || (d == best.distance && row < best.row)) best = {row, d};
 }
@@ -59,8 +59,7 @@ void NearestPoint::find(std::size_t begin, std::size_t end, const Vec3& p, const
   find(is_low ? begin : middle + 1, is_low ? middle : end, p, off, best);
   Vec3 further = off;
   further[axis] = std::max(off[axis], std::abs(beyond));
-  constexpr double by_rounding = 1 - 1e-9;
-  if (by_rounding * dot(further, further) <= best.distance * best.distance)
+  if ((1 - by_rounding) * dot(further, further) <= best.distance * best.distance)
     find(is_low ? middle + 1 : begin, is_low ? end : middle, p, further, best);
 }
 

@@ -161,30 +161,26 @@ std::vector<bool> SheetSides::run_across() const {
   return counts;
 }
 
-std::vector<SheetSides::Parting> SheetSides::parting(const std::vector<double>& evidence) const {
-  std::vector<Parting> found(n_faults_, Parting::none);
+std::vector<bool> SheetSides::parting() const {
   std::vector<bool> counts = run_across();
   counts.flip();
-  const auto wrong = [&](std::size_t f) { return (1 - evidence[f]) * on_wrong_side(f); };
+  const auto wrong = [&](std::size_t f) { return on_wrong_side(f); };
   for (;;) {
     const std::size_t next = least_needed(counts, -1, wrong);
     if (next == n_faults_) break;
     counts[next] = false;
-    found[next] = Parting::as_others;
   }
-  for (std::size_t f = 0; f < n_faults_; ++f)
-    if (counts[f] && parts_alone(f, counts)) found[f] = Parting::alone;
-  return found;
+  for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = counts[f] && parts_alone(f, counts);
+  return counts;
 }
 
-std::vector<SheetSides::Parting> parting_of(const TriangulatedSurface& horizon,
-                                            const std::vector<const TriangulatedSurface*>& faults,
-                                            const std::vector<double>& evidence) {
+std::vector<bool> parting_of(const TriangulatedSurface& horizon,
+                             const std::vector<const TriangulatedSurface*>& faults) {
   const std::vector<Index> sheet =
       sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
-  if (std::all_of(sheet.begin(), sheet.end(), [&](Index s) { return s == sheet.front(); }))
-    return std::vector<SheetSides::Parting>(faults.size(), SheetSides::Parting::none);
-  return SheetSides(horizon, faults).parting(evidence);
+  if (std::ranges::all_of(sheet, [&](Index s) { return s == sheet.front(); }))
+    return std::vector<bool>(faults.size(), false);
+  return SheetSides(horizon, faults).parting();
 }
 
 }  // namespace geomesh::geomodel

@@ -60,13 +60,10 @@ class SheetSides {
   /// enough where other faults lie between all sheets that this one has on its two sides: it cuts a corner off.
   std::vector<bool> run_across() const;
 
-  /// How a fault lies to the sheets: it parts none, or some that no other one parts, or those alone that others part.
-  enum class Parting : std::uint8_t { none, alone, as_others };
-  /// Per fault, the fewest faults being taken that part the sheets. Of two that part the same ones it is that with less
-  /// of them on the wrong side, times one less `evidence`. That is how sure the throw is otherwise, 0 to 1, per fault.
-  /// One that a sheet runs on across parts none. Sheets of less than a two-hundredth of the horizon's area do not
-  /// count.
-  std::vector<Parting> parting(const std::vector<double>& evidence) const;
+  /// Per fault, whether it is one of the fewest faults that part the sheets. Of two that part the same ones it is that
+  /// with less of them on the wrong side. One that a sheet runs on across parts none. Sheets of less than a
+  /// two-hundredth of the horizon's area do not count.
+  std::vector<bool> parting() const;
 
  private:
   /// Part of a triangle (AreaSamples).
@@ -113,8 +110,6 @@ class SheetSides {
 };
 
 /// SheetSides::parting. A horizon of one sheet is parted by none, without looking at its sides.
-std::vector<SheetSides::Parting> parting_of(const TriangulatedSurface& horizon,
-                                            const std::vector<const TriangulatedSurface*>& faults,
-                                            const std::vector<double>& evidence);
+std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel

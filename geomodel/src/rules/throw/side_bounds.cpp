@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "common/by_rounding.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t few = 8;     // planes that are not halved
-constexpr double rounding = 1e-9;  // of the distances in question: far more than there is
+constexpr std::size_t few = 8;  // planes that are not halved
 
 }  // namespace
 
@@ -74,7 +74,7 @@ SideOfAll SideBounds::side(std::size_t node, const Vec3& from_centre, double tin
 SideOfAll SideBounds::side(const Vec3& p) const {
   if (nodes_.empty()) return SideOfAll::not_known;
   const Vec3 from_centre = p - centre_;
-  return side(0, from_centre, rounding * (norm(from_centre) + extent_));
+  return side(0, from_centre, by_rounding * (norm(from_centre) + extent_));
 }
 
 }  // namespace geomesh::geomodel

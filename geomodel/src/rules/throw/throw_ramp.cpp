@@ -8,7 +8,9 @@
 #include <limits>
 #include <optional>
 
+#include "geomesh/geomodel/model_rules.hpp"
 #include "rules/planar/single_valued.hpp"
+#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -83,11 +85,13 @@ std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
   return std::nullopt;
 }
 
+bool are_enough(std::size_t n_ramps, std::size_t n_stretches) {
+  return n_ramps > 0 && static_cast<double>(n_ramps) >= share_of_stretches * static_cast<double>(n_stretches);
+}
+
 }  // namespace
 
-bool Ramp::is_there() const {
-  return !at.empty() && static_cast<double>(at.size()) >= share_of_stretches * static_cast<double>(n_stretches);
-}
+bool Ramp::is_there() const { return are_enough(at.size(), n_stretches); }
 
 RampWidth Ramp::width(long stretch) const {
   RampWidth widest;
@@ -150,8 +154,43 @@ Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> f
   return ramp;
 }
 
-bool has_smeared_throw(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own) {
-  return is_single_valued(horizon) && find_ramp(horizon, faults, own, median_map_edge(horizon)).is_there();
+void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes) {
+  std::vector<FaultFaces> faces;
+  std::vector<const TriangulatedSurface*> faults;
+  for (const TriangulatedSurface& s : surfaces)
+    if (s.kind == SurfaceKind::fault && !s.triangles.empty()) {
+      faces.emplace_back(s);
+      faults.push_back(&s);
+    }
+  // Throw belongs to two blocks, and all horizons in them have it: a fault is smeared in all of them or in none. One
+  // horizon restored beside others that keep their ramps would cross these.
+  std::vector<std::size_t> n_ramps(faults.size(), 0), n_stretches(faults.size(), 0);
+  std::map<std::size_t, std::vector<bool>> parts;  // by horizon the faults between its sheets, which smear nothing
+  for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
+    const SurfaceRules& rule = rules.surfaces[s];
+    if (!rule.throw_auto || !rule.cut_smeared || !is_single_valued(surfaces[s])) continue;
+    const std::vector<bool>& parted = parts[s] = parting_of(surfaces[s], faults);
+    const double edge = median_map_edge(surfaces[s]);
+    for (std::size_t f = 0; f < faults.size(); ++f) {
+      if (parted[f]) continue;
+      const Ramp ramp = find_ramp(surfaces[s], faces, f, edge);
+      n_ramps[f] += ramp.at.size();
+      n_stretches[f] += ramp.n_stretches;
+    }
+  }
+  std::vector<bool> is_smeared;
+  for (std::size_t f = 0; f < faults.size(); ++f) is_smeared.push_back(are_enough(n_ramps[f], n_stretches[f]));
+  if (std::ranges::count(is_smeared, true) == 0) return;
+  for (const auto& [s, parted] : parts)
+    for (std::size_t f = 0; f < faults.size(); ++f) {
+      const std::string& name = faults[f]->name;
+      std::vector<std::string>& throw_at = rules.surfaces[s].throw_at;
+      if (std::ranges::count(throw_at, name) > 0 || !(is_smeared[f] || parted[f])) continue;
+      throw_at.push_back(name);
+      notes.push_back("horizon " + surfaces[s].name +
+                      (is_smeared[f] ? ": throw across " + name + " found from the data, smeared along it"
+                                     : ": " + name + " lies between sheets of it, and parts them"));
+    }
 }
 
 }  // namespace geomesh::geomodel

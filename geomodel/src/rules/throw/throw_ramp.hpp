@@ -43,7 +43,4 @@ long stretch_at(double along, double edge);
 /// median_map_edge(). Cost: the horizon's triangles near the fault times the triangles of all faults.
 Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own, double edge);
 
-/// Whether a single-valued horizon has a ramp at the fault.
-bool has_smeared_throw(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own);
-
 }  // namespace geomesh::geomodel

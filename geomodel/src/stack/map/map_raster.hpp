@@ -9,6 +9,9 @@
 
 namespace geomesh::geomodel {
 
+/// Cells of a raster. More would take seconds, and show features that are smaller than elements.
+inline constexpr double most_cells = 1e6;
+
 /// Values at the centres of square cells; NaN: none.
 struct MapRaster {
   Vec2 origin;  ///< centre of the first cell

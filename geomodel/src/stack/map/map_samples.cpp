@@ -31,6 +31,12 @@ struct PlaneSums {
 
 }  // namespace
 
+double step_between_places(const MapBounds& bounds, double size) {
+  constexpr double step_of_size = 1.0 / 8, most_places = 250000;
+  const double area = (bounds.max.x - bounds.min.x) * (bounds.max.y - bounds.min.y);
+  return std::max(step_of_size * size, std::sqrt(area / most_places));
+}
+
 void MapBounds::add(Vec2 p) {
   if (empty()) {
     min = max = p;

@@ -21,6 +21,10 @@ struct MapBounds {
   MapBounds grown(double by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
 };
 
+/// Between places of the map at which heights of horizons are compared: an eighth of the size, so that no element fits
+/// between them, or more where there would be more than 250,000 of them.
+double step_between_places(const MapBounds& bounds, double size);
+
 /// All places within bounds where at least one of the surfaces has a vertex, each once, with the heights of all
 /// surfaces there. The surfaces outlive it.
 class MapSamples {

@@ -8,10 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double small_slope = 0.035;     // of one horizon over the other: 2 degrees
-constexpr double step_of_size = 1.0 / 8;  // between places of the lattice
-constexpr double most_places = 250000;    // of it
-constexpr double shared = 1e-5;           // of the size: surfaces nearer than that are one
+constexpr double small_slope = 0.035;  // of one horizon over the other: 2 degrees
+constexpr double shared = 1e-5;        // of the size: surfaces nearer than that are one
 
 /// A row of the lattice: per place and horizon how far the lowest of the younger ones is over it; NaN: one is absent.
 class Row {
@@ -46,8 +44,7 @@ bool is_shallow(double here, double east, double north, double step, double size
 }  // namespace
 
 bool cross_at_small_angle(const MapSamples& samples, const MapBounds& bounds, double size) {
-  const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
-  const double step = std::max(step_of_size * size, std::sqrt(width * height / most_places));
+  const double width = bounds.max.x - bounds.min.x, step = step_between_places(bounds, size);
   const auto n_columns = static_cast<std::size_t>(width / step) + 1;
   Row row(samples, n_columns), next(samples, n_columns);
   row.fill(samples, bounds, step, bounds.min.y);

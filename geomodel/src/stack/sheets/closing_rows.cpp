@@ -10,7 +10,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_edge = 0.5;  // an edge is cut no further from the pinch-out line than here
-constexpr double fit_of_edge = 0.35;  // radius about a cut in which heights are averaged
 
 using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
 

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <queue>
 
+#include "common/by_rounding.hpp"
 #include "stack/map/growing_triangulation.hpp"
 #include "stack/sheets/edge_crossings.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double fit_of_lattice = 0.35;     // radius of the first fits, of the lattice's distance
-constexpr double fit_of_triangle = 0.35;    // of the side of a triangle with the area of the one that is divided
 constexpr double vertex_is_off = 0.5;       // share of a sample's distance that is its triangle's vertices' own
 constexpr double near_vertex = 0.25;        // of the samples' distance: what is off there is the vertex
 constexpr int most_rounds = 4;              // of points added where edges are off
@@ -132,7 +131,7 @@ class Sheets {
     if (at.from_vertex < near_vertex * samples_.spacing()) return false;
     const std::size_t k = at.horizon;
     const double z = (1 - at.along) * height(at.a, k) + at.along * height(at.b, k);
-    const double most = allowed(giving_way(at.cell), k) * (1 + 1e-9);
+    const double most = allowed(giving_way(at.cell), k) * (1 + by_rounding);
     return std::abs(z - at.height) > most && std::abs(z - heights_on_triangles(at.place, merged(at.cell))[k]) > most;
   }
 
@@ -233,7 +232,7 @@ class Approximation {
         version_(map_.cells().size(), 0) {}
 
   MapSheets run() {
-    for (VertexIndex v = 0; v < map_.points().size(); ++v) sheets_.add_vertex(v, fit_of_lattice * lattice_);
+    for (VertexIndex v = 0; v < map_.points().size(); ++v) sheets_.add_vertex(v, fit_of_edge * lattice_);
     for (Index cell = 0; cell < map_.cells().size(); ++cell) measure(cell);
     serve_queue();
     for (int round = 0; round < most_rounds && add_where_edges_are_off(); ++round) serve_queue();
@@ -284,7 +283,7 @@ class Approximation {
     map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
     if (change_.vertex == no_vertex) return;  // at a vertex, or too narrow for doubles
     take_change();
-    sheets_.add_vertex(change_.vertex, std::min(fit_of_lattice * lattice_, fit_of_triangle * side));
+    sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);
     // A line's piece elsewhere may have been halved instead: the sample is still to be dealt with.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);

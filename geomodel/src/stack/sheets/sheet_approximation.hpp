@@ -16,6 +16,9 @@ namespace geomesh::geomodel {
 /// (stack/sheets/sheet_room.hpp).
 inline constexpr double share_for_centring = 0.15;
 
+/// Radius within which heights are averaged at a vertex, as a share of the length of edges there.
+inline constexpr double fit_of_edge = 0.35;
+
 struct SheetOptions {
   Keepers keepers;                ///< one a pair
   double allowed = 0;             ///< largest distance along the vertical from the settled heights of samples, m

@@ -10,7 +10,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double cells_a_size = 4;
-constexpr double most_cells = 1e6;
 constexpr std::uint32_t few_samples = 4;  // of a cell
 constexpr int places_a_side = 3;          // of a cell with few samples
 constexpr int smoothing_passes = 4;

@@ -10,7 +10,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double cells_a_size = 8;
-constexpr double most_cells = 1e6;
 constexpr double margin_of_size = 0.3;
 constexpr double piece_of_size = 0.6;
 constexpr int smoothing_passes = 2;
