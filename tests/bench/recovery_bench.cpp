@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// recovery_bench --data DIR [--markdown FILE] [--limit SECONDS] [NAME...]
+// recovery_bench --data DIR [--markdown FILE] [--limit SECONDS] [--constrained] [NAME...]
 //
 // Recovery beside the TetGen 1.5 library, each input a row, each run a process of its own on one core: CPU time of
 // everything from the model in memory to the classified mesh (delaunay, recover, classify and what lies between), added
 // points, tetrahedra. Constrained mode beside TetGen's `pY`, conforming mode beside `p`. Our meshes are judged exactly;
 // a mesh that does not pass is a failure here. With
-// --markdown, the section "Recovery" of that file is replaced. With names, only inputs whose name contains one of them.
+// --markdown, the section "Recovery" of that file is replaced. With --constrained, constrained mode alone is measured.
+// With names, only inputs whose name contains one of them.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -176,13 +177,15 @@ void replace_section(const std::string& path, const std::string& body) {
   std::ofstream(path) << text.substr(0, begin) << section << text.substr(end);
 }
 
-Row run(const bench::RecoveryInput& input, unsigned limit) {
+/// `is_alone`: constrained mode alone.
+Row run(const bench::RecoveryInput& input, unsigned limit, bool is_alone) {
   Row row;
   row.input = input;
   const PiecewiseLinearComplex plc = input.make();
   row.n_triangles = bench::n_triangles(plc);
   row.n_points = plc.points.size();
   row.constrained = bench::measure_ours(plc, test::constrained_mode(), limit);
+  if (is_alone) return row;
   row.preserved = bench::measure_ours(plc, test::preserving_mode(), limit);
   row.conforming = bench::measure_ours(plc, test::conforming_mode(), limit);
   row.tetgen_py = bench::measure_tetgen(plc, "pYQ", limit);
@@ -195,6 +198,7 @@ Row run(const bench::RecoveryInput& input, unsigned limit) {
 int main(int argc, char** argv) {
   std::string data, markdown;
   unsigned limit = 120;
+  bool is_alone = false;
   std::vector<std::string> names;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
@@ -205,6 +209,8 @@ int main(int argc, char** argv) {
       markdown = argv[++i];
     } else if (word == "--limit" && has_value) {
       limit = static_cast<unsigned>(std::stoul(argv[++i]));
+    } else if (word == "--constrained") {
+      is_alone = true;
     } else {
       names.push_back(word);
     }
@@ -215,7 +221,7 @@ int main(int argc, char** argv) {
     for (const std::string& n : names) wanted = wanted || input.name.find(n) != std::string::npos;
     if (!wanted) continue;
     std::cerr << input.name << std::endl;
-    rows.push_back(run(input, limit));
+    rows.push_back(run(input, limit, is_alone));
   }
   const std::string text = table(rows);
   std::cout << text;

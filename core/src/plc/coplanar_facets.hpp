@@ -12,11 +12,6 @@
 
 namespace geomesh {
 
-/// Delaunay edges that the inner edges of plane patches cross on average over a model, up to which tetrahedralize()
-/// keeps its triangles: the work of flips for them is linear in the model then. The benchmark's models have up to 3.3
-/// (modelA4), its plates of crossing needles 10 and more.
-inline constexpr double most_crossings_of_kept_edge = 4;
-
 /// A complex in which some patches of coplanar triangles are one facet each, or nothing where none is to be merged.
 /// Points, segments and seeds are those of the complex that it was made from, and in the same rows.
 struct MergedFacets {

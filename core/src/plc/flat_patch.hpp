@@ -9,6 +9,7 @@
 
 #include "delaunay/plane_space.hpp"
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "plc/facet_triangulation.hpp"
 
 namespace geomesh {
@@ -25,6 +26,15 @@ class FlatPatch {
 
   /// Whether the given triangle runs against the first one.
   bool is_turned(Index triangle) const { return is_turned_[triangle]; }
+  Index n_triangles() const { return static_cast<Index>(triangles_.size()); }
+  /// As it is turned.
+  const Triangle& triangle(Index t) const { return triangles_[t]; }
+  VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
+  /// Corner from which the edge that begins at `corner` runs the other way, or no_index on the border.
+  Index opposite(Index corner) const { return opposite_[corner]; }
+  /// Positive where a, b, c turn as the triangles do.
+  Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }
+  Sign turn(VertexIndex a, VertexIndex b, const Vec3& c) const { return orient2d(flat(a), flat(b), projection_(c)); }
   /// Outer loop and holes, with the patch on the left; its vertices inside, apart from those on `segments`, which
   /// become segments of the polygon. O(n log n).
   FacetPolygon polygon(std::vector<Edge> segments) const;
@@ -41,10 +51,7 @@ class FlatPatch {
   bool project();
   bool join();
   void sort_corners();
-  VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
-  /// Corner from which the edge that begins at `corner` runs the other way, or no_index on the border.
-  Index opposite(Index corner) const { return opposite_[corner]; }
   Vec2 flat(VertexIndex v) const { return projection_(points_[v]); }
   /// Edge that ends the turn about the end of `corner`'s edge through the patch: the next one of the border.
   Index next_on_border(Index corner) const;

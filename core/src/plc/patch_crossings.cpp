@@ -19,6 +19,8 @@ class PatchCrossings {
     std::vector<Bound> bounds;
     std::size_t left = 0, n = 0;
     for (Index patch = 0; patch + 1 < first_.size(); ++patch) {
+      const auto is_delaunay = [&](const InnerEdge& e) { return is_locally_delaunay(e); };
+      if (std::all_of(edges_of(patch).begin(), edges_of(patch).end(), is_delaunay)) continue;
       list_vertices(edges_of(patch));
       bounds.push_back({edges_of(patch).size() * most_crossed(vertices_.size()), patch});
       left += bounds.back().crossings;
@@ -40,6 +42,17 @@ class PatchCrossings {
     std::size_t crossings;
     Index patch;
   };
+
+  /// Whether the two angles that see the edge are together at most 180 degrees. Where they are at all edges of a patch,
+  /// none of its edges is to be flipped, so it need not be triangulated. Rounding decides only whether that is seen.
+  bool is_locally_delaunay(const InnerEdge& e) const {
+    const auto sees = [&](VertexIndex apex) {
+      const Vec3 to_a = points_[e.a] - points_[apex], to_b = points_[e.b] - points_[apex];
+      return Vec2{dot(to_a, to_b), length(cross(to_a, to_b))};
+    };
+    const Vec2 one = sees(e.apex), other = sees(e.other_apex);
+    return one.x * other.y + one.y * other.x >= 0;
+  }
 
   std::span<const InnerEdge> edges_of(Index patch) const {
     return edges_.subspan(first_[patch], first_[patch + 1] - first_[patch]);

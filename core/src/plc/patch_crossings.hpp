@@ -22,7 +22,8 @@ constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 
 
 /// Whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of the
 /// Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1; at each of its
-/// triangles is one of them. Patches are not triangulated once those that are left can change nothing. O(n log n).
+/// triangles is one of them. Patches are not triangulated if no edge of them is to be flipped, nor once those that are
+/// left can change nothing. O(n log n).
 bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
                            double most);
 

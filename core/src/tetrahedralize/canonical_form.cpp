@@ -221,4 +221,10 @@ class Builder {
 
 CanonicalForm canonical_form(const PiecewiseLinearComplex& plc) { return Builder(plc).run(); }
 
+std::vector<Index> provenance_of(const PiecewiseLinearComplex& plc, const ModelNames& names) {
+  std::vector<Index> out;
+  for (const Index f : names.facet) out.push_back(plc.facet_provenance[f]);
+  return out;
+}
+
 }  // namespace geomesh

@@ -26,6 +26,9 @@ struct CanonicalForm {
 /// power of two; and moved, where that is exact, the same but for the place. O(n log n).
 CanonicalForm canonical_form(const PiecewiseLinearComplex& plc);
 
+/// By facet of the form: the row in plc.provenance_sets of the caller's complex.
+std::vector<Index> provenance_of(const PiecewiseLinearComplex& plc, const ModelNames& names);
+
 /// A mesh of the canonical form as one of `plc`: points, items, orientations and orders are those that
 /// ConstrainedTetrahedralization documents. O(n) but for sorting the input's vertices.
 ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mesh, const ModelNames& names,

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "plc/coplanar_patches.hpp"
 #include "plc/flat_patch.hpp"
 
 namespace geomesh {
@@ -97,9 +98,8 @@ ModelForm::ModelForm(const PiecewiseLinearComplex& plc, const RecoverOptions& op
 }
 
 void ModelForm::merge(const RunContext& context) {
-  std::vector<Index> provenance;
-  for (const Index f : form_.names.facet) provenance.push_back(given_.facet_provenance[f]);
-  MergedFacets merged = merge_coplanar_facets(form_.plc, provenance, most_crossings_of_kept_edge);
+  MergedFacets merged =
+      merge_coplanar_facets(form_.plc, provenance_of(given_, form_.names), most_crossings_of_kept_edge);
   if (!merged.has_merged()) return;
   std::size_t n_polygons = 0, n_triangles = 0;
   for (Index m = 0; m < merged.plc.n_facets(); ++m)

@@ -11,6 +11,7 @@
 #include "tetrahedralize/conforming_step.hpp"
 #include "tetrahedralize/model_form.hpp"
 #include "tetrahedralize/recovery_run.hpp"
+#include "tetrahedralize/roofed_parts.hpp"
 
 namespace geomesh {
 
@@ -87,6 +88,24 @@ ConstrainedTetrahedralization mesh_or_throw(MeshingOutcome&& outcome) {
   return std::move(*outcome.mesh);
 }
 
+/// With boundary preserved, of a complex with roofs over plane parts; nothing where that does not succeed.
+std::optional<ConstrainedTetrahedralization> mesh_with_roofs(const PiecewiseLinearComplex& plc,
+                                                             const TetrahedralizeOptions& options,
+                                                             const RunContext& context) {
+  const CanonicalForm form = canonical_form(plc);
+  const std::optional<RoofedParts> roofed = RoofedParts::of(form.plc, provenance_of(plc, form.names));
+  if (!roofed) return std::nullopt;
+  try {
+    MeshingOutcome outcome = mesh_in_mode(roofed->plc(), options, context, recover_conforming);
+    if (!outcome.mesh || !roofed->fill(*outcome.mesh)) return std::nullopt;
+    return in_callers_terms(std::move(*outcome.mesh), form.names, plc);
+  } catch (const Error& e) {
+    if (e.kind() != ErrorKind::cannot_mesh && e.kind() != ErrorKind::invalid_input) throw;
+    context.note(LogLevel::debug, std::string("meshing with roofs over plane parts ends: ") + e.what());
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 void list_facets_off_delaunay(ConstrainedTetrahedralization& mesh) {
@@ -119,6 +138,9 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
     throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
   refuse_invalid(plc);
+  if (options.recover.preserve_boundary)
+    if (std::optional<ConstrainedTetrahedralization> roofed = mesh_with_roofs(plc, options, context))
+      return std::move(*roofed);
   MeshingOutcome outcome = mesh_in_mode(plc, options, context, recover_conforming);
   if (options.recover.mode == MeshMode::constrained) return mesh_or_throw(std::move(outcome));
   if (!outcome.refusal || outcome.refusal->kind() != ErrorKind::cannot_mesh) {

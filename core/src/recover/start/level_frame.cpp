@@ -81,7 +81,23 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
+/// The axis nearest to the normal first.
+std::array<std::size_t, 3> axes_along(const Vec3& normal) {
+  std::array<std::size_t, 3> axes{2, 1, 0};
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](std::size_t a, std::size_t b) { return std::fabs(normal[a]) > std::fabs(normal[b]); });
+  return axes;
+}
+
 }  // namespace
+
+std::size_t level_axis(const std::array<Vec3, 3>& corners) {
+  const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const std::array<std::size_t, 3> axes = axes_along(normal);
+  for (const std::size_t axis : axes)
+    if (normal[axis] != 0 && Shear(normal, axis).makes_level({corners.begin(), corners.end()}, {0, 1, 2})) return axis;
+  return axes[0];
+}
 
 std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints) {
   Index largest = no_index;
@@ -93,10 +109,7 @@ std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& poin
     normal = area;
   }
   if (largest == no_index) return std::nullopt;
-  std::array<std::size_t, 3> axes{2, 1, 0};
-  std::stable_sort(axes.begin(), axes.end(),
-                   [&](std::size_t a, std::size_t b) { return std::fabs(normal[a]) > std::fabs(normal[b]); });
-  for (const std::size_t axis : axes) {
+  for (const std::size_t axis : axes_along(normal)) {
     if (normal[axis] == 0) continue;
     const Shear shear(normal, axis);
     if (shear.is_none()) return std::nullopt;

@@ -4,6 +4,7 @@
 /// scale of an axis brings its segments into the Delaunay triangulation; once it is level, one does.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -16,5 +17,9 @@ namespace geomesh::recover {
 /// rounded. So the shear is exact: orientations are the same as before, and a triangulation of the sheared points is
 /// one of the given points. O(n).
 std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints);
+
+/// The axis of that shear for a plane through three points that are not on one line; the axis nearest to the plane's
+/// normal if none makes it level.
+std::size_t level_axis(const std::array<Vec3, 3>& corners);
 
 }  // namespace geomesh::recover

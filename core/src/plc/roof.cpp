@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "plc/roof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "common/geometry.hpp"
+#include "geomesh/core/predicates.hpp"
+#include "plc/facet_triangulation.hpp"
+
+namespace geomesh {
+
+namespace {
+
+constexpr int most_bits = 20;  ///< of a place in the plane: a millionth of the polygon's size is near enough
+
+struct Circle {
+  Vec3 centre;
+  double radius;
+};
+
+Circle circumcircle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a, n = cross(u, v);
+  const Vec3 to_centre = (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
+  return {a + to_centre, length(to_centre)};
+}
+
+class RoofBuilder {
+ public:
+  RoofBuilder(std::span<const Vec3> corners, const AxisChoice& axis_for)
+      : points_(corners.begin(), corners.end()), n_(corners.size()) {
+    find_base();
+    if (normal_ == Vec3{}) return;
+    axis_ = axis_for(base_);
+    for (const Vec3& p : points_) flat_.push_back(projected(p));
+    const Vec3 up = cross(projected(base_[1]) - projected(base_[0]), projected(base_[2]) - projected(base_[0]));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const Vec3 inward = cross(up, flat_[(i + 1) % n_] - flat_[i]);
+      inward_.push_back((1 / length(inward)) * inward);
+    }
+  }
+
+  std::optional<Roof> run() {
+    if (normal_ == Vec3{}) return std::nullopt;
+    for (std::size_t before = n_;;) {
+      FacetFault fault;
+      auto draft = triangulate_facet(flat_, polygon(), fault);
+      if (!draft) return std::nullopt;
+      std::vector<Triangle> low;
+      for (const Triangle& t : draft->triangles)
+        if (t[0] < n_ && t[1] < n_ && t[2] < n_) low.push_back(t);
+      if (low.empty()) return roof(std::move(draft->triangles));
+      if (low.size() >= before || !add_points(low)) return std::nullopt;
+      before = low.size();
+    }
+  }
+
+ private:
+  /// The largest triangle whose corners part the border in thirds spans the plane.
+  void find_base() {
+    for (std::size_t i = 0; i < n_; ++i) {
+      const std::array<Vec3, 3> t{points_[i], points_[(i + n_ / 3) % n_], points_[(i + 2 * n_ / 3) % n_]};
+      const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
+      if (dot(normal, normal) <= dot(normal_, normal_)) continue;
+      base_ = t;
+      normal_ = normal;
+    }
+  }
+  Vec3 projected(Vec3 p) const {
+    p[axis_] = 0;
+    return p;
+  }
+  FacetPolygon polygon() const {
+    FacetPolygon out;
+    out.loops.emplace_back(n_);
+    std::iota(out.loops[0].begin(), out.loops[0].end(), VertexIndex{0});
+    for (std::size_t v = n_; v < points_.size(); ++v) out.inner_points.push_back(static_cast<VertexIndex>(v));
+    return out;
+  }
+  double distance_from_side(std::size_t i, const Vec3& p) const { return dot(inward_[i], p - flat_[i]); }
+
+  /// One in the circle of each triangle, unless one added before lies there.
+  bool add_points(const std::vector<Triangle>& triangles) {
+    const auto first = static_cast<std::ptrdiff_t>(points_.size());
+    for (const Triangle& t : triangles) {
+      const Circle circle = circumcircle(flat_[t[0]], flat_[t[1]], flat_[t[2]]);
+      const auto is_in_circle = [&](const Vec3& p) { return length(p - circle.centre) < circle.radius; };
+      if (std::any_of(flat_.begin() + first, flat_.end(), is_in_circle)) continue;
+      const auto place = place_near(towards(t, circle.centre), is_in_circle);
+      if (!place || points_.size() >= 2 * n_) return false;
+      points_.push_back(*place);
+      flat_.push_back(projected(*place));
+    }
+    return true;
+  }
+  /// On the way from the triangle to the centre of its circle, at most half as far as the border is in that direction.
+  Vec3 towards(const Triangle& t, const Vec3& centre) const {
+    const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
+    double part = 1;
+    for (std::size_t i = 0; i < n_; ++i) {
+      const double here = distance_from_side(i, from), there = distance_from_side(i, centre);
+      if (there < here) part = std::min(part, 0.5 * here / (here - there));
+    }
+    return from + part * (centre - from);
+  }
+  /// A double that is accepted, exactly in the plane, and nearer to x than to the border: a sum of few bits of two
+  /// vectors in it, because the fewer these are, the rarer sums are rounded, here and in shears.
+  template <class Accept>
+  std::optional<Vec3> place_near(const Vec3& x, const Accept& is_accepted) const {
+    const auto& [a, b, c] = base_;
+    const Vec3 u = projected(b - a), v = projected(c - a), w = x - projected(a), up = cross(u, v);
+    const double along_u = dot(cross(w, v), up) / dot(up, up), along_v = dot(cross(u, w), up) / dot(up, up);
+    const double most_distance = 0.25 * rise_of(x);
+    for (int bits = 1; bits <= most_bits; ++bits) {
+      const auto rounded = [&](double t) { return std::ldexp(std::round(std::ldexp(t, bits)), -bits); };
+      const Vec3 place = a + (rounded(along_u) * (b - a) + rounded(along_v) * (c - a));
+      if (length(projected(place) - x) < most_distance && is_accepted(projected(place)) &&
+          orient3d(a, b, c, place) == Sign::zero)
+        return place;
+    }
+    return std::nullopt;
+  }
+  double rise_of(const Vec3& p) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n_; ++i) least = std::min(least, distance_from_side(i, p));
+    return least;
+  }
+  Roof roof(std::vector<Triangle> triangles) const {
+    Roof out;
+    out.inner.assign(points_.begin() + static_cast<std::ptrdiff_t>(n_), points_.end());
+    for (const Vec3& p : out.inner) out.rise.push_back(rise_of(projected(p)));
+    out.triangles = std::move(triangles);
+    return out;
+  }
+
+  std::vector<Vec3> points_;  ///< corners, then inner points
+  std::size_t n_;
+  std::array<Vec3, 3> base_;
+  Vec3 normal_;               ///< of the base
+  std::size_t axis_ = 0;      ///< along which the plane is projected
+  std::vector<Vec3> flat_;    ///< the points, projected
+  std::vector<Vec3> inward_;  ///< unit vector across each side, projected
+};
+
+}  // namespace
+
+std::optional<Roof> roof_over(std::span<const Vec3> corners, const AxisChoice& axis_for) {
+  return RoofBuilder(corners, axis_for).run();
+}
+
+}  // namespace geomesh
