@@ -21,13 +21,16 @@ std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points) {
 }
 
 std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface) {
-  const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
+  return merged_triangles(surface, merge_equal_points(surface.points));
+}
+
+std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface, const std::vector<VertexIndex>& merged) {
   std::vector<Triangle> triangles;
   triangles.reserve(surface.triangles.size());
   for (const Triangle& t : surface.triangles) {
     const Triangle w{merged[t[0]], merged[t[1]], merged[t[2]]};
-    const bool is_area = w[0] != w[1] && w[1] != w[2] && w[2] != w[0];
-    triangles.push_back(is_area ? w : Triangle{w[0], w[0], w[0]});
+    const bool has_area = w[0] != w[1] && w[1] != w[2] && w[2] != w[0];
+    triangles.push_back(has_area ? w : Triangle{w[0], w[0], w[0]});
   }
   return triangles;
 }

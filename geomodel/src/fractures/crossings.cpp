@@ -14,6 +14,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_samples = 200;
+/// A convex cell of n corners takes n - 3 tetrahedra or more, and the cells between planes have eight corners on
+/// average.
 constexpr double elements_of_cell = 5;
 
 struct Plane {
@@ -47,7 +49,8 @@ struct Interval {
   }
 };
 
-/// Where the plane cuts the surface, along the direction. Of a polygon that is not convex, the whole reach.
+/// The part of the line along the direction in which the plane cuts the surface; of a polygon that is not convex, from
+/// its first place to its last.
 Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direction) {
   Interval found;
   for (const Triangle& t : s.triangles)

@@ -15,13 +15,13 @@ struct NetworkCrossings {
   double points = 0;  ///< three fractures that meet in a point there
 };
 
-/// Expected numbers from at most 200 fractures and at most 200 of the lines in them, each held against all fractures:
-/// O(fractures). Exact for fewer than 200 convex fractures with fewer than 200 lines. Precondition: the surfaces are
-/// plane polygons.
+/// Estimated numbers. Of all fractures at most 200, and of the lines in these at most 200, are held against all
+/// fractures, in O(fractures). If there are no more, the numbers are exact, provided that the fractures are convex.
+/// Precondition: the surfaces are plane polygons.
 NetworkCrossings estimate_crossings(const std::vector<const TriangulatedSurface*>& fractures, const Box3& bounds);
 
 /// Throws Error{cannot_mesh} where crossings alone bring more elements than settings.max_elements. The cells that many
-/// planes divide space into are as many as the points where three meet, and each takes five tetrahedra or more.
+/// planes divide space into are as many as the points where three meet, and take five tetrahedra or more on average.
 void require_countable(const NetworkCrossings& crossings, std::size_t n_fractures, const RefinementSettings& settings);
 
 }  // namespace geomesh::geomodel

@@ -55,7 +55,7 @@ struct SurfaceRules {
   /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
   /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
   std::vector<std::string> throw_at;
-  bool throw_auto = false;  ///< throw_at: where the throw is smeared, as found from the data (find_ramps)
+  bool throw_auto = false;  ///< find_ramps adds faults to throw_at; without any the horizon fills its blocks
   /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
   bool throw_at_polygons = false;
   /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
@@ -181,8 +181,9 @@ struct BuiltSurfaces {
   std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
 
-/// Where a horizon with `throw_auto` runs across a fault as a ramp, adds that fault to its SurfaceRules::throw_at, and
-/// those that lie between sheets of it. Notes tell. Cost: that of find_ramp for each such horizon and each fault.
+/// Adds faults to SurfaceRules::throw_at of horizons with `throw_auto`: those that horizons run across as ramps and,
+/// where there are any, those that lie between sheets of the horizon. Notes tell. Cost: that of find_ramp for each such
+/// horizon and each fault.
 void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes);
 
 /// Takes from SurfaceRules::throw_at of each horizon the faults that lie wholly above or below it, as given. Such a

@@ -62,11 +62,11 @@ void for_each_edge_of(const Triangle& v, F&& visit) {
 /// Triangles of no block that hang together by edges and lie, with all edges about them, in what block `own` has: about
 /// a fault that ends inside at both ends. No continuation from the outer border gets there.
 std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std::vector<Index>& block, Index own) {
-  const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
+  const std::vector<Triangle> triangles = merged_triangles(horizon);
   const auto edges_of = [&](Index t, auto&& visit) {
-    Triangle v = horizon.triangles[t];
-    for (VertexIndex& row : v) row = merged[row];
-    for_each_edge_of(v, visit);
+    for_each_edge_of(triangles[t], [&](const MapEdge& e) {
+      if (e.first != e.second) visit(e);
+    });
   };
   std::map<MapEdge, Index> at_edge;  // of those of no block
   UnionFind joined(block.size());

@@ -176,12 +176,13 @@ class Restorer {
 
   /// Sheets of what is left, by their first triangles; those of a few triangles go with the strips.
   void find_sheets() {
-    const std::vector<VertexIndex> merged = merge_equal_points(horizon_.points);
+    const std::vector<Triangle> triangles = merged_triangles(horizon_);
     UnionFind joined(in_strip_.size());
     std::map<std::pair<VertexIndex, VertexIndex>, Index> first;
     for (Index t = 0; t < in_strip_.size(); ++t)
       for (std::size_t i = 0; is_of_sheet(t) && i < 3; ++i) {
-        const VertexIndex a = merged[horizon_.triangles[t][i]], b = merged[horizon_.triangles[t][(i + 1) % 3]];
+        const VertexIndex a = triangles[t][i], b = triangles[t][(i + 1) % 3];
+        if (a == b) continue;
         const auto [at, is_new] = first.emplace(std::pair(std::min(a, b), std::max(a, b)), t);
         if (!is_new) joined.unite(at->second, t);
       }

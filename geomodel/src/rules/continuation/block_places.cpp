@@ -59,8 +59,7 @@ void BlockPlaces::add_grid() {
 void BlockPlaces::find_open_places() {
   if (s_.fills_blocks) return;
   for (std::size_t v = n_border_; v < points_.size(); ++v)
-    if (in_block_[v] && distance_[v] > radius_ && !border_.covers({points_[v].x, points_[v].y}) &&
-        !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
+    if (in_block_[v] && distance_[v] > radius_ && !(s_.has_margin && is_beyond_horizon(v)) && ends_in_the_open(v))
       open_.push_back(points_[v]);
   if (!open_.empty()) nearest_open_.emplace(open_);
 }

@@ -56,7 +56,7 @@ class CutOffBorder {
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;
-    for (const Triangle& t : merged_triangles(s))
+    for (const Triangle& t : merged_triangles(s, merged_))
       for (std::size_t i = 0; i < 3; ++i) {
         const VertexIndex v = t[i], w = t[(i + 1) % 3];
         if (!is_border[v] && !is_border[w]) continue;

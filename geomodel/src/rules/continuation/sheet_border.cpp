@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <optional>
 
@@ -23,7 +22,7 @@ Vec3 normal(const TriangulatedSurface& s, const Triangle& t) {
   return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
 }
 
-/// Where a sheet is going near its border. One triangle of a noisy grid says little about that.
+/// Mean normals of a sheet. One triangle of a noisy grid says little about where the sheet is going.
 class SheetNormals {
  public:
   SheetNormals(const TriangulatedSurface& horizon, const std::vector<Triangle>& sheet) {
@@ -33,9 +32,9 @@ class SheetNormals {
       centres_.push_back((1.0 / 3) * (horizon.points[t[0]] + horizon.points[t[1]] + horizon.points[t[2]]));
       boxes.emplace_back().add(centres_.back());
     }
-    if (!boxes.empty()) tree_ = std::make_unique<arrangement::BoxTree>(boxes);
+    tree_.emplace(boxes);
   }
-  /// The sum of the normals of a triangle, by its row, and of those with centres within a distance of p.
+  /// The sum of the normals of the triangle of that row and of those with centres within a distance of p.
   Vec3 about(const Vec3& p, double within, Index own) const {
     Box3 near;
     near.add(p - Vec3{within, within, within});
@@ -49,7 +48,7 @@ class SheetNormals {
 
  private:
   std::vector<Vec3> normals_, centres_;
-  std::unique_ptr<arrangement::BoxTree> tree_;
+  std::optional<arrangement::BoxTree> tree_;
 };
 
 }  // namespace
@@ -78,15 +77,16 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
     }
     return at->second;
   };
-  const SheetNormals normals(horizon, sheet);
-  const double mean_of = averages ? within : 0;
+  std::optional<SheetNormals> means;
+  if (averages) means.emplace(horizon, sheet);
   for (const auto& [edge, use] : uses) {
     if (use.first != 1) continue;
     const Index a = row(edge.first), b = row(edge.second);
     constraints_.emplace_back(std::min(a, b), std::max(a, b));
     const std::optional<BorderState> state = division.border_state(edge.first, edge.second);
     if (state == BorderState::before_wall) is_end_.insert(constraints_.back());
-    const Vec3 n = normals.about(0.5 * (horizon.points[edge.first] + horizon.points[edge.second]), mean_of, use.second);
+    const Vec3 middle = 0.5 * (horizon.points[edge.first] + horizon.points[edge.second]);
+    const Vec3 n = means ? means->about(middle, within, use.second) : normal(horizon, sheet[use.second]);
     const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
     edges_.push_back({a, b, is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
   }
@@ -144,17 +144,6 @@ SheetBorder::Place SheetBorder::continued_from(const std::vector<Index>& edges, 
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);
   }
   return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};
-}
-
-bool SheetBorder::covers(const Vec2& p) const {
-  bool is_covered = false;
-  for (const Index row : edges_between(p, {std::numeric_limits<double>::infinity(), p.y})) {
-    Vec2 low{points_[edges_[row].a].x, points_[edges_[row].a].y},
-        high{points_[edges_[row].b].x, points_[edges_[row].b].y};
-    if (high.y < low.y) std::swap(low, high);
-    if (low.y <= p.y && p.y < high.y && orient2d(low, high, p) == Sign::positive) is_covered = !is_covered;
-  }
-  return is_covered;
 }
 
 bool SheetBorder::meets(const Vec2& from, const Vec2& to) const {

@@ -38,8 +38,6 @@ class SheetBorder {
   };
   /// O(log n + k) for the k edges about twice as far in the map as the nearest, or as `within`.
   Place continued_at(const Vec2& p) const;
-  /// Whether the sheet covers the place in the map. O(log n + k) for the k edges east of it.
-  bool covers(const Vec2& p) const;
   /// Whether an edge meets the way in the map. O(log n + k) for the k edges in its box.
   bool meets(const Vec2& from, const Vec2& to) const;
 

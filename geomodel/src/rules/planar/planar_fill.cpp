@@ -57,8 +57,9 @@ std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
   return order;
 }
 
-/// Where four points lie on one circle, both diagonals between them are Delaunay. The one without the last of the
-/// points, by y and then x, is taken, so that the triangulation does not depend on the order of insertion.
+/// Both diagonals between four points on one circle are Delaunay. The one without the last of the points, by y and then
+/// x, is taken, as if later points lay a little outside of the circle. So the squares of a grid have parallel
+/// diagonals, the triangulation is unique, and the flips end.
 void settle_ties(Triangulation& triangulation) {
   const auto is_before = [](const Triangulation::Vertex_handle& v, const Triangulation::Vertex_handle& w) {
     const auto &p = v->point(), &q = w->point();
