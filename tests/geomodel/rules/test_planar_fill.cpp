@@ -67,6 +67,36 @@ TEST_CASE("of twelve points on one circle each is an ear of those before it", "[
   CHECK(triangles_in_order(points, order) == expected);
 }
 
+/// Takes and gives back blocks of memory of random sizes, so that what is made next lies at other places.
+void scatter(std::vector<std::vector<char>>& memory, std::mt19937& random) {
+  for (int k = 0; k < 50; ++k) {
+    std::vector<char> block(16 + random() % 5000);
+    if (random() % 2 == 0) memory.push_back(std::move(block));
+  }
+  std::erase_if(memory, [&](const auto&) { return random() % 10 == 0; });
+}
+
+TEST_CASE("the order of the triangles does not depend on where in memory they are", "[rules]") {
+  std::vector<Vec2> points;  // around a square hole of a grid
+  for (int side = 0; side < 4; ++side)
+    for (int i = 0; i < 3; ++i) {
+      const double along = 4.7 + 0.3 * i, back = 5.6 - 0.3 * i;
+      const std::array<Vec2, 4> places{{{along, 4.7}, {5.6, along}, {back, 5.6}, {4.7, back}}};
+      points.push_back(places[side]);
+    }
+  const auto first = triangulate_plane(points, {});
+  REQUIRE(first);
+  std::mt19937 random(3);
+  std::vector<std::vector<char>> memory;
+  for (int k = 0; k < 100; ++k) {
+    scatter(memory, random);
+    const auto again = triangulate_plane(points, {});
+    REQUIRE(again);
+    REQUIRE(again->size() == first->size());
+    for (std::size_t t = 0; t < first->size(); ++t) CHECK((*again)[t].vertices == (*first)[t].vertices);
+  }
+}
+
 TEST_CASE("a triangle with two equal corners has no edges", "[rules]") {
   TriangulatedSurface square;
   square.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}};

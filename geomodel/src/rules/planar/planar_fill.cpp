@@ -65,7 +65,11 @@ void settle_ties(Triangulation& triangulation) {
     const auto &p = v->point(), &q = w->point();
     return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
   };
-  std::vector<Triangulation::Edge> queue(triangulation.finite_edges_begin(), triangulation.finite_edges_end());
+  // The faces are visited as they were made. CGAL's edges are visited by the faces' places in memory, which would
+  // decide the order of the triangles.
+  std::vector<Triangulation::Edge> queue;
+  for (auto face : triangulation.finite_face_handles())
+    for (int k = 0; k < 3; ++k) queue.emplace_back(face, k);
   while (!queue.empty()) {
     auto [face, i] = queue.back();
     queue.pop_back();
