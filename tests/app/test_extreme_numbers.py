@@ -26,10 +26,10 @@ class ExtremeNumbers(ProgramTest):
             if k % EVERY:
                 continue
             with self.subTest(project=name):
-                status, seconds, printed = extreme_numbers.run(files, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+                status, seconds, printed = extreme_numbers.run(files, self.folder, PROGRAM, extreme_numbers.SECONDS_TO_MESH * SLOWNESS, MEMORY)
                 self.assertEqual(extreme_numbers.fault_of(status, seconds, printed, SLOWNESS), "", printed)
-                outcomes.add(extreme_numbers.OUTCOMES[status])
-        self.assertEqual(outcomes, {"meshed", "refused"})
+                outcomes.add(extreme_numbers.OUTCOMES.get(status))
+        self.assertGreaterEqual(outcomes, {"meshed", "refused"})
 
     def test_every_key_that_takes_a_number_is_tried(self):
         with open(os.path.join(SOURCE, "docs", "project.schema.json"), encoding="utf-8") as file:
@@ -43,7 +43,7 @@ class ExtremeNumbers(ProgramTest):
     def refused_project(self, project, status):
         """What is printed of it, within two seconds."""
         text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **project}.items())
-        got, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        got, seconds, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, extreme_numbers.SECONDS_TO_MESH * SLOWNESS, MEMORY)
         self.assertEqual(got, status, printed)
         self.assertLess(seconds, 2 * SLOWNESS)
         return printed
@@ -138,7 +138,7 @@ class ExtremeNumbers(ProgramTest):
         base = dict(extreme_numbers.BASES["inputs"])
         base["surfaces"] = [{**s, "value": "1e-30"} if s["name"] == "top" else s for s in base["surfaces"]]
         text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
-        status, _, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, 60 * SLOWNESS, MEMORY)
+        status, _, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, extreme_numbers.SECONDS_TO_MESH * SLOWNESS, MEMORY)
         self.assertEqual(status, 0, printed)
         self.assertIn("no room left between its horizons", printed)
 

@@ -48,10 +48,10 @@ def zmap(base, null="-9999.0", holes=(), hole="1.0E+30"):
     return text + "\n".join("".join(values[k:k + 5]) for k in range(0, len(values), 5)) + "\n"
 
 
-def esri(base, no_data="", holes=(), hole="-99999"):
+def esri(base, no_data="", holes=(), hole="-99999", step=STEP):
     """Cells whose centres are the nodes."""
     lines = nodes(base)
-    head = "ncols %d\nnrows %d\nxllcorner %r\nyllcorner %r\ncellsize %r\n%s" % (NX, NY, X0 - STEP / 2, Y0 - STEP / 2, STEP, no_data)
+    head = "ncols %d\nnrows %d\nxllcorner %r\nyllcorner %r\ncellsize %r\n%s" % (NX, NY, X0 - step / 2, Y0 - step / 2, step, no_data)
     rows = [" ".join("%.3f" % lines[j][i][2] if (i, j) not in holes else hole for i in range(NX)) for j in reversed(range(NY))]
     return head + "\n".join(rows) + "\n"
 
@@ -233,6 +233,10 @@ MISTAKES = [
     Mistake("formats without a list", [("formats: [vtu]", "formats: vtu")], status=None, said=["vtu"]),
     Mistake("a box with digits too many", [("max: [436000, 5805000, 0]", "max: [4360000, 5805000, 0]")],
             status=BAD_INPUT, said=["seafloor, top_chalk, base_chalk reach over 6000 m of the box's 3.93e+06 m in x", "digit too many"],
+            times=[("digit too many", 1)]),
+    Mistake("cells with digits too many", [("{min: [430000, 5800000, -2500], max: [436000, 5805000, 0]}", "{margin: 100, bottom: -2500, top: 0}")],
+            files=[("base_chalk.asc", esri(-1500, step=1000 * STEP))], status=BAD_INPUT,
+            said=["base_chalk reaches over 6e+06 m in x, the other 2 horizons together over 6000 m", "spacing or unit of base_chalk", "digit too many"],
             times=[("digit too many", 1)]),
     Mistake("a box in kilometres", [("{min: [430000, 5800000, -2500], max: [436000, 5805000, 0]}", "{min: [430, 5800, -2.5], max: [436, 5805, 0]}")],
             status=BAD_INPUT, said=["a thousandth of what the surfaces cover", "multiply those of the box by 1000"]),

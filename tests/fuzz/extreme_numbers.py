@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects in which one number is extreme: each number of each key in turn takes the values below. A project must be meshed, or refused with a
-message within ten CPU seconds; nothing may crash.
+message within ten CPU seconds; nothing may crash. A run that is ended after a minute must have told that it makes a million elements or more.
 
-    tests/fuzz/extreme_numbers.py [--every N] [--from K] [FOLDER]     runs them, prints what is wrong and a count of the outcomes
+    tests/fuzz/extreme_numbers.py [--every N] [--from K] [--jobs N] [FOLDER]     runs them, prints what is wrong and a count of the outcomes
     GEOMESH_SANITIZE=1 GEOMESH_PROGRAM=build/asan/bin/geomesh tests/fuzz/extreme_numbers.py --slowness 10     under sanitizers
 """
 import argparse
 import copy
+import multiprocessing
 import os
+import re
 import resource
+import signal
 import struct
 import subprocess
 import sys
@@ -20,7 +23,10 @@ PROGRAM = os.environ.get("GEOMESH_PROGRAM", "build/release/bin/geomesh")
 VALUES = ["0", "-0.0", "5e-324", "1e-300", "1e-30", "1e30", "1e300", "1.7976931348623157e308", "1e400", ".nan", ".inf", "-1e300", "-1", "x", "",
           "F1e-6", "F1e6", "F-1", "F1e3", "F1e-3", "123456789012345678901234567890"]
 SECONDS_TO_REFUSAL = 10
+SECONDS_TO_MESH = 60
+LARGE = 1e6  # elements: what a minute is too short for
 OUTCOMES = {0: "meshed", 2: "refused", 3: "refused", 4: "refused"}
+ENDED = {-signal.SIGXCPU: "a large mesh, ended", -signal.SIGKILL: "a large mesh, ended"}
 
 
 def horizon(name, z, n=6, tilt=0.0):
@@ -215,7 +221,7 @@ def projects():
         yield "height in columns = %s" % value, {"project.yaml": gridded, "sand.xyz": FILES["sand.xyz"] + "512.5 497.5 %s\n" % value}
 
 
-def run(files, folder, program=PROGRAM, seconds=60, memory=4 << 30):
+def run(files, folder, program=PROGRAM, seconds=SECONDS_TO_MESH, memory=4 << 30):
     """Exit status (negative: a signal), CPU seconds, and what was printed."""
     for name, text in {**FILES, **files}.items():
         with open(os.path.join(folder, name), "wb") as file:
@@ -233,8 +239,16 @@ def run(files, folder, program=PROGRAM, seconds=60, memory=4 << 30):
     return done.returncode, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
 
 
+def told_elements(printed):
+    """The number of elements that a run said it would make. 0: none yet."""
+    found = re.search(r"elements to come: about ([\d,.]+(?:e[+]?\d+)?)( million)?", printed)
+    return float(found.group(1).rstrip(".,").replace(",", "")) * (1e6 if found.group(2) else 1) if found else 0
+
+
 def fault_of(status, seconds, printed, slowness=1):
     """What is wrong with an outcome; empty: nothing."""
+    if status in ENDED and seconds >= slowness * SECONDS_TO_MESH - 1 and told_elements(printed) >= LARGE:
+        return ""
     if status not in OUTCOMES:
         return "exit %d" % status
     if "internal error" in printed or "Sanitizer" in printed or "runtime error" in printed:
@@ -246,32 +260,40 @@ def fault_of(status, seconds, printed, slowness=1):
     return ""
 
 
+def judge(case):
+    """Outcome and, where that is a fault, a line about it."""
+    (k, (name, files)), folder, options = case
+    memory = 0 if os.environ.get("GEOMESH_SANITIZE") else 4 << 30
+    with tempfile.TemporaryDirectory() as scratch:
+        seconds = int(SECONDS_TO_MESH * options.slowness)
+        status, seconds, printed = run(files, folder or scratch, os.path.abspath(PROGRAM), seconds, memory)
+    fault = fault_of(status, seconds, printed, options.slowness)
+    if not fault:
+        return {**OUTCOMES, **ENDED}[status], ""
+    said = printed.strip().split("\n")
+    return fault, "%d %s: %s (%.1f s): %s" % (k, name, fault, seconds, next((x for x in said if "ERROR: " in x), said[-1])[:300])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("folder", nargs="?")
+    parser.add_argument("folder", nargs="?", help="where the files stay; with one job")
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--slowness", type=float, default=1, help="times the CPU seconds of a release build that are allowed")
+    parser.add_argument("--jobs", type=int, default=1)
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
+    chosen = [(k, case) for k, case in enumerate(projects()) if k >= options.first and (k - options.first) % options.every == 0]
+    if options.list:
+        print("\n".join("%d %s" % (k, name) for k, (name, _) in chosen))
+        return 0
     outcomes, wrong = {}, 0
-    program = os.path.abspath(PROGRAM)
-    memory = 0 if os.environ.get("GEOMESH_SANITIZE") else 4 << 30
-    with tempfile.TemporaryDirectory() as scratch:
-        for k, (name, files) in enumerate(projects()):
-            if k < options.first or (k - options.first) % options.every:
-                continue
-            if options.list:
-                print(k, name)
-                continue
-            status, seconds, printed = run(files, options.folder or scratch, program, int(60 * options.slowness), memory)
-            fault = fault_of(status, seconds, printed, options.slowness)
-            outcome = fault or OUTCOMES[status]
+    with multiprocessing.Pool(options.jobs) as pool:
+        for outcome, line in pool.imap(judge, [(case, options.folder if options.jobs == 1 else None, options) for case in chosen]):
             outcomes[outcome] = outcomes.get(outcome, 0) + 1
-            if fault:
+            if line:
                 wrong += 1
-                said = printed.strip().split("\n")
-                print("%d %s: %s (%.1f s): %s" % (k, name, fault, seconds, next((x for x in said if "ERROR: " in x), said[-1])[:300]), flush=True)
+                print(line, flush=True)
     print(outcomes)
     return 1 if wrong else 0
 
