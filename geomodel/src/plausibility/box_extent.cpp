@@ -78,8 +78,8 @@ void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings) {
     const auto [longest, length] = take_longest(rest, axis);
     if (rest.names.size() > 1 && std::min(of_box, length) > most_times * length_of(rest, axis))
       return tell({longest},
-                  longest + " reaches over " + words(length) + way + ", the other " + std::to_string(rest.names.size()) +
-                      " horizons together over " + words(length_of(rest, axis)),
+                  longest + " reaches over " + words(length) + way + ", the other " +
+                      std::to_string(rest.names.size()) + " horizons together over " + words(length_of(rest, axis)),
                   "is the spacing or unit of " + longest + " right, with no digit too many?");
   }
 }

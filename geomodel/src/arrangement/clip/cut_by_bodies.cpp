@@ -15,10 +15,14 @@ namespace {
 class BodyCutter {
  public:
   BodyCutter(ClipContext context, const Complex& complex)
-      : context_(context), arranged_(context.arranged), complex_(complex) {}
+      : context_(context),
+        arranged_(context.arranged),
+        complex_(complex),
+        is_cutter_(context.surfaces.size(), 0) {}
 
   void add(BodyShape&& shape) {
     winding_.emplace_back(complex_.points, shape.triangles);
+    is_cutter_[shape.surface] = context_.surfaces[shape.surface].cuts_all;
     bodies_.push_back(std::move(shape));
   }
 
@@ -58,7 +62,7 @@ class BodyCutter {
     for (std::size_t f = 0; f < chosen.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {
         chosen[f] |= is_cut(o.surface);
-        barrier[f] |= is_cutter(o.surface);
+        barrier[f] |= is_cutter_[o.surface];
       }
     for (std::size_t f = 0; f < chosen.size(); ++f)
       if (barrier[f] || stays[f]) chosen[f] = 0;  // on a body: not strictly inside that one
@@ -85,11 +89,6 @@ class BodyCutter {
     const TriangulatedSurface& s = context_.surfaces[surface];
     return (s.kind == SurfaceKind::horizon || s.kind == SurfaceKind::fault) && !s.ends_model;
   }
-  bool is_cutter(Index surface) const {
-    return context_.surfaces[surface].cuts_all &&
-           std::any_of(bodies_.begin(), bodies_.end(), [&](const BodyShape& b) { return b.surface == surface; });
-  }
-
   RayDirection direction(const BodyShape& shape, std::size_t axis) const {
     return shape.closed ? RayDirection{axis, true} : *shape.open_direction;
   }
@@ -170,6 +169,7 @@ class BodyCutter {
   const Complex& complex_;
   std::vector<BodyShape> bodies_;
   std::vector<WindingNumber> winding_;
+  std::vector<std::uint8_t> is_cutter_;  ///< by surface: a body with an inside that cuts all others
   std::map<std::pair<Index, Index>, Spot> cuts_;
   Displacement lost_;
 };
