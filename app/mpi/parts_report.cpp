@@ -116,7 +116,9 @@ geomodel::SolverVerdict judge_part(const RankModel& model, const RankMesh& mesh)
     return velocity[static_cast<std::size_t>(model.region_of_component[mesh.component[t]] - 1)];
   };
   judged.largest_size = std::min(size.limits().global, size.limits().max_size);
-  judged.size = [&](std::size_t t, const Vec3& p) { return size.at(p, mesh.component[t]); };
+  judged.size = [&](std::size_t t, const Vec3& p, double enough) {
+    return size.at_unless_below(enough, p, mesh.component[t]);
+  };
   return geomodel::judge_for_solvers(judged);
 }
 

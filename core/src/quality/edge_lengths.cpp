@@ -16,7 +16,7 @@ namespace geomesh {
 
 namespace {
 
-constexpr std::size_t n_blocks = 8;  ///< number of vertices; a window in use takes its share of 48 bytes a tetrahedron
+constexpr std::size_t n_blocks = 8;  ///< of the vertices; a window in use takes its share of 48 bytes a tetrahedron
 
 /// A pair of group and component that some tetrahedron has.
 struct Part {
@@ -53,14 +53,39 @@ std::uint8_t bin_of(double ratio) {
   return static_cast<std::uint8_t>(std::upper_bound(bounds.begin(), bounds.end(), ratio) - bounds.begin());
 }
 
+/// The size asked at each vertex. Where sizes may jump between components, those of the component at hand are asked.
+class SizesAtVertices {
+ public:
+  SizesAtVertices(std::span<const Vec3> points, const SizeField* size, unsigned threads)
+      : points_(points), size_(size) {
+    if (!size || !(size->steepest() < std::numeric_limits<double>::infinity())) return;
+    sizes_.resize(points.size());
+    for_each_task(n_blocks, threads, [&](std::size_t k) {
+      const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
+      for (std::size_t v = begin; v < end; ++v)
+        sizes_[v] =
+            v == begin ? size->at(points[v]) : size->at_beside(points[v], no_index, points[v - 1], sizes_[v - 1]);
+    });
+  }
+  bool are_asked() const { return size_ != nullptr; }
+  double at(VertexIndex v, Index component) const {
+    return sizes_.empty() ? size_->at(points_[v], component) : sizes_[v];
+  }
+
+ private:
+  std::span<const Vec3> points_;
+  const SizeField* size_;
+  std::vector<double> sizes_;
+};
+
 /// The edges whose lower vertex is in [begin, end). Their uses are sorted by that vertex (a counting sort), then within
 /// each vertex.
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
-            const SizeField* size, std::size_t begin, std::size_t end)
+            const SizesAtVertices& sizes, std::size_t begin, std::size_t end)
       : points_(points),
-        size_(size),
+        sizes_(sizes),
         parts_(parts.part),
         begin_(begin),
         first_(end - begin + 1, 0),
@@ -107,29 +132,30 @@ class EdgeBlock {
     const double length = distance(a, b);
     const auto add = [&](std::size_t part, double asked) {
       lengths_[part].length.push_back(length);
-      if (size_) ++lengths_[part].by_size[bin_of(length / asked)];
+      if (sizes_.are_asked()) ++lengths_[part].by_size[bin_of(length / asked)];
     };
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < uses.size();) {
       const Index group = parts_[part_of(uses[i])].group;
       double asked = std::numeric_limits<double>::infinity();
       for (; i < uses.size() && parts_[part_of(uses[i])].group == group; ++i)
-        if (size_) asked = std::min(asked, size_at(0.5 * (a + b), parts_[part_of(uses[i])].component, a));
+        if (sizes_.are_asked())
+          asked = std::min(asked, size_of_edge(lower, upper_of(uses[i]), parts_[part_of(uses[i])].component));
       add(1 + group, asked);
       least = std::min(least, asked);
     }
     add(0, least);
   }
 
-  /// Searches the size first from that at the lower vertex, which all edges at hand share.
-  double size_at(const Vec3& p, Index component, const Vec3& lower) {
+  /// The mean of those at both ends, as edges are judged while they are made. All edges at hand share the lower vertex.
+  double size_of_edge(VertexIndex lower, VertexIndex upper, Index component) {
     if (size_here_.component != component || !(size_here_.size > 0))
-      size_here_ = {component, size_->at(lower, component)};
-    return size_->at_beside(p, component, lower, size_here_.size);
+      size_here_ = {component, sizes_.at(lower, component)};
+    return 0.5 * (size_here_.size + sizes_.at(upper, component));
   }
 
   std::span<const Vec3> points_;
-  const SizeField* size_;
+  const SizesAtVertices& sizes_;
   const std::vector<Part>& parts_;
   struct {
     Index component;
@@ -149,9 +175,11 @@ std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<c
   std::array<std::vector<EdgeLengths>, n_blocks> blocks;
   const bool asks_caller =
       size && size->limits().background;  // a size function of the caller, which is evaluated on one thread alone
-  for_each_task(n_blocks, asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
+  const unsigned n_threads = asks_caller ? 1 : thread_count(threads);
+  const SizesAtVertices sizes(points, size, n_threads);
+  for_each_task(n_blocks, n_threads, [&](std::size_t k) {
     const std::size_t begin = points.size() * k / n_blocks, end = points.size() * (k + 1) / n_blocks;
-    blocks[k] = EdgeBlock(points, tetrahedra, table, size, begin, end).measure();
+    blocks[k] = EdgeBlock(points, tetrahedra, table, sizes, begin, end).measure();
   });
   std::vector<EdgeLengths> out(1 + parts.n_groups);
   for (std::vector<EdgeLengths>& block : blocks)

@@ -15,8 +15,8 @@ namespace geomesh {
 /// Lengths of the edges of a set of tetrahedra, each counted once, in ascending order of their vertices.
 struct EdgeLengths {
   std::vector<double> length;
-  /// Counts of edges by length over target size, which is the least target at the edge's middle in the components that
-  /// it is in: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size field.
+  /// Counts of edges by length over target size, which is the mean of the targets at the edge's ends, the least of the
+  /// components that it is in: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size field.
   std::array<std::size_t, 8> by_size{};
 };
 

@@ -46,7 +46,8 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
       size.limits().background != nullptr;  // a size function of the caller, which is evaluated on one thread alone
   for_each_task(found.size(), asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     for_each_edge(k, [&](const Ends& ends, double l, Index c) {
-      if (l < share * size.at(0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]))
+      const double enough = l / share;
+      if (size.at_unless_below(enough, 0.5 * (mesh.points[ends[0]] + mesh.points[ends[1]]), mesh.component[c]) > enough)
         found[k].emplace_back(ends, c);
     });
   });

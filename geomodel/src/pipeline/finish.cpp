@@ -201,8 +201,8 @@ SolverVerdict judge_solvers(const ConstrainedTetrahedralization& core, const Mod
   if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
   constexpr double nothing_asked = 0;  // of zones: any edge is longer
   if (size)
-    judged.size = [&](std::size_t t, const Vec3& p) {
-      return t < core.component.size() ? size->at(p, core.component[t]) : nothing_asked;
+    judged.size = [&](std::size_t t, const Vec3& p, double enough) {
+      return t < core.component.size() ? size->at_unless_below(enough, p, core.component[t]) : nothing_asked;
     };
   return judge_for_solvers(judged);
 }

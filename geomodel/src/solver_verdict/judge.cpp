@@ -147,8 +147,9 @@ class Judge {
 
   void look_at_edges(std::size_t t, const Edges& edges, Tally& tally) const {
     tally.v.least_edge = std::min(tally.v.least_edge, edges.shortest);
-    if (mesh_.size && edges.shortest < tally.least_over_size * mesh_.largest_size)
-      tally.least_over_size = std::min(tally.least_over_size, edges.shortest / mesh_.size(t, edges.middle));
+    if (!mesh_.size || !(edges.shortest < tally.least_over_size * mesh_.largest_size)) return;
+    const double enough = edges.shortest / tally.least_over_size, size = mesh_.size(t, edges.middle, enough);
+    if (size > enough) tally.least_over_size = std::min(tally.least_over_size, edges.shortest / size);
   }
 
   /// 1 where it is not known.

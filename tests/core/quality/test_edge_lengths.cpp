@@ -108,3 +108,26 @@ TEST_CASE("edges are counted by length over the least size that their cells ask 
       CHECK(measured[1 + g].by_size == counts_of([&](std::size_t t) { return cells.group[t] == g; }));
   }
 }
+
+TEST_CASE("the size asked of an edge is the mean of the sizes at its ends", "[quality]") {
+  const Cells cells = random_cells(3, 60, 200, 1);
+  const std::vector<Index> component(cells.tetrahedra.size(), 0);
+  std::vector<SizeSource> sources;
+  for (std::size_t k = 0; k < 9; ++k) sources.push_back({cells.points[k], 0.02 * static_cast<double>(k + 1)});
+  const SizeField size(sources, {});
+  std::array<std::size_t, 8> counts{};
+  std::set<std::array<VertexIndex, 2>> edges;
+  for (const Tetrahedron& t : cells.tetrahedra)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) edges.insert({std::min(t[i], t[j]), std::max(t[i], t[j])});
+  for (const auto& [v, w] : edges) {
+    const Vec3 &a = cells.points[v], &b = cells.points[w];
+    const double ratio = std::sqrt(dot(b - a, b - a)) / (0.5 * (size.at(a) + size.at(b)));
+    const double bounds[] = {0.25, 0.5, std::sqrt(0.5), 1, std::sqrt(2.0), 2, 4};
+    ++counts[static_cast<std::size_t>(
+        std::count_if(std::begin(bounds), std::end(bounds), [&](double bound) { return ratio >= bound; }))];
+  }
+  for (const unsigned threads : {1u, 2u})
+    CHECK(measure_edges(cells.points, cells.tetrahedra, {component, cells.group, 1}, &size, threads)[0].by_size ==
+          counts);
+}

@@ -260,6 +260,8 @@ TEST_CASE("Sizes found from one that is known are those found from nothing", "[r
     CHECK(size.at_beside(p, component, q, known) == all);
     const double found = size.at_beside(p, component, q, known, at_most);
     CHECK((found < at_most ? found == all : all >= at_most));
+    const double enough = 0.1 * unit(random), above = size.at_unless_below(enough, p, component);
+    CHECK((above > enough ? above == all : all <= above));
   }
 }
 

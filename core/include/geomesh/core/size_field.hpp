@@ -42,6 +42,8 @@ class SizeField {
 
   /// Size asked at a place of a component (no_index: of none).
   double at(const Vec3& p, Index component = no_index) const;
+  /// The same, sooner, where no size up to `enough` matters: those come out as at most that.
+  double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
   /// The same, sooner, where the size at a place q nearby is known. It is sooner again where no size beyond `at_most`
   /// matters: those come out as at least that.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
@@ -67,8 +69,8 @@ class SizeField {
   bool may_jump() const { return !limits_.component_size.empty() || limits_.background != nullptr; }
   Index build(Index first, Index last);
   bool drop_redundant();
-  double least_over_sources(const Vec3& p, double bound) const;
-  double at(const Vec3& p, Index component, double at_most) const;
+  double least_over_sources(const Vec3& p, double bound, double enough = 0) const;
+  double at(const Vec3& p, Index component, double at_most, double enough = 0) const;
 
   Limits limits_;
   std::vector<SizeSource> sources_;

@@ -93,7 +93,7 @@ Index SizeField::build(Index first, Index last) {
   return n;
 }
 
-double SizeField::least_over_sources(const Vec3& p, double bound) const {
+double SizeField::least_over_sources(const Vec3& p, double bound, double enough) const {
   if (nodes_.empty()) return bound;
   struct Entry {
     Index node;
@@ -103,7 +103,7 @@ double SizeField::least_over_sources(const Vec3& p, double bound) const {
   Entry stack[96];
   int top = 0;
   stack[top++] = entry(0);
-  while (top > 0) {
+  while (top > 0 && bound > enough) {
     const Entry e = stack[--top];
     const Node& n = nodes_[e.node];
     if (asks_at_least(bound, e.squared_distance, n.least, n.widest, n.gradation)) continue;
@@ -129,6 +129,10 @@ double SizeField::at(const Vec3& p, Index component) const {
   return at(p, component, std::numeric_limits<double>::infinity());
 }
 
+double SizeField::at_unless_below(double enough, const Vec3& p, Index component) const {
+  return at(p, component, std::numeric_limits<double>::infinity(), enough);
+}
+
 double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q, double at_most) const {
   constexpr double rounding = 1 + 1e-9;
   if (may_jump()) return at(p, component, at_most);
@@ -136,7 +140,7 @@ double SizeField::at_beside(const Vec3& p, Index component, const Vec3& q, doubl
   return at(p, component, std::min(at_most, rounding * (size_at_q + steepest_ * length(d))));
 }
 
-double SizeField::at(const Vec3& p, Index component, double at_most) const {
+double SizeField::at(const Vec3& p, Index component, double at_most, double enough) const {
   double h = std::min({limits_.global, limits_.max_size, at_most});
   if (component < limits_.component_size.size() && limits_.component_size[component] > 0)
     h = std::min(h, limits_.component_size[component]);
@@ -144,7 +148,7 @@ double SizeField::at(const Vec3& p, Index component, double at_most) const {
     const double b = limits_.background(p);
     if (b > 0) h = std::min(h, b);
   }
-  return std::max(least_over_sources(p, h), limits_.min_size);
+  return std::max(least_over_sources(p, h, enough), limits_.min_size);
 }
 
 }  // namespace geomesh

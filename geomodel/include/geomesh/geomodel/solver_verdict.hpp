@@ -56,8 +56,9 @@ struct MeshForSolver {
   std::span<const Tetrahedron> tetrahedra;  ///< positively oriented
   /// Velocity of compressional waves in a tetrahedron; empty, or a value of 0: not known.
   std::function<double(std::size_t)> velocity;
-  /// Edge length asked in a tetrahedron at a place; empty: not known.
-  std::function<double(std::size_t, const Vec3&)> size;
+  /// Edge length asked in a tetrahedron at a place; where it is at most that given last, anything up to that will do.
+  /// Empty: not known.
+  std::function<double(std::size_t, const Vec3&, double)> size;
   /// No size asked anywhere is larger: sizes need not be looked up where edges are not that short.
   double largest_size = std::numeric_limits<double>::infinity();
   unsigned threads = 0;  ///< 0: all cores. Both functions are asked by all of them at once; the verdict is the same
