@@ -26,20 +26,24 @@ class BlockSheets {
       : continued_(std::move(continued)),
         given_(continued_),
         part_(rows.part_of_triangle[row]),
-        block_of_part_(rows.block_of_part[row]) {
+        block_of_part_(rows.block_of_part[row]),
+        throw_blocks_(rows.throw_blocks[row]) {
     if (part_.empty()) part_.assign(continued_.triangles.size(), given_part);
     given_.triangles.clear();
     for (Index t = 0; t < part_.size(); ++t)
       if (part_[t] == given_part) {
         given_.triangles.push_back(continued_.triangles[t]);
         row_of_given_.push_back(t);
+        if (throw_blocks_) held_.block.push_back(rows.block_of_triangle[row][t]);
       }
   }
 
   /// Finds the part of the horizon that lies in each block, and continues it there.
   void divide(Index row, const ModelRules& rules, const HorizonBlocks& blocks) {
     const BlockFramework& framework = blocks.framework;
-    const HorizonDivision division(given_, row, framework, blocks.cutters, {});
+    for (Index b = 0; throw_blocks_ && b < framework.n_blocks(); ++b)
+      held_.of_block.push_back(throw_blocks_->framework.block_at(framework.place_in(b)));
+    const HorizonDivision division(given_, row, framework, blocks.cutters, {}, held_);
     sheets_.resize(framework.n_blocks());
     rows_.resize(framework.n_blocks());
     std::vector<std::vector<Index>> at_corner(given_.points.size());
@@ -52,19 +56,29 @@ class BlockSheets {
         rows_[b].push_back(row_of_given_[t]);
         if (!division.crosses_wall(t)) continue;
         for (const VertexIndex v : division.triangles()[t])
-          with_margin.insert(at_corner[v].begin(), at_corner[v].end());
+          std::ranges::copy_if(at_corner[v], std::inserter(with_margin, with_margin.end()),
+                               [&](Index other) { return division.may_be_in(other, b); });
       }
       for (const Index t : with_margin) sheets_[b].given.push_back(t);
     }
-    const bool fills = std::ranges::count(blocks.fill_blocks, row) > 0;
-    if (rules.of(row).continues_by_default()) {
+    const bool has_throw = !rules.of(row).throw_at.empty();
+    const bool fills = has_throw || std::ranges::count(blocks.fill_blocks, row) > 0;
+    if (rules.of(row).continues_by_default() || has_throw) {
       const double within = rules.continuation.within_of_horizons;
       ends_at_ = lengths_before(given_, row, blocks.walls, rules.continuation.bounds, within);
       const BorderStates states = border_states(given_, row, blocks.walls, rules.continuation.bounds,
                                                 reach_of_horizon(rules.continuation, fills));
-      for (BlockExtension& made :
-           continue_in_blocks(given_, row, states, {framework, blocks.cutters, blocks.walls, within, fills, {}, true})
-               .extensions) {
+      for (BlockExtension& made : continue_in_blocks(given_, row, states,
+                                                     {framework,
+                                                      blocks.cutters,
+                                                      blocks.walls,
+                                                      within,
+                                                      fills,
+                                                      {},
+                                                      true,
+                                                      held_,
+                                                      reach_of_slope(rules, row, within)})
+                                      .extensions) {
         const Index block = made.block;
         sheets_[block].extension = std::move(made);
       }
@@ -116,6 +130,8 @@ class BlockSheets {
   };
   TriangulatedSurface continued_, given_;
   std::vector<Index> part_, block_of_part_, row_of_given_;
+  std::shared_ptr<const HorizonBlocks> throw_blocks_;  ///< null: the horizon has no list of faults with throw
+  HeldTriangles held_;
   std::map<Index, double> ends_at_;
   std::vector<Sheet> sheets_;             ///< per block
   std::vector<std::vector<Index>> rows_;  ///< per block
@@ -147,7 +163,7 @@ class Rebuilt {
     const Index ending = n_parts_++;
     for (Index t = 0; t < is_kept.size(); ++t) {
       const Index part = sheets_.part()[t];
-      if (is_remade[t] && !is_kept[t]) continue;
+      if (!is_kept[t] && (is_remade[t] || is_made_anew(continued_.triangles[t], settled))) continue;
       add(continued_.triangles[t], 0, part == given_part && is_remade[t] ? ending : part);
     }
   }
@@ -177,6 +193,7 @@ class Rebuilt {
     sort_by_part();
     built.rows.n_given_triangles[row] = static_cast<Index>(std::ranges::count(part_, given_part));
     built.rows.part_of_triangle[row] = std::move(part_);
+    built.rows.block_of_triangle[row].clear();
     built.surfaces[row] = std::move(surface_);
   }
 
@@ -205,6 +222,12 @@ class Rebuilt {
       for (const VertexIndex v : sheet.triangles[t])
         if (is_at_wall[v]) reaches[t] = true;
     return reaches;
+  }
+  /// Whether a triangle that no block's sheet has lies in settled blocks alone.
+  bool is_made_anew(const Triangle& t, const std::set<Index>& settled) const {
+    const auto& points = continued_.points;
+    const auto areas = blocks_.framework.areas({points[t[0]], points[t[1]], points[t[2]]});
+    return std::ranges::all_of(areas, [&](const auto& entry) { return settled.contains(entry.first); });
   }
   bool meets_wall(const Vec3& a, const Vec3& b) {
     const std::vector<Index> walls = blocks_.cutters.surfaces_on(a, b);
@@ -265,7 +288,7 @@ class BlockStack {
 
  private:
   void settle_block(Index block) {
-    GroupMembers members{{}, {}, {}, bounds_of(block)};
+    GroupMembers members{{}, {}, bounds_of(block)};
     SettledBlock settled{block, {}, nullptr};
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) {
       const TriangulatedSurface sheet = sheets_[k].sheet(block);
@@ -274,8 +297,7 @@ class BlockStack {
       if (ends_at_wall(sheet, block)) return leave(k, "ends at a fault or body and is not continued through it");
       settled.horizons.push_back(k);
       members.stack.rows.push_back(stack_.rows[k]);
-      members.data.push_back(block_data(frame_.to_frame(sheet), {}, 0));
-      members.faults.emplace_back();
+      members.data.push_back(frame_.to_frame(sheet));
     }
     if (settled.horizons.empty()) return;
     for (std::size_t i = 0; i + 1 < settled.horizons.size(); ++i) {
@@ -369,9 +391,8 @@ class BlockStack {
 
 }  // namespace
 
-bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules) {
-  return built.rows.truncations.empty() && rules.continuation.within_of_horizons > 0 &&
-         std::ranges::all_of(stack.rows, [&](Index row) { return built.rows.block_of_triangle[row].empty(); });
+bool can_be_settled_in_blocks(const BuiltSurfaces& built, const ModelRules& rules) {
+  return built.rows.truncations.empty() && rules.continuation.within_of_horizons > 0;
 }
 
 bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks) {
