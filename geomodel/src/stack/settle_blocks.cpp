@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "common/by_rounding.hpp"
+#include "naming/sums.hpp"
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/continuation/horizon_division.hpp"
@@ -95,6 +97,15 @@ class BlockSheets {
   Index block_of_part(Index part) const {
     return part == given_part || part > block_of_part_.size() ? no_index : block_of_part_[part - 1];
   }
+  /// Whether something of what was given lies in a block.
+  bool reaches(Index block, const BlockFramework& framework) const {
+    return std::ranges::any_of(given_.triangles, [&](const Triangle& t) {
+      const std::vector<Vec3>& p = given_.points;
+      const auto areas = framework.areas({p[t[0]], p[t[1]], p[t[2]]});
+      const auto at = areas.find(block);
+      return at != areas.end() && at->second > by_rounding * triangle_area(p[t[0]], p[t[1]], p[t[2]]);
+    });
+  }
   /// The length of border that ends at another surface, or shortly before it, m.
   double length_at(Index other) const {
     const auto at = ends_at_.find(other);
@@ -156,14 +167,15 @@ class Rebuilt {
 
   /// Adds what lies in blocks in which nothing was to be settled. Triangles that reach into another one end at the
   /// wall.
-  void keep(const std::set<Index>& settled) {
+  /// `own`: those of the settled blocks in which this horizon was settled.
+  void keep(const std::set<Index>& settled, const std::set<Index>& own) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
       for (const Index t : sheets_.rows(b)) (settled.contains(b) ? is_remade : is_kept)[t] = true;
     const Index ending = n_parts_++;
     for (Index t = 0; t < is_kept.size(); ++t) {
       const Index part = sheets_.part()[t];
-      if (!is_kept[t] && (is_remade[t] || is_made_anew(continued_.triangles[t], settled))) continue;
+      if (!is_kept[t] && (is_remade[t] || is_made_anew(continued_.triangles[t], own))) continue;
       add(continued_.triangles[t], 0, part == given_part && is_remade[t] ? ending : part);
     }
   }
@@ -223,11 +235,11 @@ class Rebuilt {
         if (is_at_wall[v]) reaches[t] = true;
     return reaches;
   }
-  /// Whether a triangle that no block's sheet has lies in settled blocks alone.
-  bool is_made_anew(const Triangle& t, const std::set<Index>& settled) const {
+  /// Whether a triangle that no block's sheet has lies in blocks alone in which the horizon was settled.
+  bool is_made_anew(const Triangle& t, const std::set<Index>& own) const {
     const auto& points = continued_.points;
     const auto areas = blocks_.framework.areas({points[t[0]], points[t[1]], points[t[2]]});
-    return std::ranges::all_of(areas, [&](const auto& entry) { return settled.contains(entry.first); });
+    return std::ranges::all_of(areas, [&](const auto& entry) { return own.contains(entry.first); });
   }
   bool meets_wall(const Vec3& a, const Vec3& b) {
     const std::vector<Index> walls = blocks_.cutters.surfaces_on(a, b);
@@ -259,7 +271,8 @@ class BlockStack {
         rules_(rules),
         blocks_(blocks),
         frame_(rules.stack.outline, rules.stack.outline_is_box),
-        bounds_(frame_.bounds(rules.stack.outline)) {
+        bounds_(frame_.bounds(rules.stack.outline)),
+        has_throw_(std::ranges::any_of(stack.rows, [&](Index row) { return !built.rows.parted_at[row].empty(); })) {
     for (const Index row : stack.rows) {
       sheets_.emplace_back(built.surfaces[row], row, built.rows);
       sheets_.back().divide(row, rules, blocks);
@@ -292,6 +305,8 @@ class BlockStack {
     SettledBlock settled{block, {}, nullptr};
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) {
       const TriangulatedSurface sheet = sheets_[k].sheet(block);
+      if (sheet.triangles.empty() && has_throw_ && sheets_[k].reaches(block, blocks_.framework))
+        return leave(k, "has no triangle that its faults or bodies do not cut");
       if (sheet.triangles.empty()) continue;
       if (!is_single_valued(sheet)) return leave(k, "has more than one height over a place of the map");
       if (ends_at_wall(sheet, block)) return leave(k, "ends at a fault or body and is not continued through it");
@@ -365,7 +380,10 @@ class BlockStack {
     const Index row = stack_.rows[k];
     const std::size_t n_given = built_.surfaces[row].triangles.size();
     Rebuilt rebuilt(sheets_[k], blocks_, rules_.stack.tolerance);
-    rebuilt.keep(blocks);
+    std::set<Index> own;
+    for (const SettledBlock& s : settled_)
+      if (std::ranges::count(s.horizons, k) > 0) own.insert(s.block);
+    rebuilt.keep(blocks, own);
     for (const SettledBlock& s : settled_)
       for (std::size_t i = 0; i < s.horizons.size(); ++i)
         if (s.horizons[i] == k) rebuilt.add(s.group->sheet(i), s.block);
@@ -383,6 +401,7 @@ class BlockStack {
   const HorizonBlocks& blocks_;
   MapFrame frame_;
   MapBounds bounds_;
+  bool has_throw_;  ///< by a list of faults: their blocks may be narrower than the horizons' triangles
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
   std::size_t n_left_ = 0;  ///< blocks that cannot be settled
