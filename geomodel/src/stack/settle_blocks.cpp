@@ -262,6 +262,15 @@ class Rebuilt {
   std::set<Index> walls_;
 };
 
+/// Whether a triangle lies in the block, and meets no wall.
+bool has_triangle_within(const TriangulatedSurface& sheet, Index block, const HorizonBlocks& blocks) {
+  return std::ranges::any_of(sheet.triangles, [&](const Triangle& t) {
+    const Vec3 &a = sheet.points[t[0]], &b = sheet.points[t[1]], &c = sheet.points[t[2]];
+    const auto meets = [&](const Vec3& p, const Vec3& q) { return !blocks.cutters.surfaces_on(p, q).empty(); };
+    return blocks.framework.block_at((1.0 / 3) * (a + b + c)) == block && !meets(a, b) && !meets(b, c) && !meets(c, a);
+  });
+}
+
 /// The stack of a model, block by block.
 class BlockStack {
  public:
@@ -329,19 +338,9 @@ class BlockStack {
             "has more than one height over a place of the map");
     if (outcome != Settling::settled) return;
     for (std::size_t i = 0; has_throw_ && i < settled.horizons.size(); ++i)
-      if (!has_triangle_within(settled.group->sheet(i), block))
+      if (!has_triangle_within(settled.group->sheet(i), block, blocks_))
         return leave(settled.horizons[i], "would have no triangle of the size that faults or bodies do not cut");
     settled_.push_back(std::move(settled));
-  }
-
-  /// Whether a triangle lies in the block, and meets no wall.
-  bool has_triangle_within(const TriangulatedSurface& sheet, Index block) const {
-    return std::ranges::any_of(sheet.triangles, [&](const Triangle& t) {
-      const Vec3 &a = sheet.points[t[0]], &b = sheet.points[t[1]], &c = sheet.points[t[2]];
-      const auto meets = [&](const Vec3& p, const Vec3& q) { return !blocks_.cutters.surfaces_on(p, q).empty(); };
-      return blocks_.framework.block_at((1.0 / 3) * (a + b + c)) == block && !meets(a, b) && !meets(b, c) &&
-             !meets(c, a);
-    });
   }
 
   void leave(std::size_t horizon, const std::string& why) {
