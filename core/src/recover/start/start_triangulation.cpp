@@ -180,7 +180,8 @@ void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& 
     candidate = search.triangulate({0, 0, 0});
     search.reduce_crossings(*candidate, search.climb(*candidate));
   }
-  if (is_many((candidate ? *candidate : best).n_missing(), constraints)) {
+  const bool is_better_level = candidate && candidate->n_missing() < best.n_missing();
+  if (!is_better_level && is_many(best.n_missing(), constraints)) {
     const StartSearch search(points, constraints, options, context);
     search.reduce_crossings(best, search.climb(best));
   }
