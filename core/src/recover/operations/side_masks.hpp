@@ -36,8 +36,8 @@ class LocalPlaces {
     }
     if (vertices.empty()) return;
     const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
-    error_bound_ = {error.widening,
-                    4 * error.slack};  // two vertices are at most twice as far from each other as from the first
+    // Two vertices are at most twice as far from each other as from the first, and two offsets are multiplied.
+    error_bound_ = {error.widening, 4 * error.slack};
   }
 
   std::size_t size() const { return near_.size(); }
