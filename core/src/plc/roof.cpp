@@ -31,11 +31,12 @@ class RoofBuilder {
  public:
   RoofBuilder(std::span<const Vec3> corners, const AxisChoice& axis_for)
       : points_(corners.begin(), corners.end()), n_(corners.size()) {
-    find_base();
-    if (normal_ == Vec3{}) return;
-    axis_ = axis_for(base_);
+    if (!find_base(points_)) return;
+    axis_ = axis_for(base());
+    put_in_order();
     for (const Vec3& p : points_) flat_.push_back(projected(p));
-    const Vec3 up = cross(projected(base_[1]) - projected(base_[0]), projected(base_[2]) - projected(base_[0]));
+    if (!find_base(flat_)) return;
+    const Vec3 up = cross(flat_[base_[1]] - flat_[base_[0]], flat_[base_[2]] - flat_[base_[0]]);
     for (std::size_t i = 0; i < n_; ++i) {
       const Vec3 inward = cross(up, flat_[(i + 1) % n_] - flat_[i]);
       inward_.push_back((1 / length(inward)) * inward);
@@ -43,7 +44,7 @@ class RoofBuilder {
   }
 
   std::optional<Roof> run() {
-    if (normal_ == Vec3{}) return std::nullopt;
+    if (inward_.empty()) return std::nullopt;
     for (std::size_t before = n_;;) {
       FacetFault fault;
       auto draft = triangulate_facet(flat_, polygon(), fault);
@@ -58,15 +59,36 @@ class RoofBuilder {
   }
 
  private:
-  /// The largest triangle whose corners part the border in thirds spans the plane.
-  void find_base() {
+  /// The largest triangle whose corners part the border in thirds spans the plane. False where none has an area.
+  bool find_base(const std::vector<Vec3>& corners) {
+    double largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {
-      const std::array<Vec3, 3> t{points_[i], points_[(i + n_ / 3) % n_], points_[(i + 2 * n_ / 3) % n_]};
-      const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
-      if (dot(normal, normal) <= dot(normal_, normal_)) continue;
-      base_ = t;
-      normal_ = normal;
+      const std::array<std::size_t, 3> rows{i, (i + n_ / 3) % n_, (i + 2 * n_ / 3) % n_};
+      const Vec3& a = corners[rows[0]];
+      const Vec3 normal = cross(corners[rows[1]] - a, corners[rows[2]] - a);
+      if (dot(normal, normal) <= largest) continue;
+      base_ = rows;
+      largest = dot(normal, normal);
     }
+    return largest > 0;
+  }
+  std::array<Vec3, 3> base() const { return {points_[base_[0]], points_[base_[1]], points_[base_[2]]}; }
+  /// Lets the corners run one way from the least one on, as seen along the axis. So polygons that are stacked along it
+  /// get points above each other, which leaves the spheres about each roof's triangles empty of the other roofs'
+  /// points.
+  void put_in_order() {
+    const auto [a, b, c] = base();
+    is_turned_ = cross(projected(b - a), projected(c - a))[axis_] < 0;
+    given_row_.resize(n_);
+    std::iota(given_row_.begin(), given_row_.end(), VertexIndex{0});
+    if (is_turned_) std::reverse(given_row_.begin(), given_row_.end());
+    const auto is_less = [&](VertexIndex v, VertexIndex w) {
+      return compare_lexicographic(projected(points_[v]), projected(points_[w])) < 0;
+    };
+    std::rotate(given_row_.begin(), std::min_element(given_row_.begin(), given_row_.end(), is_less), given_row_.end());
+    std::vector<Vec3> ordered;
+    for (const VertexIndex row : given_row_) ordered.push_back(points_[row]);
+    points_ = std::move(ordered);
   }
   Vec3 projected(Vec3 p) const {
     p[axis_] = 0;
@@ -109,7 +131,7 @@ class RoofBuilder {
   /// vectors in it, because the fewer these are, the rarer sums are rounded, here and in shears.
   template <class Accept>
   std::optional<Vec3> place_near(const Vec3& x, const Accept& is_accepted) const {
-    const auto& [a, b, c] = base_;
+    const auto [a, b, c] = base();
     const Vec3 u = projected(b - a), v = projected(c - a), w = x - projected(a), up = cross(u, v);
     const double along_u = dot(cross(w, v), up) / dot(up, up), along_v = dot(cross(u, w), up) / dot(up, up);
     const double most_distance = 0.25 * rise_of(x);
@@ -131,17 +153,23 @@ class RoofBuilder {
     Roof out;
     out.inner.assign(points_.begin() + static_cast<std::ptrdiff_t>(n_), points_.end());
     for (const Vec3& p : out.inner) out.rise.push_back(rise_of(projected(p)));
+    for (Triangle& t : triangles) {
+      for (VertexIndex& v : t)
+        if (v < n_) v = given_row_[v];
+      if (is_turned_) std::swap(t[1], t[2]);
+    }
     out.triangles = std::move(triangles);
     return out;
   }
 
-  std::vector<Vec3> points_;  ///< corners, then inner points
-  std::size_t n_;
-  std::array<Vec3, 3> base_;
-  Vec3 normal_;               ///< of the base
-  std::size_t axis_ = 0;      ///< along which the plane is projected
-  std::vector<Vec3> flat_;    ///< the points, projected
-  std::vector<Vec3> inward_;  ///< unit vector across each side, projected
+  std::vector<Vec3> points_;            ///< corners, then inner points
+  std::size_t n_;                       ///< of corners
+  std::array<std::size_t, 3> base_{};   ///< corners
+  std::size_t axis_ = 0;                ///< along which the plane is projected
+  bool is_turned_ = false;              ///< the corners run against the polygon
+  std::vector<VertexIndex> given_row_;  ///< by corner
+  std::vector<Vec3> flat_;              ///< the points, projected
+  std::vector<Vec3> inward_;            ///< unit vector across each side, projected
 };
 
 }  // namespace

@@ -20,6 +20,14 @@ Triangle corners_of(const PiecewiseLinearComplex& plc, Index facet) {
   return {loop[0], loop[1], loop[2]};
 }
 
+Vec3 extents_of_segments(const PiecewiseLinearComplex& plc) {
+  Box3 box;
+  for (const VertexIndex v : plc.loop_vertices) box.add(plc.points[v]);
+  for (const auto& s : plc.segments)
+    for (const VertexIndex v : {s.a, s.b}) box.add(plc.points[v]);
+  return box.max - box.min;
+}
+
 /// The part in rows of a mesh.
 RoofedPart in_rows(RoofedPart part, const std::vector<VertexIndex>& row) {
   for (std::vector<Triangle>* triangles : {&part.as_given, &part.triangles, &part.roof})
@@ -40,6 +48,9 @@ std::optional<RoofedParts> RoofedParts::of(const PiecewiseLinearComplex& plc, st
 }
 
 void RoofedParts::find_parts(std::span<const Index> provenance) {
+  const AxisChoice axis_for = [extents = extents_of_segments(given_)](const std::array<Vec3, 3>& corners) {
+    return recover::level_axis(corners, extents);
+  };
   for (const CoplanarPatch& patch : patches_far_from_delaunay(given_, provenance, most_crossings_of_kept_edge)) {
     if (patch.facets.size() == 1) continue;
     const std::optional<FlatPatch> flat = flat_patch_of(given_, patch.facets);
@@ -47,7 +58,7 @@ void RoofedParts::find_parts(std::span<const Index> provenance) {
     for (const ConvexPart& part : convex_parts(*flat, patch.segments)) {
       std::vector<Vec3> corners;
       for (const VertexIndex v : part.border) corners.push_back(given_.points[v]);
-      const std::optional<Roof> roof = roof_over(corners, recover::level_axis);
+      const std::optional<Roof> roof = roof_over(corners, axis_for);
       if (!roof || 2 * (roof->inner.size() + 1) >= part.left_out.size()) continue;  // points on two sides
       RoofedPart& out = parts_.emplace_back();
       for (const Index t : part.triangles) {

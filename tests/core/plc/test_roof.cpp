@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Convex parts of plane patches, and roofs over them.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -43,6 +44,20 @@ TEST_CASE("a roof has no triangle on the border alone, and its points lie in the
     for (const Vec3& p : roof->inner) CHECK(p.z == p.x - 3 * p.y);
     for (const double rise : roof->rise) CHECK(rise > 0);
   }
+}
+
+TEST_CASE("polygons that are stacked along the axis get points above each other", "[plc]") {
+  const auto along_z = [](const auto&) { return std::size_t{2}; };
+  std::vector<Vec3> corners = ellipse(101);
+  const auto lower = roof_over(corners, along_z);
+  std::rotate(corners.begin(), corners.begin() + 40, corners.end());
+  std::reverse(corners.begin(), corners.end());
+  for (Vec3& p : corners) p.z += 0.375;
+  const auto upper = roof_over(corners, along_z);
+  REQUIRE(lower);
+  REQUIRE(upper);
+  REQUIRE(lower->inner.size() == upper->inner.size());
+  for (std::size_t i = 0; i < lower->inner.size(); ++i) CHECK(upper->inner[i] == lower->inner[i] + Vec3{0, 0, 0.375});
 }
 
 TEST_CASE("a patch falls into convex parts, which segments separate", "[plc]") {

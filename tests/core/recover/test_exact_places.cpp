@@ -5,6 +5,7 @@
 #include <random>
 
 #include "recover/exact/exact_places.hpp"
+#include "recover/operations/side_masks.hpp"
 
 using namespace geomesh;
 using namespace geomesh::recover;
@@ -73,6 +74,26 @@ TEST_CASE("orientation of exact places is that of exact rational numbers, also w
       INFO("seed " << seed << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << ' ' << v[3]);
       REQUIRE(static_cast<int>(scene.places.orient(scene.points, v)) == exact_sign(scene.places, scene.points, v));
     }
+  }
+}
+
+TEST_CASE("side masks tell the same of vertices that are exact places, one triple after the other", "[recover]") {
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    const Scene scene(seed);
+    ConstrainedMesh mesh({}, {scene.points.begin(), scene.points.begin() + 4}, 4);
+    for (VertexIndex v = 4; v < scene.points.size(); ++v) mesh.add_point(scene.places.of(v));
+    std::vector<VertexIndex> vertices;
+    for (VertexIndex v = 0; v < scene.points.size(); ++v) vertices.push_back(v);
+    SideMasks sides(mesh, vertices);
+    const auto n = static_cast<LocalVertex>(vertices.size());
+    for (LocalVertex a = 0; a < n; ++a)
+      for (LocalVertex b = 0; b < a; ++b)
+        for (LocalVertex c = 0; c < b; ++c)
+          for (LocalVertex d = 0; d < n; ++d) {
+            if (d == a || d == b || d == c) continue;
+            INFO("seed " << seed << ": " << +a << ' ' << +b << ' ' << +c << ' ' << +d);
+            REQUIRE(sides.sign(a, b, c, d) == exact_sign(scene.places, scene.points, {a, b, c, d}));
+          }
   }
 }
 

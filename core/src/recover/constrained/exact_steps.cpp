@@ -33,8 +33,7 @@ class SegmentStep {
     if (ends_at_crossed_segment(recovery, subsegment, on_.line)) return;
     const Vec3 along = mesh_.offset(a_, b_);
     on_.length = std::sqrt(dot(along, along));
-    for (const Crossing& c : on_.line.crossings)
-      on_.parameters.push_back(parameter_of(c, recovery_budget.parameter_error_of_order).estimate());
+    for (const Crossing& c : on_.line.crossings) on_.parameters.push_back(rough_parameter_of(c));
   }
 
   VertexIndex run() {
@@ -64,6 +63,15 @@ class SegmentStep {
     for (const VertexIndex u : mesh_.cells().vertices(c.cell))
       if (u != c.v[0] && u != c.v[1] && mesh_.orient(a_, b_, c.v[0], u) != Sign::zero) return {c.v[0], c.v[1], u};
     return {c.v[0], c.v[1], c.v[0]};
+  }
+  /// Tells only which crossing to try first.
+  double rough_parameter_of(const Crossing& c) const {
+    const Triangle plane = plane_through(c);
+    const auto height = [&](VertexIndex v) {
+      return mesh_.exact_places().rough_volume(mesh_.points(), {plane[0], plane[1], plane[2], v});
+    };
+    const double at_a = height(a_), at_b = height(b_);
+    return at_a == at_b ? 0.5 : at_a / (at_a - at_b);
   }
   exact::LongExpansion parameter_of(const Crossing& c, double error) const {
     return crossing_parameter(mesh_, a_, b_, plane_through(c), error);

@@ -163,19 +163,24 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
   return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
 }
 
-/// The determinant of the nearest doubles. Each is off by an ulp at most, a difference of two by 2^-51 of the greater.
+/// The determinant of the nearest doubles. Each is off by an ulp at most, a difference of two by 2^-51 of the greater,
+/// which is no farther from zero than d and the offset from d together.
 filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const Vec3& d = points[v[3]];
-  Vec3 largest = larger({}, d), reach;
-  std::array<std::array<double, 3>, 3> u;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 &p = points[v[k]], offset = p - d;
-    u[k] = {offset.x, offset.y, offset.z};
-    largest = larger(largest, p);
-    reach = larger(reach, offset);
-  }
-  return {-determinant(u),
-          filter::orient3d_factor * reach.x * reach.y * reach.z + error_by_rests(reach, 0x1p-51 * largest)};
+  const Vec3 a = points[v[0]] - d, b = points[v[1]] - d, c = points[v[2]] - d;
+  const auto reach_along = [&](std::size_t i) {
+    return filter::max3(std::fabs(a[i]), std::fabs(b[i]), std::fabs(c[i]));
+  };
+  const Vec3 reach{reach_along(0), reach_along(1), reach_along(2)};
+  const Vec3 wrong = 0x1p-51 * Vec3{std::fabs(d.x) + reach.x, std::fabs(d.y) + reach.y, std::fabs(d.z) + reach.z};
+  const double det = a.z * (b.x * c.y - b.y * c.x) + b.z * (c.x * a.y - c.y * a.x) + c.z * (a.x * b.y - a.y * b.x);
+  return {-det, filter::orient3d_factor * reach.x * reach.y * reach.z + error_by_rests(reach, wrong)};
+}
+
+Sign ExactPlaces::side_of_end(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
+  if (std::none_of(v.begin(), v.end(), [&](VertexIndex w) { return contains(w); }))
+    return orient3d(points[v[0]], points[v[1]], points[v[2]], points[v[3]]);
+  return decide(points, v);
 }
 
 /// A place between the ends of its line lies on the side where both ends lie, or one of them if the other is in the
@@ -190,7 +195,7 @@ std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
     for (std::size_t end = 0; end < 2; ++end) {
       std::array<VertexIndex, 4> w = v;
       w[k] = frame[end];
-      sides[end] = std::count(w.begin(), w.end(), frame[end]) > 1 ? Sign::zero : decide(points, w);
+      sides[end] = std::count(w.begin(), w.end(), frame[end]) > 1 ? Sign::zero : side_of_end(points, w);
     }
     if (sides[0] != -sides[1] || sides[0] == Sign::zero) return sides[0] == Sign::zero ? sides[1] : sides[0];
   }
@@ -203,8 +208,6 @@ Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<Verte
 }
 
 Sign ExactPlaces::decide(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
-  if (std::none_of(v.begin(), v.end(), [&](VertexIndex w) { return contains(w); }))
-    return orient3d(points[v[0]], points[v[1]], points[v[2]], points[v[3]]);
   const filter::Estimate first = of_nearest(points, v);
   if (first.certain()) return first.sign();
   const Rough near = rough(points, v);

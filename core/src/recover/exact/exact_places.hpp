@@ -82,6 +82,7 @@ class ExactPlaces {
   filter::Estimate sharp(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v, const Rough& of) const;
   filter::Estimate of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   std::optional<Sign> side_of_line(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
+  Sign side_of_end(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   Sign decide(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;

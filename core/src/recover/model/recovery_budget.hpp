@@ -74,7 +74,6 @@ struct RecoveryBudget {
   std::size_t points_on_crossing = 4;      ///< so many more
   /// Parts of itself by which an exact parameter may be off, one after the other. The first is nearly always enough.
   std::array<double, 4> parameter_errors{0x1p-50, 0x1p-75, 0x1p-100, 0x1p-150};
-  double parameter_error_of_order = 0x1p-20;  ///< the same where a parameter only tells which crossing to try first
 
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points

@@ -24,6 +24,47 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
+/// Places of the vertices of one polyhedron: offsets between them, and how wrong determinants of these may be.
+class LocalPlaces {
+ public:
+  LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {
+    const ExactPlaces& exact = mesh.exact_places();
+    for (const VertexIndex v : vertices) {
+      if (exact.contains(v)) exact_ |= bit(static_cast<LocalVertex>(near_.size()));
+      near_.push_back(mesh.point(v));
+      rest_.push_back(exact.rest_of(v));
+    }
+    if (vertices.empty()) return;
+    const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
+    // Two vertices are at most twice as far from each other as from the first, and two offsets are multiplied.
+    error_bound_ = {error.widening, 4 * error.slack};
+  }
+
+  std::size_t size() const { return near_.size(); }
+  /// Offsets from one vertex, for loops that write to memory.
+  struct From {
+    const Vec3 *near, *rest;
+    Vec3 of_near, of_rest;
+    Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
+  };
+  From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
+  /// Of an estimate of a determinant of these offsets.
+  struct ErrorBound {
+    double widening = 1, slack = 0;
+    double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
+  };
+  ErrorBound error_bound() const { return error_bound_; }
+  /// Orientations of a triangle with one other vertex each that have an exact place.
+  std::size_t n_exact_about(VertexMask triangle) const {
+    return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
+  }
+
+ private:
+  std::vector<Vec3> near_, rest_;  ///< the nearest double, and what it lacks
+  VertexMask exact_ = 0;           ///< vertices whose places are no doubles
+  ErrorBound error_bound_;
+};
+
 class SideMasks {
  public:
   static constexpr std::size_t max_vertices = 64;
@@ -48,7 +89,7 @@ class SideMasks {
 
   /// `vertices`: at most max_vertices, in the mesh's numbering.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
-      : mesh_(mesh), vertices_(vertices), row_(n_triples(vertices.size()), 0) {}
+      : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
   /// For those who will ask for most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with what they share
   /// taken out of the loops.
@@ -58,7 +99,8 @@ class SideMasks {
     for (std::size_t row = 0; row < row_.size(); ++row) row_[row] = static_cast<std::uint32_t>(row + 1);
     if (mesh_.has_exact_places()) mesh_.exact_places().count_decided(n_triples(n) * (n - 3) / 4);
     for (std::size_t l = 3; l < n; ++l) {
-      measure_from(l);
+      offsets_.clear();
+      for (std::size_t i = 0; i < l; ++i) offsets_.push_back(places_.offsets_from(l)(i));
       for (std::size_t k = 2; k < l; ++k)
         for (std::size_t j = 1; j < k; ++j) decide_below(j, k, l);
     }
@@ -99,37 +141,45 @@ class SideMasks {
   }
 
  private:
+  /// Signs of a polyhedron are as good as random, so all vertices are estimated without a branch. What is not certain
+  /// is decided afterwards.
   Masks decide(const LocalTriangle& t) const {
-    Masks out{0, 0};
-    for (LocalVertex v = 0; v < vertices_.size(); ++v) {
-      if (mask_of(t) & bit(v)) continue;
+    if (mesh_.has_exact_places()) mesh_.exact_places().count_decided(places_.n_exact_about(mask_of(t)));
+    const LocalPlaces::From offset_to = places_.offsets_from(t[2]);
+    const LocalPlaces::ErrorBound error_of = places_.error_bound();
+    const filter::Orient3dOfMany estimate_of(offset_to(t[0]), offset_to(t[1]));
+    VertexMask positive = 0, negative = 0;
+    for (std::size_t v = 0; v < places_.size(); ++v) {
+      const filter::Estimate estimate = estimate_of(offset_to(v));
+      const double error = error_of(estimate);
+      positive |= VertexMask{estimate.value < -error} << v;
+      negative |= VertexMask{estimate.value > error} << v;
+    }
+    Masks out{positive & ~mask_of(t), negative & ~mask_of(t)};
+    for (VertexMask left = all() & ~(positive | negative | mask_of(t)); left != 0; left &= left - 1) {
+      const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
       const Sign s = mesh_.orient(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]], vertices_[v]);
       if (s == Sign::positive) out.first |= bit(v);
       if (s == Sign::negative) out.second |= bit(v);
     }
     return out;
   }
-
-  /// Offsets of the vertices before l from it, and how wrong determinants of them may be.
-  void measure_from(std::size_t l) {
-    const VertexIndex origin = vertices_[l];
-    offsets_.clear();
-    for (std::size_t i = 0; i < l; ++i) offsets_.push_back(mesh_.offset(origin, vertices_[i]));
-    const ExactPlaces::OffsetError error = mesh_.offset_error(origin, {vertices_.data(), l});
-    widening_ = error.widening;
-    slack_ = error.slack;
+  VertexMask all() const {
+    return vertices_.size() == max_vertices ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1;
   }
+
   /// All (i, j, k, l) with i < j, without a branch: signs of a region are as good as random. What is not certain is
   /// decided afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
+    const LocalPlaces::ErrorBound error_of = places_.error_bound();
     Masks *const jk = &known_[row_of(0, j, k)], *const jl = &known_[row_of(0, j, l)],
                  *const kl = &known_[row_of(0, k, l)];
     VertexMask positive = 0, negative = 0;
     for (std::size_t i = 0; i < j; ++i) {
-      filter::Estimate estimate = estimate_of(offsets_[i]);
-      estimate.error = widening_ * estimate.error + slack_;
-      const VertexMask p = estimate.value > estimate.error ? 1 : 0, n = estimate.value < -estimate.error ? 1 : 0;
+      const filter::Estimate estimate = estimate_of(offsets_[i]);
+      const double error = error_of(estimate);
+      const VertexMask p = estimate.value > error ? 1 : 0, n = estimate.value < -error ? 1 : 0;
       jk[i].first |= p << l, jk[i].second |= n << l;
       jl[i].first |= n << k, jl[i].second |= p << k;
       kl[i].first |= p << j, kl[i].second |= n << j;
@@ -156,10 +206,10 @@ class SideMasks {
 
   const ConstrainedMesh& mesh_;
   const std::vector<VertexIndex>& vertices_;
+  const LocalPlaces places_;
   std::vector<std::uint32_t> row_;  ///< of each sorted triple in known_, plus 1; 0 where not decided yet
   std::vector<Masks> known_;
   std::vector<Vec3> offsets_;  ///< of decide_all, from one vertex
-  double widening_ = 1, slack_ = 0;
 };
 
 }  // namespace geomesh::recover

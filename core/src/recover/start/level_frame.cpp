@@ -81,19 +81,33 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
-/// The axis nearest to the normal first.
-std::array<std::size_t, 3> axes_along(const Vec3& normal) {
+/// The axis nearest to the normal first. Components of the normal that differ by less than the step of slopes are
+/// equal.
+std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
+  const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
+  const auto nearness = [&](std::size_t axis) {
+    return std::round(std::fabs(normal[axis]) / largest / recovery_budget.slope_step);
+  };
   std::array<std::size_t, 3> axes{2, 1, 0};
-  std::stable_sort(axes.begin(), axes.end(),
-                   [&](std::size_t a, std::size_t b) { return std::fabs(normal[a]) > std::fabs(normal[b]); });
+  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) {
+    return nearness(a) != nearness(b) ? nearness(a) > nearness(b) : extents[a] > extents[b];
+  });
   return axes;
+}
+
+/// Of the box of all segments.
+Vec3 extents_of(const std::vector<Vec3>& points, const Constraints& constraints) {
+  Box3 box;
+  for (const Subsegment& s : constraints.subsegments)
+    for (const VertexIndex v : {s.a, s.b}) box.add(points[v]);
+  return box.max - box.min;
 }
 
 }  // namespace
 
-std::size_t level_axis(const std::array<Vec3, 3>& corners) {
+std::size_t level_axis(const std::array<Vec3, 3>& corners, const Vec3& extents) {
   const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-  const std::array<std::size_t, 3> axes = axes_along(normal);
+  const std::array<std::size_t, 3> axes = axes_along(normal, extents);
   for (const std::size_t axis : axes)
     if (normal[axis] != 0 && Shear(normal, axis).makes_level({corners.begin(), corners.end()}, {0, 1, 2})) return axis;
   return axes[0];
@@ -109,7 +123,7 @@ std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& poin
     normal = area;
   }
   if (largest == no_index) return std::nullopt;
-  for (const std::size_t axis : axes_along(normal)) {
+  for (const std::size_t axis : axes_along(normal, extents_of(points, constraints))) {
     if (normal[axis] == 0) continue;
     const Shear shear(normal, axis);
     if (shear.is_none()) return std::nullopt;

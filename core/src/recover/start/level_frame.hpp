@@ -18,8 +18,10 @@ namespace geomesh::recover {
 /// one of the given points. O(n).
 std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints);
 
-/// The axis of that shear for a plane through three points that are not on one line; the axis nearest to the plane's
-/// normal if none makes it level.
-std::size_t level_axis(const std::array<Vec3, 3>& corners);
+/// The axis of that shear for a plane through three points that are not on one line, in a model of these extents; the
+/// axis nearest to the plane's normal if none makes it level. Where two axes are equally near, it is the one along
+/// which the model extends farther, because that says the same of every facet and in every frame: roofs (plc/roof.hpp)
+/// are Delaunay as seen along this axis before the model is started from its level frame.
+std::size_t level_axis(const std::array<Vec3, 3>& corners, const Vec3& extents);
 
 }  // namespace geomesh::recover

@@ -169,8 +169,8 @@ bool is_many(std::size_t n_missing, const Constraints& constraints) {
          recovery_budget.stretch_from * n_missing > constraints.subsegments.size();
 }
 
-/// Searches with the facets level, if they can be made so, and in the frame as given if many segments are missing then
-/// still. A level frame is tried as well where polygons lack inner edges, which the scales of axes do not count.
+/// Searches with the facets level, if they can be made so, and in the frame as given unless fewer segments are missing
+/// then. A level frame is tried as well where polygons lack inner edges, which the scales of axes do not count.
 void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& points, const Constraints& constraints,
              const DelaunayOptions& options, const RunContext& context) {
   if (!is_many(best.n_missing() + inner_edges, constraints)) return;
@@ -180,7 +180,8 @@ void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& 
     candidate = search.triangulate({0, 0, 0});
     search.reduce_crossings(*candidate, search.climb(*candidate));
   }
-  if (is_many((candidate ? *candidate : best).n_missing(), constraints)) {
+  const bool is_better_level = candidate && candidate->n_missing() < best.n_missing();
+  if (!is_better_level && is_many(best.n_missing(), constraints)) {
     const StartSearch search(points, constraints, options, context);
     search.reduce_crossings(best, search.climb(best));
   }
