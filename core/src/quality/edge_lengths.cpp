@@ -53,7 +53,7 @@ std::uint8_t bin_of(double ratio) {
   return static_cast<std::uint8_t>(std::upper_bound(bounds.begin(), bounds.end(), ratio) - bounds.begin());
 }
 
-/// The size asked at each vertex. Where sizes may jump between components, those of the component at hand are asked.
+/// The target size at each vertex. Where sizes may jump between components, that of the component at hand is looked up.
 class SizesAtVertices {
  public:
   SizesAtVertices(std::span<const Vec3> points, const SizeField* size, unsigned threads)
@@ -147,7 +147,7 @@ class EdgeBlock {
     add(0, least);
   }
 
-  /// The mean of those at both ends, as edges are judged while they are made. All edges at hand share the lower vertex.
+  /// The mean of those at both ends, as in remeshing. All edges at hand share the lower vertex.
   double size_of_edge(VertexIndex lower, VertexIndex upper, Index component) {
     if (size_here_.component != component || !(size_here_.size > 0))
       size_here_ = {component, sizes_.at(lower, component)};

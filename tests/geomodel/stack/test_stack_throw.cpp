@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stacks of horizons with throw: settled, and in order on both sides of their faults.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -104,7 +105,33 @@ Heights heights_of(const FaultedStack& model, const BuiltSurfaces& built, std::s
   return heights;
 }
 
-/// On each side horizons are in order over the same places, share heights east of x = 3000, and follow the data.
+/// Heights over a grid of places 100 m apart, within the triangles on one side of the fault.
+Heights sampled_heights(const FaultedStack& model, const BuiltSurfaces& built, std::size_t k, bool above) {
+  constexpr double step = 100, first = 37;
+  Heights heights;
+  const std::vector<Vec3>& points = built.surfaces[k].points;
+  for (const Triangle& t : built.surfaces[k].triangles) {
+    const std::array<Vec3, 3> p{points[t[0]], points[t[1]], points[t[2]]};
+    if (std::any_of(p.begin(), p.end(), [&](const Vec3& q) { return (model.across(q.x, q.z) > 0) != above; })) continue;
+    const auto [least_x, most_x] = std::minmax({p[0].x, p[1].x, p[2].x});
+    const auto [least_y, most_y] = std::minmax({p[0].y, p[1].y, p[2].y});
+    const auto row_from = [](double low) { return std::ceil((low - first) / step); };
+    for (double x = first + step * row_from(least_x); x <= most_x; x += step)
+      for (double y = first + step * row_from(least_y); y <= most_y; y += step) {
+        std::array<double, 3> share;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Vec3 &q = p[(i + 1) % 3], &r = p[(i + 2) % 3];
+          share[i] = (q.x - x) * (r.y - y) - (q.y - y) * (r.x - x);
+        }
+        const double all = share[0] + share[1] + share[2];
+        if (all == 0 || std::any_of(share.begin(), share.end(), [&](double s) { return s / all < 0; })) continue;
+        heights.emplace(std::pair(x, y), (share[0] * p[0].z + share[1] * p[1].z + share[2] * p[2].z) / all);
+      }
+  }
+  return heights;
+}
+
+/// On each side horizons are in order, share heights east of x = 3000, and are apart by the least thickness elsewhere.
 void check_sides(const FaultedStack& model) {
   const BuiltSurfaces built = build_surfaces(model.surfaces(), model.rules());
   std::string notes;
@@ -112,9 +139,10 @@ void check_sides(const FaultedStack& model) {
   for (const std::string& warning : built.warnings) notes += warning + "\n";
   INFO(notes);
   REQUIRE(built.stack.settled);
+  constexpr double rounding = 1e-9;
   for (const bool above : {false, true}) {
     std::vector<Heights> heights;
-    for (std::size_t k = 0; k < 3; ++k) heights.push_back(heights_of(model, built, k, above));
+    for (std::size_t k = 0; k < 3; ++k) heights.push_back(sampled_heights(model, built, k, above));
     INFO(heights[0].size() << ", " << heights[1].size() << ", " << heights[2].size() << " places");
     std::size_t n_both = 0, n_shared = 0;
     for (std::size_t k = 0; k < 2; ++k)
@@ -122,14 +150,15 @@ void check_sides(const FaultedStack& model) {
         const auto below = heights[k + 1].find(place);
         if (below == heights[k + 1].end()) continue;
         ++n_both;
-        REQUIRE(z >= below->second);
+        const double thick = z - below->second;
+        CHECK(thick >= -rounding);
         if (k == 1) continue;
-        if (place.first > 3400) CHECK(z == below->second);
-        if (place.first < 2400) CHECK(z - below->second >= 5 - 1e-9);
-        n_shared += z == below->second;
+        if (place.first > 3400) CHECK(thick <= rounding);
+        if (place.first < 2400) CHECK(thick >= 5 - rounding);
+        n_shared += thick <= rounding;
       }
-    CHECK(n_both > 100);
-    if (above) CHECK(n_shared > 50);
+    CHECK(n_both > 500);
+    if (above) CHECK(n_shared > 300);
   }
 }
 

@@ -15,10 +15,7 @@ namespace {
 class BodyCutter {
  public:
   BodyCutter(ClipContext context, const Complex& complex)
-      : context_(context),
-        arranged_(context.arranged),
-        complex_(complex),
-        is_cutter_(context.surfaces.size(), 0) {}
+      : context_(context), arranged_(context.arranged), complex_(complex), is_cutter_(context.surfaces.size(), 0) {}
 
   void add(BodyShape&& shape) {
     winding_.emplace_back(complex_.points, shape.triangles);
