@@ -12,7 +12,7 @@
 #include "naming/sums.hpp"
 #include "rules/planar/borders.hpp"
 #include "rules/planar/planar_fill.hpp"
-#include "rules/throw/sheets.hpp"
+#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Places all over a surface, each with the area that it stands for.
+#pragma once
+
+#include <cmath>
+
+#include "geomesh/geomodel/surface.hpp"
+
+namespace geomesh::geomodel {
+
+Vec3 centre_of(const TriangulatedSurface& surface, const Triangle& triangle);
+double area_of(const TriangulatedSurface& surface, Index triangle);
+
+/// Triangles by equal parts, so that a horizon of few large ones is on each side of a fault by the area that lies
+/// there. A surface has some 500 parts at least; a triangle that is small beside it is one part.
+class AreaSamples {
+ public:
+  /// The surface outlives this. O(triangles).
+  explicit AreaSamples(const TriangulatedSurface& surface);
+
+  /// Calls visit(place, area) for each part of a triangle.
+  template <class F>
+  void for_each(Index triangle, F&& visit) const {
+    const Triangle& v = surface_.triangles[triangle];
+    const double area = area_of(surface_, triangle);
+    const int n = parts_along_side(area);
+    if (n == 1) return visit(centre_of(surface_, v), area);
+    const Vec3 &a = surface_.points[v[0]], ab = surface_.points[v[1]] - a, ac = surface_.points[v[2]] - a;
+    const double part = area / (double(n) * n);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; i + j < n; ++j) {
+        visit(a + ((i + 1.0 / 3) / n) * ab + ((j + 1.0 / 3) / n) * ac, part);
+        if (i + j + 1 < n) visit(a + ((i + 2.0 / 3) / n) * ab + ((j + 2.0 / 3) / n) * ac, part);
+      }
+  }
+
+ private:
+  int parts_along_side(double area) const {
+    return area > largest_ ? static_cast<int>(std::ceil(std::sqrt(area / largest_))) : 1;
+  }
+
+  const TriangulatedSurface& surface_;
+  double largest_ = 0;  ///< area of a part; infinite where the surface has none
+};
+
+}  // namespace geomesh::geomodel
