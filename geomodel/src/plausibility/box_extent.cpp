@@ -32,6 +32,18 @@ Extents extents_of_horizons(const Inspected& model) {
   return found;
 }
 
+/// Without those that are said to lie elsewhere, or to be in another unit.
+Extents without_doubted(const Extents& all, const std::vector<Finding>& findings) {
+  Extents found;
+  for (std::size_t k = 0; k < all.names.size(); ++k)
+    if (std::ranges::none_of(findings,
+                             [&](const Finding& f) { return std::ranges::count(f.inputs, all.names[k]) > 0; })) {
+      found.names.push_back(all.names[k]);
+      found.boxes.push_back(all.boxes[k]);
+    }
+  return found;
+}
+
 double length_of(const Extents& extents, std::size_t axis) {
   Box3 all;
   for (const Box3& box : extents.boxes) {
@@ -66,17 +78,19 @@ void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings) {
     findings.push_back({Finding::Sureness::certain, "extent of the box", of,
                         text + ", so that nearly all of the model would be made up", advice + " " + if_meant});
   };
+  const bool is_laid_about_data = model.project.box->shape == VolumeSpec::Shape::margin;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double of_box = model.volume->max[axis] - model.volume->min[axis], of_data = length_of(all, axis);
     const std::string way = std::string(" in ") + "xy"[axis];
-    if (of_box > most_times * of_data)
+    if (!is_laid_about_data && of_box > most_times * of_data)
       return tell(all.names,
                   few_of(all.names) + (all.names.size() > 1 ? " reach" : " reaches") + " over " + words(of_data) +
                       " of the box's " + words(of_box) + way,
                   "are the limits of the box in the unit of the data, with no digit too many?");
-    Extents rest = all;
+    Extents rest = without_doubted(all, findings);
+    if (!is_laid_about_data || rest.names.size() < 3) continue;
     const auto [longest, length] = take_longest(rest, axis);
-    if (rest.names.size() > 1 && std::min(of_box, length) > most_times * length_of(rest, axis))
+    if (length > most_times * length_of(rest, axis))
       return tell({longest},
                   longest + " reaches over " + words(length) + way + ", the other " +
                       std::to_string(rest.names.size()) + " horizons together over " + words(length_of(rest, axis)),

@@ -20,7 +20,8 @@ struct Inspected {
 /// beside all other surfaces: with the exchange, unit or direction that would bring them in.
 void doubt_places(const Inspected& model, std::vector<Finding>& findings);
 
-/// A box many times as long as all horizons together, or as all but one, unless one of them says how it is extended.
+/// A box many times as long as all horizons together, or, in one laid about the data, a horizon many times as long as
+/// all others together, unless one of them says how it is extended.
 void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings);
 
 /// Horizons that are as much lower and more level than all others as if their heights were in another unit.
