@@ -17,7 +17,7 @@ std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points);
 /// neighbours across the other two edges meet there: all three are then the same point, so that it has no edge of two
 /// ends and nothing ends at it. O(n log n).
 std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface);
-/// The same in linear time. `merged`: merge_equal_points of the surface's points.
+/// Does the same in linear time; `merged` is what merge_equal_points gives for the surface's points.
 std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface, const std::vector<VertexIndex>& merged);
 
 }  // namespace geomesh::geomodel

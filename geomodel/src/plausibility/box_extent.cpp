@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A box that is far larger than what its horizons tell of it, declared in plausibility/doubts.hpp.
+// A box that is far larger than what its horizons tell of it, or one horizon that makes it so; declared in
+// plausibility/doubts.hpp.
 #include <algorithm>
 
 #include "geomesh/geomodel/words.hpp"
@@ -8,94 +9,101 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A box may be this many times as long as the data of its horizons. One that leaves room for stresses to die out, or
-/// for waves to leave, is some ten times as long.
+/// A box may be this many times as long as the data of its horizons, and one horizon as all others together. A box that
+/// leaves room for stresses to die out, or for waves to leave, is some ten times as long.
 constexpr double most_times = 50;
 
-struct Extents {
-  std::vector<std::string> names;
-  std::vector<Box3> boxes;
+struct Extent {
+  std::string name;
+  Box3 box;
+  double along(std::size_t axis) const { return box.max[axis] - box.min[axis]; }
 };
 
-/// Of all horizons. Empty where one of them says how it goes on, or that it ends.
-Extents extents_of_horizons(const Inspected& model) {
-  Extents found;
+/// The extents of all horizons. There are none where one horizon says how it goes on, or that it ends.
+std::vector<Extent> extents_of_horizons(const Inspected& model) {
+  std::vector<Extent> found;
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = model.inputs.surfaces[s];
     if (surface.kind != SurfaceKind::horizon || surface.points.empty()) continue;
     const SurfaceRules rule = model.project.rules.of(s);
     if (rule.extend != Extend::none || !rule.continues) return {};
-    found.names.push_back(surface.name);
-    Box3& box = found.boxes.emplace_back();
+    Box3& box = found.emplace_back(Extent{surface.name, {}}).box;
     for (const Vec3& p : surface.points) box.add(p);
   }
   return found;
 }
 
-/// Without those that are said to lie elsewhere, or to be in another unit.
-Extents without_doubted(const Extents& all, const std::vector<Finding>& findings) {
-  Extents found;
-  for (std::size_t k = 0; k < all.names.size(); ++k)
-    if (std::ranges::none_of(findings,
-                             [&](const Finding& f) { return std::ranges::count(f.inputs, all.names[k]) > 0; })) {
-      found.names.push_back(all.names[k]);
-      found.boxes.push_back(all.boxes[k]);
-    }
-  return found;
-}
-
-double length_of(const Extents& extents, std::size_t axis) {
+double length_of(const std::vector<Extent>& extents, std::size_t axis) {
   Box3 all;
-  for (const Box3& box : extents.boxes) {
-    all.add(box.min);
-    all.add(box.max);
+  for (const Extent& e : extents) {
+    all.add(e.box.min);
+    all.add(e.box.max);
   }
   return all.max[axis] - all.min[axis];
 }
 
-/// Takes the longest away, and returns its name and length.
-std::pair<std::string, double> take_longest(Extents& extents, std::size_t axis) {
-  const auto length = [&](const Box3& box) { return box.max[axis] - box.min[axis]; };
-  const auto longest = std::ranges::max_element(extents.boxes, {}, length);
-  const auto row = longest - extents.boxes.begin();
-  std::pair<std::string, double> taken{extents.names[row], length(*longest)};
-  extents.names.erase(extents.names.begin() + row);
-  extents.boxes.erase(longest);
-  return taken;
-}
+class BoxDoubts {
+ public:
+  BoxDoubts(const Inspected& model, std::vector<Finding>& findings)
+      : model_(model), horizons_(extents_of_horizons(model)), findings_(findings) {}
 
-constexpr const char* if_meant =
-    "If it is meant, say in the horizons' entries how they go on (extend: flat, tangent or none)";
+  /// The limits of the box are written in the project.
+  void compare_box() {
+    for (std::size_t axis = 0; axis < 2 && !horizons_.empty(); ++axis) {
+      const double of_box = model_.volume->max[axis] - model_.volume->min[axis], of_data = length_of(horizons_, axis);
+      if (!(of_box > most_times * of_data)) continue;
+      std::vector<std::string> names;
+      for (const Extent& e : horizons_) names.push_back(e.name);
+      return tell(names,
+                  few_of(names) + (names.size() > 1 ? " reach" : " reaches") + " over " + words(of_data) +
+                      " of the box's " + words(of_box) + " in " + "xy"[axis],
+                  "are the limits of the box in the unit of the data, with no digit too many?");
+    }
+  }
+
+  /// The box is laid about the data. Horizons that are said to lie elsewhere, or to be in another unit, do not count.
+  void compare_horizons() {
+    std::erase_if(horizons_, [&](const Extent& e) {
+      return std::ranges::any_of(findings_, [&](const Finding& f) { return std::ranges::count(f.inputs, e.name) > 0; });
+    });
+    if (horizons_.size() < 3) return;  // of two nobody knows which is right
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      std::vector<Extent> rest = horizons_;
+      const auto longest = std::ranges::max_element(rest, {}, [&](const Extent& e) { return e.along(axis); });
+      const Extent one = *longest;
+      rest.erase(longest);
+      if (!(one.along(axis) > most_times * length_of(rest, axis))) continue;
+      return tell({one.name},
+                  one.name + " reaches over " + words(one.along(axis)) + " in " + "xy"[axis] + ", the other " +
+                      std::to_string(rest.size()) + " horizons together over " + words(length_of(rest, axis)),
+                  "is the spacing or unit of " + one.name + " right, with no digit too many?");
+    }
+  }
+
+ private:
+  std::string words(double length) const { return short_words(length) + " " + model_.project.crs.unit; }
+
+  void tell(const std::vector<std::string>& of, const std::string& text, const std::string& question) {
+    findings_.push_back(
+        {Finding::Sureness::certain, "extent of the box", of,
+         text + ", so that nearly all of the model would be made up",
+         question + " If this is meant, say in the horizons' entries how they go on (extend: flat, tangent or none)"});
+  }
+
+  const Inspected& model_;
+  std::vector<Extent> horizons_;
+  std::vector<Finding>& findings_;
+};
 
 }  // namespace
 
 void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings) {
   if (!model.volume) return;
-  const Extents all = extents_of_horizons(model);
-  if (all.names.empty()) return;
-  const auto words = [&](double length) { return short_words(length) + " " + model.project.crs.unit; };
-  const auto tell = [&](const std::vector<std::string>& of, const std::string& text, const std::string& advice) {
-    findings.push_back({Finding::Sureness::certain, "extent of the box", of,
-                        text + ", so that nearly all of the model would be made up", advice + " " + if_meant});
-  };
-  const bool is_laid_about_data = model.project.box->shape == VolumeSpec::Shape::margin;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double of_box = model.volume->max[axis] - model.volume->min[axis], of_data = length_of(all, axis);
-    const std::string way = std::string(" in ") + "xy"[axis];
-    if (!is_laid_about_data && of_box > most_times * of_data)
-      return tell(all.names,
-                  few_of(all.names) + (all.names.size() > 1 ? " reach" : " reaches") + " over " + words(of_data) +
-                      " of the box's " + words(of_box) + way,
-                  "are the limits of the box in the unit of the data, with no digit too many?");
-    Extents rest = without_doubted(all, findings);
-    if (!is_laid_about_data || rest.names.size() < 3) continue;
-    const auto [longest, length] = take_longest(rest, axis);
-    if (length > most_times * length_of(rest, axis))
-      return tell({longest},
-                  longest + " reaches over " + words(length) + way + ", the other " +
-                      std::to_string(rest.names.size()) + " horizons together over " + words(length_of(rest, axis)),
-                  "is the spacing or unit of " + longest + " right, with no digit too many?");
-  }
+  BoxDoubts doubts(model, findings);
+  if (model.project.box->shape == VolumeSpec::Shape::margin)
+    doubts.compare_horizons();
+  else
+    doubts.compare_box();
 }
 
 }  // namespace geomesh::geomodel

@@ -96,6 +96,31 @@ TEST_CASE("a box far longer than all horizons is refused, unless one of them say
   CHECK(ends.doubts().empty());
 }
 
+TEST_CASE("in a box laid about the data one horizon far longer than all others is refused", "[plausibility]") {
+  const auto doubts_of = [](std::size_t n_others, double length, Extend extend) {
+    std::vector<TriangulatedSurface> horizons{sheet("long", SurfaceKind::horizon, inside)};
+    for (std::size_t k = 0; k < n_others; ++k) {
+      const double z = -1300 - 100.0 * static_cast<double>(k);
+      horizons.push_back(sheet("h" + std::to_string(k), SurfaceKind::horizon,
+                               {{431000, 5801000, z - 20}, {431000 + length, 5809000, z}}));
+    }
+    Model model(horizons);
+    model.project.box->shape = VolumeSpec::Shape::margin;
+    model.project.rules.surfaces[0].extend = extend;
+    std::vector<Finding> doubts = model.doubts();
+    std::erase_if(doubts, [](const Finding& f) { return f.cause != "extent of the box"; });
+    return doubts;
+  };
+  const std::vector<Finding> found = doubts_of(2, 170, Extend::none);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].sureness == Sureness::certain);
+  CHECK(found[0].inputs == std::vector<std::string>{"long"});
+  CHECK_THAT(found[0].text, Catch::Contains("long reaches over 9000 m in x, the other 2 horizons together over 170 m"));
+  CHECK(doubts_of(2, 190, Extend::none).empty());
+  CHECK(doubts_of(2, 170, Extend::flat).empty());
+  CHECK(doubts_of(1, 170, Extend::none).empty());  // of two, nobody knows which is wrong
+}
+
 TEST_CASE("a surface that lies elsewhere is told what would bring it in", "[plausibility]") {
   struct Case {
     Box3 bounds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where many points lie on one circle the triangulation of the map is told by their places, not by how it was made.
+// The triangulation of the map depends on the places of the points alone, also where many lie on one circle.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

@@ -48,7 +48,7 @@ class LocalPlaces {
     Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
   };
   From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
-  /// Of an estimate of a determinant of these offsets.
+  /// How wrong an estimate of a determinant of these offsets may be.
   struct ErrorBound {
     double widening = 1, slack = 0;
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
