@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -28,7 +29,7 @@ class SimplexMap {
   }
   /// Overwrites an existing entry.
   void insert(const Key& vertices, Index value) {
-    if (2 * (n_used_ + 1) > slots_.size()) grow();
+    if (2 * (n_used_ + 1) > slots_.size()) grow_to(std::max<std::size_t>(16, 2 * slots_.size()));
     const Key key = sorted(vertices);
     Slot& slot = slots_[place_of(key)];
     n_used_ += slot.value == empty;
@@ -40,7 +41,8 @@ class SimplexMap {
     if (slot.value != empty) slot.value = erased;
   }
   void reserve(std::size_t n) {
-    while (slots_.size() < 2 * n + 2) grow();
+    const std::size_t size = std::bit_ceil(std::max<std::size_t>(16, 2 * n + 2));
+    if (slots_.size() < size) grow_to(size);
   }
   /// Ascending.
   std::vector<Key> sorted_keys() const {
@@ -62,11 +64,17 @@ class SimplexMap {
   std::size_t place_of(const Key& key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash_of(key) & mask;
-    while (slots_[i].value != empty && slots_[i].key != key) i = (i + 1) & mask;
+    while (slots_[i].value != empty && !are_equal(slots_[i].key, key)) i = (i + 1) & mask;
     return i;
   }
-  void grow() {
-    std::vector<Slot> old(std::max<std::size_t>(16, 2 * slots_.size()));
+  /// std::array compares three vertices by a call of memcmp.
+  static bool are_equal(const Key& a, const Key& b) {
+    VertexIndex difference = 0;
+    for (std::size_t i = 0; i < N; ++i) difference |= a[i] ^ b[i];
+    return difference == 0;
+  }
+  void grow_to(std::size_t size) {
+    std::vector<Slot> old(size);
     old.swap(slots_);
     n_used_ = 0;
     for (const Slot& s : old) {

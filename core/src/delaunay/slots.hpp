@@ -59,12 +59,13 @@ class SlotSource {
     block_end_ = base + block;
     limit_ = limit;
   }
-  /// The only source of a mesh, at the end: drops all slots that no cell uses.
+  /// The only source of a mesh, at the end: drops all slots that no cell uses. Its blocks are one range, so none beyond
+  /// the next slot has been used.
   template <class Mesh>
   void finish(Mesh& mesh) const {
-    const CellIndex end = std::min(block_end_, mesh.n_slots());
-    for (const CellIndex c : unused(end)) mesh.cells()[c].vertices[0] = no_vertex;
-    mesh.drop_slots_from(end);
+    for (const CellIndex c : free_)
+      if (c < next_) mesh.cells()[c].vertices[0] = no_vertex;
+    mesh.drop_slots_from(std::min(next_, mesh.n_slots()));
     mesh.compact();
   }
   void adopt(const std::vector<CellIndex>& slots) { free_.insert(free_.end(), slots.rbegin(), slots.rend()); }

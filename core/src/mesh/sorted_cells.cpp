@@ -2,7 +2,9 @@
 #include "mesh/sorted_cells.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace geomesh {
@@ -43,6 +45,10 @@ TetMesh with_sorted_cells(const TetMesh& mesh, VertexIndex n_vertices) {
   struct Entry {
     Tetrahedron vertices;
     CellIndex cell;
+    /// Order of cells with the same first vertex.
+    std::pair<std::uint64_t, VertexIndex> others() const {
+      return {std::uint64_t{vertices[1]} << 32 | vertices[2], vertices[3]};
+    }
   };
   const CellIndex n = mesh.n_slots();
   std::vector<Order> order(n);
@@ -65,7 +71,7 @@ TetMesh with_sorted_cells(const TetMesh& mesh, VertexIndex n_vertices) {
   for (VertexIndex v = 0; v < n_vertices; ++v)
     std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin[v]),
               sorted.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]),
-              [](const Entry& a, const Entry& b) { return a.vertices < b.vertices; });
+              [](const Entry& a, const Entry& b) { return a.others() < b.others(); });
   for (CellIndex c = 0; c < sorted.size(); ++c) place[sorted[c].cell] = c;
 
   TetMesh out;

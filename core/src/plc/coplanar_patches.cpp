@@ -2,6 +2,7 @@
 #include "plc/coplanar_patches.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 #include "geomesh/core/predicates.hpp"
@@ -15,7 +16,8 @@ struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
+  /// Uses with the same a are in order of b, and then of the facet.
+  std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
 /// Lists the facets and segments at each edge of a complex.
@@ -36,32 +38,34 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    std::vector<EdgeUse> uses;
-    uses.reserve(plc_.loop_vertices.size() + plc_.segments.size() + plc_.facet_segments.size());
-    const auto add_use = [&uses](VertexIndex a, VertexIndex b, Index facet, VertexIndex apex) {
-      uses.push_back({std::min(a, b), std::max(a, b), facet, apex});
-    };
-    for (Index f = 0; f < plc_.n_facets(); ++f)
+    // By the first end at one go, then the few of each.
+    std::vector<Index> end(plc_.points.size() + 2, 0);
+    for_each_use([&](VertexIndex a, VertexIndex b, Index, VertexIndex) { ++end[std::min(a, b) + 2]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    uses_.resize(end.back());
+    for_each_use([&](VertexIndex a, VertexIndex b, Index facet, VertexIndex apex) {
+      uses_[end[std::min(a, b) + 1]++] = {std::min(a, b), std::max(a, b), facet, apex};
+    });
+    for (std::size_t v = 0; v < plc_.points.size(); ++v)
+      std::sort(uses_.begin() + end[v], uses_.begin() + end[v + 1],
+                [](const EdgeUse& x, const EdgeUse& y) { return x.order() < y.order(); });
+  }
+  template <class Visit>
+  void for_each_use(const Visit& visit) const {
+    for (Index f = 0; f < plc_.n_facets(); ++f) {
+      const Index facet = is_triangle(f) ? f : no_index;
       for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) {
         const auto loop = plc_.loop(l);
-        const std::size_t n = loop.size();
-        for (std::size_t i = 0; i < n; ++i)
-          add_use(loop[i], loop[(i + 1) % n], is_triangle(f) ? f : no_index, loop[(i + 2) % n]);
+        VertexIndex a = loop[loop.size() - 2], b = loop.back();
+        for (const VertexIndex next : loop) {
+          visit(a, b, facet, next);
+          a = b;
+          b = next;
+        }
       }
-    for (const auto& s : plc_.segments) add_use(s.a, s.b, no_index, no_vertex);
-    for (const auto& s : plc_.facet_segments) add_use(s.a, s.b, no_index, no_vertex);
-    sort(uses);
-  }
-  /// By the first end at one go, then the few of each.
-  void sort(const std::vector<EdgeUse>& uses) {
-    std::vector<Index> begin(plc_.points.size() + 1, 0);
-    for (const EdgeUse& use : uses) ++begin[use.a + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Index> end = begin;
-    uses_.resize(uses.size());
-    for (const EdgeUse& use : uses) uses_[end[use.a]++] = use;
-    for (std::size_t v = 0; v < plc_.points.size(); ++v)
-      std::sort(uses_.begin() + begin[v], uses_.begin() + begin[v + 1]);
+    }
+    for (const auto& s : plc_.segments) visit(s.a, s.b, no_index, no_vertex);
+    for (const auto& s : plc_.facet_segments) visit(s.a, s.b, no_index, no_vertex);
   }
   bool is_triangle(Index f) const {
     return plc_.n_loops(f) == 1 && plc_.outer_loop(f).size() == 3 && !has_inner_items_[f];
@@ -72,13 +76,20 @@ class EdgeUses {
   std::vector<EdgeUse> uses_;  ///< sorted
 };
 
+/// Sides of boxes and level surfaces are seen without a determinant.
+bool are_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return true;
+  return orient3d(a, b, c, d) == Sign::zero;
+}
+
 /// Whether nothing but two coplanar triangles of one surface lie at an edge. `provenance`: by facet.
 bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
                      std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].facet == no_index || uses[1].facet == no_index) return false;
   if (provenance[uses[0].facet] != provenance[uses[1].facet]) return false;
   const auto& p = plc.points;
-  return orient3d(p[uses[0].a], p[uses[0].b], p[uses[0].apex], p[uses[1].apex]) == Sign::zero;
+  return are_coplanar(p[uses[0].a], p[uses[0].b], p[uses[0].apex], p[uses[1].apex]);
 }
 
 /// Finds patches by uniting the two triangles at each edge inside a patch.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "delaunay/constrained_triangulation.hpp"
 
@@ -19,8 +20,10 @@ class PatchCrossings {
     std::vector<Bound> bounds;
     std::size_t left = 0, n = 0;
     for (Index patch = 0; patch + 1 < first_.size(); ++patch) {
-      const auto is_delaunay = [&](const InnerEdge& e) { return is_locally_delaunay(e); };
-      if (std::all_of(edges_of(patch).begin(), edges_of(patch).end(), is_delaunay)) continue;
+      if (const auto flips = flips_to_delaunay(edges_of(patch))) {
+        n += *flips;
+        continue;
+      }
       list_vertices(edges_of(patch));
       bounds.push_back({edges_of(patch).size() * most_crossed(vertices_.size()), patch});
       left += bounds.back().crossings;
@@ -29,12 +32,11 @@ class PatchCrossings {
       return x.crossings != y.crossings ? x.crossings > y.crossings : x.patch < y.patch;
     });
     for (const Bound& bound : bounds) {
-      if (n + left <= most) return false;
+      if (n > most || n + left <= most) break;
       left -= bound.crossings;
       n += crossings(edges_of(bound.patch), most - n);
-      if (n > most) return true;
     }
-    return false;
+    return n > most;
   }
 
  private:
@@ -43,14 +45,36 @@ class PatchCrossings {
     Index patch;
   };
 
-  /// Whether the two angles that see the edge are together at most 180 degrees. Where they are at all edges of a patch,
-  /// none of its edges is to be flipped, so it need not be triangulated. Rounding decides only whether that is seen.
-  bool is_locally_delaunay(const InnerEdge& e) const {
-    const auto sees = [&](VertexIndex apex) {
-      const Vec3 to_a = points_[e.a] - points_[apex], to_b = points_[e.b] - points_[apex];
+  /// Flips that make a patch Delaunay, if none of its edges is to be flipped then: each of these edges crosses one of
+  /// the Delaunay triangulation, so the patch need not be triangulated. Rounding decides only whether that is seen.
+  std::optional<std::size_t> flips_to_delaunay(std::span<const InnerEdge> edges) const {
+    std::size_t n = 0;
+    for (const InnerEdge& e : edges) {
+      if (is_locally_delaunay(e.a, e.b, e.apex, e.other_apex)) continue;
+      for (const VertexIndex end : {e.a, e.b})
+        for (const auto& [near, far] : {std::pair{e.apex, e.other_apex}, std::pair{e.other_apex, e.apex}})
+          if (!is_locally_delaunay_after_flip(edges, end, near, end == e.a ? e.b : e.a, far)) return std::nullopt;
+      ++n;
+    }
+    return n;
+  }
+  /// Whether that holds for the side a-b of a flipped edge's quadrilateral, where the flip puts `new_apex` in the place
+  /// of `apex`, and held before.
+  bool is_locally_delaunay_after_flip(std::span<const InnerEdge> edges, VertexIndex a, VertexIndex b, VertexIndex apex,
+                                      VertexIndex new_apex) const {
+    const std::pair key{std::min(a, b), std::max(a, b)};
+    const auto side = std::ranges::lower_bound(edges, key, {}, [](const InnerEdge& e) { return std::pair{e.a, e.b}; });
+    if (side == edges.end() || side->a != key.first || side->b != key.second) return true;  // on the patch's border
+    const VertexIndex beyond = side->apex == apex ? side->other_apex : side->apex;
+    return is_locally_delaunay(a, b, apex, beyond) && is_locally_delaunay(a, b, new_apex, beyond);
+  }
+  /// Whether the two angles that see the edge a-b are together at most 180 degrees.
+  bool is_locally_delaunay(VertexIndex a, VertexIndex b, VertexIndex apex, VertexIndex other_apex) const {
+    const auto sees = [&](VertexIndex from) {
+      const Vec3 to_a = points_[a] - points_[from], to_b = points_[b] - points_[from];
       return Vec2{dot(to_a, to_b), length(cross(to_a, to_b))};
     };
-    const Vec2 one = sees(e.apex), other = sees(e.other_apex);
+    const Vec2 one = sees(apex), other = sees(other_apex);
     return one.x * other.y + one.y * other.x >= 0;
   }
 

@@ -12,7 +12,7 @@ namespace geomesh {
 
 /// An edge between two coplanar triangles.
 struct InnerEdge {
-  VertexIndex a, b;
+  VertexIndex a, b;              ///< a < b
   VertexIndex apex, other_apex;  ///< of the two triangles
 };
 
@@ -21,9 +21,9 @@ struct InnerEdge {
 constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 1 : 2 * (n - 2) - 4; }
 
 /// Whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of the
-/// Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1; at each of its
-/// triangles is one of them. Patches are not triangulated if no edge of them is to be flipped, nor once those that are
-/// left can change nothing. O(n log n).
+/// Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1, in increasing
+/// order of (a, b) with a < b; at each of its triangles is one of them. Patches are not triangulated if one flip of
+/// each edge that is to be flipped suffices, nor once those that are left can change nothing. O(n log n).
 bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
                            double most);
 

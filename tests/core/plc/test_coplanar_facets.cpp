@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Coplanar triangles as polygons: what is merged, what is kept, and where a point lies among them.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 #include <numeric>
+#include <random>
 
 #include "corpus_builder.hpp"
+#include "delaunay/constrained_triangulation.hpp"
 #include "plc/coplanar_facets.hpp"
 #include "plc/flat_patch.hpp"
 #include "plc/patch_crossings.hpp"
@@ -27,6 +31,43 @@ PiecewiseLinearComplex fans_in_plane() {
   }
   return std::move(b.plc);
 }
+
+/// A square of points, none of them where a grid would have it but those of its border.
+struct JitteredSquare {
+  static constexpr unsigned n = 8;
+  std::vector<Vec3> points;
+  std::vector<Triangle> triangles;
+  std::mt19937 random{7};
+
+  JitteredSquare() {
+    const auto jitter = [this](unsigned i) { return i == 0 || i == n - 1 ? 0.0 : random() % 1000 / 3000.0; };
+    for (unsigned j = 0; j < n; ++j)
+      for (unsigned i = 0; i < n; ++i) points.push_back({i + jitter(i), j + jitter(j), 0});
+  }
+  std::vector<InnerEdge> inner_edges() const {
+    std::map<std::pair<VertexIndex, VertexIndex>, std::vector<VertexIndex>> apexes;
+    for (const Triangle& t : triangles)
+      for (unsigned k = 0; k < 3; ++k) apexes[std::minmax(t[k], t[(k + 1) % 3])].push_back(t[(k + 2) % 3]);
+    std::vector<InnerEdge> out;
+    for (const auto& [edge, v] : apexes)
+      if (v.size() == 2) out.push_back({edge.first, edge.second, v[0], v[1]});
+    return out;
+  }
+  /// Whether the edge's quadrilateral is convex, so that the flip was made.
+  bool flip(const InnerEdge& e) {
+    const auto turn = [this](VertexIndex a, VertexIndex b, VertexIndex c) {
+      return orient2d({points[a].x, points[a].y}, {points[b].x, points[b].y}, {points[c].x, points[c].y});
+    };
+    const Sign of_a = turn(e.apex, e.other_apex, e.a), of_b = turn(e.apex, e.other_apex, e.b);
+    if (of_a == Sign::zero || of_b != -of_a) return false;
+    std::erase_if(triangles, [&](const Triangle& t) {
+      return std::count(t.begin(), t.end(), e.a) + std::count(t.begin(), t.end(), e.b) == 2;
+    });
+    triangles.push_back({e.apex, e.other_apex, e.a});
+    triangles.push_back({e.apex, e.other_apex, e.b});
+    return true;
+  }
+};
 
 }  // namespace
 
@@ -76,6 +117,26 @@ TEST_CASE("patch crossings: on average over all patches, which few vertices boun
   CHECK(most_crossed(3) == 0);
   CHECK(most_crossed(4) == 1);
   CHECK(most_crossed(6) == 4);
+}
+
+TEST_CASE("patch crossings: as many as a Delaunay triangulation of the patch shows, after any number of flips",
+          "[plc][coplanar]") {
+  JitteredSquare square;
+  ConstrainedTriangulation delaunay(square.points, {});
+  REQUIRE(delaunay.triangulate());
+  square.triangles = delaunay.triangles_left_of({{0, 1}}, {});
+  REQUIRE(square.triangles.size() == 2 * (JitteredSquare::n - 1) * (JitteredSquare::n - 1));
+  for (unsigned n_flips = 0; n_flips < 40; ++n_flips) {
+    const std::vector<InnerEdge> edges = square.inner_edges();
+    std::size_t n = 0;
+    for (const InnerEdge& e : edges) n += delaunay.n_crossed(e.a, e.b, 1000);
+    CHECK((n_flips == 0) == (n == 0));
+    const std::vector<Index> first{0, static_cast<Index>(edges.size())};
+    const auto per_edge = [&](double crossings) { return crossings / static_cast<double>(edges.size()); };
+    CHECK(!are_far_from_delaunay(square.points, edges, first, per_edge(static_cast<double>(n) + 0.5)));
+    if (n > 0) CHECK(are_far_from_delaunay(square.points, edges, first, per_edge(static_cast<double>(n) - 0.5)));
+    while (!square.flip(edges[square.random() % edges.size()])) continue;
+  }
 }
 
 TEST_CASE("coplanar facets: the walls of a plate are merged with a cap that is far from Delaunay", "[plc][coplanar]") {

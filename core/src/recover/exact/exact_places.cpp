@@ -81,17 +81,18 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
     if (!contains(x)) continue;
     const ExactPlace& place = of(x);
     if (place.frame[1] == no_vertex) continue;
+    const auto& frame = place.frame;
+    const auto in = [&](VertexIndex u) { return u == frame[0] || u == frame[1] || (u == frame[2] && u != no_vertex); };
     const auto is_in_frame = [&](VertexIndex w) {
-      const auto in = [&](VertexIndex u) {
-        return u != no_vertex && std::find(place.frame.begin(), place.frame.end(), u) != place.frame.end();
-      };
-      if (in(w)) return true;
-      if (!contains(w) || of(w).frame[1] == no_vertex) return false;
-      const ExactPlace& other = of(w);
-      return in(other.frame[0]) && in(other.frame[1]) && (other.frame[2] == no_vertex || in(other.frame[2]));
+      if (w == x || in(w)) return true;
+      if (!contains(w)) return false;
+      const auto& other = of(w).frame;
+      return other[1] != no_vertex && in(other[0]) && in(other[1]) && (other[2] == no_vertex || in(other[2]));
     };
-    const auto n = std::count_if(v.begin(), v.end(), is_in_frame);
-    if (n == 4 || (place.is_on_line() && n >= 3)) return true;
+    int may_miss = place.is_on_line() ? 1 : 0;  // three on a line are flat with any fourth
+    for (const VertexIndex w : v)
+      if (!is_in_frame(w) && --may_miss < 0) break;
+    if (may_miss >= 0) return true;
   }
   return false;
 }
@@ -210,10 +211,10 @@ Sign ExactPlaces::orient(const std::vector<Vec3>& points, const std::array<Verte
 Sign ExactPlaces::decide(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const filter::Estimate first = of_nearest(points, v);
   if (first.certain()) return first.sign();
-  const Rough near = rough(points, v);
-  if (near.plain.certain()) return near.plain.sign();
   if (are_declared_flat(v) || are_in_plane_across_axis(points, v)) return Sign::zero;
   if (const std::optional<Sign> side = side_of_line(points, v)) return *side;
+  const Rough near = rough(points, v);
+  if (near.plain.certain()) return near.plain.sign();
   const filter::Estimate nearer = sharp(points, v, near);
   return nearer.certain() ? nearer.sign() : volume(points, v).sign();
 }
