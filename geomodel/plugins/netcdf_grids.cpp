@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grids in netCDF and HDF5 files by the netCDF library: a part of the module geomesh-exodus. Axes are found as the CF
-// conventions say (coordinate variables, two-dimensional ones named by the attribute `coordinates`); where an HDF5 file
-// names no axes, one-dimensional variables of the right length and a known name are taken.
+// Grids and fields in netCDF and HDF5 files by the netCDF library: a part of the module geomesh-exodus. Axes are found
+// as the CF conventions say (coordinate variables, two-dimensional ones named by the attribute `coordinates`); where an
+// HDF5 file names no axes, one-dimensional variables of the right length and a known name are taken.
 #include "readers/grids/netcdf_grids.hpp"
 
 #include <netcdf.h>
@@ -16,6 +16,7 @@
 #include <set>
 
 #include "geomesh/core/error.hpp"
+#include "level_sets/fields/netcdf_field.hpp"
 #include "mesh_readers/netcdf/hdf5_groups.hpp"
 #include "mesh_readers/netcdf/netcdf_header.hpp"
 
@@ -380,6 +381,91 @@ class GridFinder {
   const File& file_;
 };
 
+/// Variables over three axes.
+class FieldFinder {
+ public:
+  explicit FieldFinder(const File& file) : file_(file) {}
+
+  NetcdfField find(const std::string& wanted) const {
+    NetcdfField field;
+    const Variable* chosen = nullptr;
+    std::size_t n_named = 0;
+    for (const Variable& v : file_.variables()) {
+      if (!v.is_number() || v.axes().size() != 3 || v.size() == 0) continue;
+      field.names.push_back(v.path + (file_.is_unwritten(v) ? " (no value of it was ever written)" : ""));
+      if (file_.is_unwritten(v) || !(wanted.empty() || wanted == v.path || wanted == v.name)) continue;
+      chosen = &v;
+      ++n_named;
+    }
+    if (n_named == 1) fill(*chosen, field);
+    return field;
+  }
+
+ private:
+  /// The one-dimensional variable that gives the places along a dimension: of the dimension's name, else the only one
+  /// of as many values in the same group.
+  const Variable* along(const Variable& v, std::size_t axis) const {
+    char name[NC_MAX_NAME + 1] = {};
+    const bool has_name = nc_inq_dimname(v.group, v.dimensions[axis], name) == NC_NOERR;
+    const Variable* found = nullptr;
+    std::size_t n_found = 0;
+    for (const Variable& c : file_.variables()) {
+      if (!c.is_number() || c.axes().size() != 1 || c.size() != v.counts[axis]) continue;
+      if (has_name && c.name == name && c.dimensions.size() == 1 && c.dimensions[0] == v.dimensions[axis]) return &c;
+      if (c.group != v.group) continue;
+      found = &c;
+      ++n_found;
+    }
+    return n_found == 1 ? found : nullptr;
+  }
+
+  void fill(const Variable& v, NetcdfField& field) const {
+    const std::vector<std::size_t> rows = v.axes();
+    std::array<const Variable*, 3> places{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      places[k] = along(v, rows[k]);
+      if (!places[k])
+        file_.refuse("no variable gives the places along axis " + std::to_string(k + 1) + " of " + v.path);
+    }
+    constexpr std::size_t none = 3;
+    std::array<std::size_t, 3> of{none, none, none};  // which axis of the variable is x, y, z
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Axis axis = axis_of(file_, *places[k]); axis != Axis::none) of[axis == Axis::x ? 0 : 1] = k;
+    if (of[0] == none || of[1] == none || places[0] == places[1] || places[1] == places[2] || places[0] == places[2])
+      file_.refuse("the axes of " + v.path + " are " + places[0]->name + ", " + places[1]->name + ", " +
+                   places[2]->name + ", of which one must be known as x and one as y");
+    of[2] = 3 - of[0] - of[1];
+    field.name = v.path;
+    std::array<bool, 3> falls{};
+    for (std::size_t a = 0; a < 3; ++a) {
+      std::vector<double>& at = field.axes[a] = file_.values(*places[of[a]]);
+      falls[a] = at.front() > at.back();
+      if (falls[a]) std::reverse(at.begin(), at.end());
+      if (!(at.front() < at.back()) || !has_equal_steps(at))
+        file_.refuse("the places along " + places[of[a]]->name + " of " + v.path + " are not in equal steps");
+    }
+    const std::vector<double> values = heights_of(file_, v);
+    std::array<std::size_t, 3> stride{};  // of x, y, z in the file, whose last axis runs fastest
+    for (std::size_t a = 0; a < 3; ++a) {
+      stride[a] = 1;
+      for (std::size_t k = of[a] + 1; k < 3; ++k) stride[a] *= v.counts[rows[k]];
+    }
+    const auto n = [&](std::size_t a) { return field.axes[a].size(); };
+    const auto row = [&](std::size_t a, std::size_t i) { return stride[a] * (falls[a] ? n(a) - 1 - i : i); };
+    field.values.reserve(values.size());
+    for (std::size_t k = 0; k < n(2); ++k)
+      for (std::size_t j = 0; j < n(1); ++j)
+        for (std::size_t i = 0; i < n(0); ++i) field.values.push_back(values[row(0, i) + row(1, j) + row(2, k)]);
+  }
+
+  const File& file_;
+};
+
+NetcdfField read_field(const std::filesystem::path& path, const std::string& name) {
+  const File file(path);
+  return FieldFinder(file).find(name);
+}
+
 NetcdfGrids read_grids(const std::filesystem::path& path) {
   const File file(path);
   return GridFinder(file).find();
@@ -391,5 +477,10 @@ NetcdfGrids read_grids(const std::filesystem::path& path) {
 
 extern "C" __attribute__((visibility("default"))) const geomesh::geomodel::NetcdfGridModule* geomesh_netcdf_grids() {
   static constexpr geomesh::geomodel::NetcdfGridModule module{GEOMESH_MODULE_VERSION, geomesh::geomodel::read_grids};
+  return &module;
+}
+
+extern "C" __attribute__((visibility("default"))) const geomesh::geomodel::NetcdfFieldModule* geomesh_netcdf_fields() {
+  static constexpr geomesh::geomodel::NetcdfFieldModule module{GEOMESH_MODULE_VERSION, geomesh::geomodel::read_field};
   return &module;
 }

@@ -196,7 +196,8 @@ class Model:
         self._add_entry(self._surfaces, {"name": name, "kind": kind}, rules)
         return self
 
-    def add_field(self, name: str, field: Any, value: float, *, kind: str = "horizon", **rules: Any) -> Model:
+    def add_field(self, name: str, field: Any, value: float, *, kind: str = "horizon",
+                  domain: Optional[Dict[str, Any]] = None, **rules: Any) -> Model:
         """Adds the surface on which a scalar field has one value.
 
         Parameters
@@ -207,8 +208,12 @@ class Model:
             everywhere in the model's box, which is needed. A path is a grid (.vti, .npy) or tetrahedra (.vtu).
             Surfaces of the same function, or of the same file, come from one mesh and never cross.
         value : float
+        domain : dict, optional
+            Where the field holds: ``{"above": names, "below": names}`` of horizons and faults, or ``{"block": (x, y, z)}``, a
+            place in its fault block. The surface is cut off there. A horizon is added once for each of its fields,
+            under one name; the function must have values beyond the domain, too.
         kind, **rules
-            As of :meth:`add_surface`; ``array``, ``origin`` and ``spacing`` for files.
+            As of :meth:`add_surface`, with the first field of a name; ``array``, ``origin`` and ``spacing`` for files.
 
         Notes
         -----
@@ -223,10 +228,13 @@ class Model:
             not take the value in the box.
         """
         entry = {"name": name, "kind": kind, "value": float(value)}
+        if domain is not None:
+            entry["domain"] = domain
+        n_before = sum(1 for other in self._surfaces if other["name"] == name)
         if inputs.is_path(field):
             entry["field"] = os.path.abspath(os.fspath(field))
         elif callable(field):
-            self._fields[name] = self._functions.setdefault(id(field), inputs.field_of(name, field))
+            self._fields[name if n_before == 0 else "%s\n%d" % (name, n_before + 1)] = self._functions.setdefault(id(field), inputs.field_of(name, field))
         else:
             raise UsageError("%s: a function of x, y, z or a file was expected" % name)
         self._add_entry(self._surfaces, entry, rules)

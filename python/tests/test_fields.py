@@ -41,6 +41,30 @@ class Fields(unittest.TestCase):
         volumes = {region.name: region.volume for region in mesh.regions}
         self.assertAlmostEqual(volumes["ball"] / (4 / 3 * math.pi * 300 ** 3), 1, delta=0.005)
 
+    def test_a_fold_that_jumps_at_a_fault_is_a_function_for_each_side(self):
+        model = self.model(["a", "top", "b", "base", "c"])
+        model.add_field("fault", lambda x, y, z: x - 0.5 * z, 0, kind="fault")
+        for side, throw in (("above", 0), ("below", 80)):
+            def strata(x, y, z, throw=throw):
+                return fold(x, y, z) + throw
+            model.add_field("top", strata, 30, domain={side: "fault"})
+            model.add_field("base", strata, -60, domain={side: "fault"})
+        mesh = model.mesh(size=80)
+        at = (numpy.arange(1000) + 0.5) - 500
+        x, y = numpy.meshgrid(at, at, indexing="ij")
+        height = -fold(x, y, 0)  # exact along z, by midpoints in the map; the fault is where z = 2 x
+        west = numpy.maximum(height + 30, 2 * x) - numpy.maximum(height - 60, 2 * x)
+        east = numpy.minimum(height - 50, 2 * x) - numpy.minimum(height - 140, 2 * x)
+        volumes = {unit: sum(r.volume for r in mesh.regions if r.name.split("__")[0] == unit) for unit in "abc"}
+        self.assertAlmostEqual(volumes["b"] / (west.sum() + east.sum()), 1, delta=0.001)
+        self.assertAlmostEqual(sum(volumes.values()) / 1e9, 1, delta=1e-9)
+
+    def test_a_domain_at_a_surface_that_is_not_there_is_refused(self):
+        model = self.model()
+        model.add_field("base", fold, 0, domain={"below": "unconformity"})
+        with self.assertRaisesRegex(geomesh.UsageError, "'unconformity', which is no other horizon or fault"):
+            model.mesh()
+
     def test_a_function_that_fails_is_reported_with_surface_and_place(self):
         def bad(x, y, z):
             raise ValueError("no such rock")

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Projects whose surfaces are fields, and networks of fractures: volumes and areas that are known, units at places, messages."""
+import json
 import math
 import os
 import unittest
@@ -10,10 +11,41 @@ try:
     import numpy
 except ImportError:
     numpy = None
+try:
+    import meshio
+except ImportError:
+    meshio = None
+try:
+    import netCDF4
+except ImportError:
+    netCDF4 = None
+try:
+    from osgeo import ogr
+except ImportError:
+    ogr = None
 
 
-@unittest.skipIf(numpy is None, "skipped: the Python package numpy is not installed")
-class Fields(ProgramTest):
+def units_at(file, places):
+    """Names of the units of a .vtu file in which the places lie; a place in no tetrahedron has the name ''."""
+    mesh = meshio.read(file)
+    with open(file + ".json") as sidecar:
+        names = {g["id"]: g["name"] for g in json.load(sidecar)["groups"] if g["dimension"] == 3}
+    corners = mesh.points[mesh.cells_dict["tetra"]]
+    units = numpy.array([names[i] for i in mesh.cell_data_dict["region"]["tetra"]])
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    inverse = numpy.linalg.inv((corners[:, 1:] - corners[:, :1]).transpose(0, 2, 1))
+    order = numpy.argsort(places[:, 0], kind="stable")
+    begin, end = (numpy.searchsorted(places[order, 0], x) for x in (low[:, 0], high[:, 0]))
+    found = numpy.full(len(places), "", dtype=units.dtype)
+    for t in range(len(corners)):
+        rows = order[begin[t]:end[t]]
+        rows = rows[((places[rows, 1:] >= low[t, 1:]) & (places[rows, 1:] <= high[t, 1:])).all(axis=1)]
+        shares = (places[rows] - corners[t, 0]) @ inverse[t].T
+        found[rows[(shares >= 0).all(axis=1) & (shares.sum(axis=1) <= 1)]] = units[t]
+    return found
+
+
+class FieldTest(ProgramTest):
     def field(self, name, function, n=50):
         """A field on a grid over the cube from -500 to 500."""
         at = numpy.linspace(-500, 500, n + 1)
@@ -31,6 +63,9 @@ class Fields(ProgramTest):
         report = self.report(os.path.join(out, "model.report.json"))
         return {r["name"]: r["volume"] for r in report["regions"]}, report
 
+
+@unittest.skipIf(numpy is None, "skipped: the Python package numpy is not installed")
+class Fields(FieldTest):
     def test_a_ball_has_its_volume(self):
         ball = self.field("ball.npy", lambda x, y, z: numpy.sqrt(x * x + y * y + z * z) - 300)
         volumes, _ = self.volumes(self.project([ball + ", name: ball, kind: body, value: 0"]))
@@ -59,11 +94,127 @@ class Fields(ProgramTest):
         printed = self.run_program(self.project([fold + ", name: top, kind: horizon, value: 0"]), status=BAD_INPUT)
         self.assertIn("(-440, -500, -500)", printed)
 
+    @unittest.skipIf(netCDF4 is None, "skipped: the Python package netCDF4 is not installed")
+    def test_a_netcdf_field_gives_the_mesh_of_the_same_array(self):
+        def f(x, y, z):
+            return z - 80 * numpy.sin(x / 300) - 20 * numpy.cos(y / 400)
+        expected, _ = self.volumes(self.project([self.field("fold.npy", f, n=20) + ", name: top, kind: horizon, value: 30"]))
+        at = numpy.linspace(-500, 500, 21)
+        with netCDF4.Dataset(self.path("fold.nc"), "w") as file:  # axes in the order of CF, north first
+            for name, values in (("depth", at), ("northing", at[::-1]), ("easting", at)):
+                file.createDimension(name, 21)
+                file.createVariable(name, "f8", (name,))[:] = values
+            x, y, z = numpy.meshgrid(at, at, at, indexing="ij")
+            file.createVariable("strata", "f8", ("depth", "northing", "easting"))[:] = f(x, y, z).transpose(2, 1, 0)[:, ::-1]
+            file.createVariable("other", "f4", ("depth", "northing", "easting"))[:] = 0
+        entry = "{field: fold.nc, array: %s, name: top, kind: horizon, value: 30"
+        found, _ = self.volumes(self.project([entry % "strata"]))
+        self.assertEqual(found, expected)
+        for name, words in (("starta", "holds strata, other"), ('""', "array")):
+            self.assertIn(words, self.run_program(self.project([entry % name]), status=(BAD_INPUT if name == "starta" else USAGE)))
+
     def test_keys_that_do_not_go_with_a_field_are_reported(self):
         fold = self.field("fold.npy", lambda x, y, z: z)
         printed = self.run_program(self.project([fold + ", name: top, kind: horizon, smooth: 3"]), status=USAGE)
         self.assertIn("surfaces[1].smooth", printed)
         self.assertIn("'value'", printed.replace('"', "'"))
+
+
+@unittest.skipIf(numpy is None, "skipped: the Python package numpy is not installed")
+class Domains(FieldTest):
+    """A fold that jumps by 80 m at a fault: two fields, each of which holds on one side of the fault, which is a field too."""
+    TOP, BASE, JUMP = 30, -60, 80
+    COLUMN = "column: [a, top, b, base, c]\nmesh: {size: 80}\n"
+
+    @staticmethod
+    def fold(x, y):
+        return 60 * numpy.sin(x / 300) + 20 * numpy.cos(y / 400)
+
+    def surfaces(self, west, east):
+        fault = self.field("fault.npy", lambda x, y, z: x - 0.5 * z) + ", name: fault, kind: fault, value: 0"
+        fields = ((self.field("west.npy", lambda x, y, z: z - self.fold(x, y)), west),
+                  (self.field("east.npy", lambda x, y, z: z + self.JUMP - self.fold(x, y)), east))
+        return [fault] + [field + ", name: %s, kind: horizon, value: %g, domain: %s" % (name, value, domain)
+                          for name, value in (("top", self.TOP), ("base", self.BASE)) for field, domain in fields]
+
+    def expected(self, n=1000):
+        """Volumes of b and of its part west of the fault, whose plane is x = z / 2: exact along z, by midpoints in the map."""
+        at = (numpy.arange(n) + 0.5) / n * 1000 - 500
+        x, y = numpy.meshgrid(at, at, indexing="ij")
+        fold = self.fold(x, y)
+        west = numpy.maximum(fold + self.TOP, 2 * x) - numpy.maximum(fold + self.BASE, 2 * x)
+        east = numpy.minimum(fold + self.TOP - self.JUMP, 2 * x) - numpy.minimum(fold + self.BASE - self.JUMP, 2 * x)
+        return 1e6 * (west.mean() + east.mean()), 1e6 * west.mean()
+
+    def unit(self, x, y, z):
+        height = z - self.fold(x, y) + numpy.where(x < 0.5 * z, 0, self.JUMP)
+        return numpy.where(height > self.TOP, "a", numpy.where(height > self.BASE, "b", "c"))
+
+    def distance(self, x, y, z):
+        """A lower bound of the distance to the nearest surface: the fields have slopes below 1.03."""
+        height = z - self.fold(x, y) + numpy.where(x < 0.5 * z, 0, self.JUMP)
+        return numpy.minimum(numpy.minimum(abs(height - self.TOP), abs(height - self.BASE)) / 1.03, abs(x - 0.5 * z) / math.sqrt(1.25))
+
+    def verify_model(self, project):
+        parts, report = self.volumes(project)
+        volumes = {unit: sum(v for k, v in parts.items() if k.split("__")[0] == unit) for unit in "abc"}
+        self.assertEqual(len(parts), 6)
+        self.assertAlmostEqual(volumes["b"] / self.expected()[0], 1, delta=0.001)
+        self.assertAlmostEqual(sum(volumes.values()) / 1e9, 1, delta=1e-9)
+        out = self.path("out")
+        self.run_program("check", os.path.join(out, "model.vtu"), "--project", project)
+        return report
+
+    @unittest.skipIf(meshio is None, "skipped: the Python package meshio is not installed")
+    def test_a_jump_at_a_fault_has_its_volumes_and_its_units_at_20000_points(self):
+        project = self.project(self.surfaces("{above: fault}", "{below: fault}"), self.COLUMN)
+        self.verify_model(project)
+        places = numpy.random.default_rng(5).uniform(-500, 500, (20000, 3))
+        places = places[self.distance(*places.T) > 4]  # the tolerance: surfaces are within a twentieth of the size
+        self.assertGreater(len(places), 19000)
+        found = units_at(os.path.join(self.path("out"), "model.vtu"), places)
+        wrong = numpy.array([name.split("__")[0] for name in found]) != self.unit(*places.T)
+        self.assertEqual(wrong.sum(), 0, places[wrong][:3])
+
+    def test_a_block_is_named_by_a_place(self):
+        report = self.verify_model(self.project(self.surfaces("{block: [-300, 0, 0]}", "{block: [300, 0, 0]}"),
+                                                self.COLUMN + "rules: {fault_blocks: true}\n"))
+        self.assertEqual([w for w in report["warnings"] if "domain" in str(w)], [])
+
+    def test_a_sequence_ends_at_an_unconformity(self):
+        tilted = self.field("tilted.npy", lambda x, y, z: z - 0.4 * x)
+        level = self.field("level.npy", lambda x, y, z: z)
+        project = self.project([level + ", name: unconformity, kind: horizon, value: 0",
+                                tilted + ", name: old, kind: horizon, value: 0, domain: {below: unconformity}"],
+                               "column: [young, unconformity, middle, old, bottom]\nmesh: {size: 100}\n")
+        volumes, _ = self.volumes(project)
+        self.assertAlmostEqual(volumes["young"] / 5e8, 1, delta=1e-6)
+        self.assertAlmostEqual(volumes["middle"] / 5e7, 1, delta=1e-3)  # a wedge: 500 x 200 / 2 x 1000
+
+    def test_doubts_outside_of_the_domain_are_not_reported(self):
+        """Two sheets 0.4 m apart, above an unconformity below which the field holds."""
+        def f(x, y, z):
+            return numpy.where((abs(z - 300) < 1) & (abs(x) < 30) & (abs(y) < 30), -0.01, numpy.where(z > 200, 1, (z + 300) / 300))
+        kinked, level = self.field("kinked.npy", f), self.field("level.npy", lambda x, y, z: z)
+        surfaces = [level + ", name: unconformity, kind: horizon, value: 50", kinked + ", name: old, kind: horizon, value: 0"]
+        _, report = self.volumes(self.project(surfaces, "mesh: {refine: none}\n"))
+        self.assertTrue([w for w in report["warnings"] if "sheets nearer" in str(w)])
+        surfaces[1] += ", domain: {below: unconformity}"
+        _, report = self.volumes(self.project(surfaces, "mesh: {refine: none}\n"))
+        self.assertEqual([w for w in report["warnings"] if "sheets nearer" in str(w)], [])
+
+    def test_mistakes_in_domains_are_refused(self):
+        def refused(west, east, *words, status=USAGE):
+            printed = self.run_program(self.project(self.surfaces(west, east), self.COLUMN), status=status)
+            for word in words:
+                self.assertIn(word, printed)
+        refused("{above: falut}", "{below: fault}", "'falut'", "was 'fault' meant?")
+        refused("{above: fault}", "{above: fault}", "overlap")
+        refused("{above: fault, below: fault}", "{below: fault}", "both above and below 'fault'")
+        refused("{abov: fault}", "{below: fault}", "was 'above' meant?")
+        refused("{below: fault}", "{above: fault}, extend: flat", "belongs to the first entry of 'top'")
+        refused("{block: [0, 0, 900]}", "{below: fault}", "overlap")
+        refused("{block: [300, 0, 0]}", "{block: [310, 0, 0]}", "one block", status=BAD_INPUT)
 
 
 class Fractures(ProgramTest):
@@ -83,6 +234,52 @@ class Fractures(ProgramTest):
         both = [n for n in lengths if "fracture_1" in n and "fracture_2" in n]
         self.assertEqual(len(both), 1)
         self.assertAlmostEqual(lengths[both[0]], 4, delta=1e-9)
+
+    SQUARES = [[(2, 2, 5), (8, 2, 5), (8, 8, 5), (2, 8, 5)], [(5, 3, 2), (5, 7, 2), (5, 7, 8), (5, 3, 8)]]
+
+    def verify_squares(self, name):
+        report = self.mesh("{file: %s}" % name, "mesh: {size: 2}\n")
+        areas = sorted(s["area"] for s in report["surfaces"] if s["kind"] == "fault")
+        self.assertEqual(len(areas), 2, name)
+        self.assertAlmostEqual(areas[0], 24, delta=24e-9, msg=name)
+        self.assertAlmostEqual(areas[1], 36, delta=36e-9, msg=name)
+        fractures = {s["name"] for s in report["surfaces"] if s["kind"] == "fault"}
+        lengths = [c["length"] for c in report["curves"] if set(c["name"].split("*")) == fractures]
+        self.assertEqual(len(lengths), 1, name)
+        self.assertAlmostEqual(lengths[0], 4, delta=1e-9, msg=name)
+
+    def test_fractures_of_other_programs_are_surfaces_and_polygons(self):
+        corners = [" ".join("%g %g %g," % p for p in square + square[:1]).rstrip(",") for square in self.SQUARES]
+        self.write("squares.wkt", "".join("POLYGON Z ((%s))\n" % text for text in corners))
+        self.write("squares.ts", "".join(
+            "GOCAD TSurf 1\nHEADER {\nname: F%d\n}\nTFACE\n%sTRGL 1 2 3\nTRGL 1 3 4\nEND\n" %
+            (i, "".join("VRTX %d %g %g %g\n" % ((k + 1,) + p) for k, p in enumerate(square))) for i, square in enumerate(self.SQUARES)))
+        faces = "".join("0\n3DFACE\n8\nF%d\n%s" % (i, "".join("1%d\n%g\n2%d\n%g\n3%d\n%g\n" % (k, p[0], k, p[1], k, p[2])
+                                                          for k, p in enumerate(square))) for i, square in enumerate(self.SQUARES))
+        self.write("squares.dxf", "0\nSECTION\n2\nENTITIES\n%s0\nENDSEC\n0\nEOF\n" % faces)
+        for name in ("squares.wkt", "squares.ts", "squares.dxf"):
+            self.verify_squares(name)
+
+    @unittest.skipIf(ogr is None, "skipped: the Python package osgeo is not installed")
+    def test_fractures_come_from_a_shapefile(self):
+        out = ogr.GetDriverByName("ESRI Shapefile").CreateDataSource(self.path("squares.shp"))
+        layer = out.CreateLayer("squares", geom_type=ogr.wkbPolygon25D)
+        for square in self.SQUARES:
+            feature = ogr.Feature(layer.GetLayerDefn())
+            feature.SetGeometry(ogr.CreateGeometryFromWkt("POLYGON Z ((%s))" % ", ".join("%g %g %g" % p for p in square + square[:1])))
+            layer.CreateFeature(feature)
+        del layer, out
+        self.verify_squares("squares.shp")
+
+    def test_surfaces_that_are_no_fractures_are_refused(self):
+        bent = "GOCAD TSurf 1\nHEADER {\nname: bent\n}\nTFACE\nVRTX 1 2 2 5\nVRTX 2 8 2 5\nVRTX 3 8 8 7\nVRTX 4 2 8 5\nTRGL 1 2 3\nTRGL 1 3 4\nEND\n"
+        self.write("bent.ts", bent)
+        self.write("line.pl", "GOCAD PLine 1\nHEADER {\nname: open\n}\nILINE\nVRTX 1 2 2 5\nVRTX 2 8 2 5\nVRTX 3 8 8 5\nSEG 1 2\nSEG 2 3\nEND\n")
+        for name, words in (("bent.ts", ("fracture bent", "not plane")), ("line.pl", ("fracture open", "not closed"))):
+            printed = self.run_program(self.write("bad.yaml", "box: {min: [0, 0, 0], max: [10, 10, 10]}\n"
+                                                  "fractures: {file: %s}\n" % name), status=BAD_INPUT)
+            for word in words:
+                self.assertIn(word, printed)
 
     def test_a_fracture_that_stops_short_of_a_side_ends_there(self):
         self.write("short.csv", "2,2,5,9.6,2,5,9.6,8,5,2,8,5\n")

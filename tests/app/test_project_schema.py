@@ -6,6 +6,7 @@ import glob
 import json
 import os
 import re
+import struct
 import unittest
 
 from geomesh_program import SOURCE, USAGE, ProgramTest, level, main
@@ -24,7 +25,8 @@ FULL = {
     "crs": {"horizontal": "local", "z": "elevation", "unit": "m"},
     "box": {"min": [0, 0, 0], "max": [10, 10, 10]},
     "surfaces": [{"name": "top", "kind": "horizon", "file": "top.txt", "extend": "flat", "fill_holes": "all", "base": "erode",
-                  "extrude": {"along": "y", "from": -1, "to": 11}, "gridding": {"method": "thin_plate"}, "smooth": 1, "fault_polygons": {"file": "gap.txt"}}],
+                  "extrude": {"along": "y", "from": -1, "to": 11}, "gridding": {"method": "thin_plate"}, "smooth": 1, "fault_polygons": {"file": "gap.txt"}},
+                 {"name": "old", "kind": "horizon", "field": "field.npy", "origin": [0, 0, 0], "spacing": 10, "value": 2, "domain": {"below": "top"}}],
     "wells": [{"name": "w", "file": "w.pl"}],
     "tops": {"file": "tops.csv"},
     "points": [{"name": "p", "at": [1, 2, 3]}],
@@ -55,15 +57,22 @@ def resolved(schema, node):
     return node
 
 
-def walk(schema, node, value, name, visit):
+def walk(schema, node, value, name, visit, but=()):
     """visit(node, value, name) for the schema's node at each place of `value` and at each property that an object there may have; the
-    names are those of the program's messages (surfaces[1].kind)."""
+    names are those of the program's messages (surfaces[1].kind). Of a list it is the first entry, and what others alone have, which is
+    `but` for the first."""
     node = resolved(schema, node)
     visit(node, value, name)
     if isinstance(value, list) and value and "items" in node:
-        walk(schema, node["items"], value[0], name + "[1]", visit)
+        others = {key: (row, part) for row, entry in enumerate(value[1:], 2) if isinstance(entry, dict) and isinstance(value[0], dict)
+                  for key, part in entry.items() if isinstance(part, dict) and key not in value[0]}
+        walk(schema, node["items"], value[0], name + "[1]", visit, others)
+        for key, (row, part) in others.items():
+            walk(schema, resolved(schema, node["items"])["properties"][key], part, "%s[%d].%s" % (name, row, key), visit)
     prefix = name + "." if name else ""
     for key, child in node.get("properties", {}).items():
+        if key in but:
+            continue
         walk(schema, child, value.get(key) if isinstance(value, dict) else None, prefix + key, visit)
     if isinstance(value, dict) and isinstance(node.get("additionalProperties"), dict):
         key = next(iter(value))
@@ -81,6 +90,9 @@ class ProjectSchema(ProgramTest):
         self.write("w.pl", "GOCAD PLine 1\nHEADER {\nname:w\n}\nILINE\nVRTX 1 3 4 9\nVRTX 2 3 4 1\nSEG 1 2\nEND\n")
         self.write("gap.txt", "3 4\n5 4\n5 6\n")
         self.write("top.txt", "-1 5\n11 5\n")
+        header = "{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2, 2), }".ljust(117) + "\n"
+        with open(self.path("field.npy"), "wb") as file:  # its value is z
+            file.write(b"\x93NUMPY\x01\x00v\x00" + header.encode() + struct.pack("<8d", *(0, 10) * 4))
 
     def faults(self, project):
         return ["%s: %s" % ("/".join(map(str, e.path)), e.message) for e in self.validator.iter_errors(project)]

@@ -370,11 +370,25 @@ void ProjectInputs::add_throws(ModelRules& rules) const {
     if (rules.surfaces[s].throw_at.empty()) rules.surfaces[s].throw_at = faults_of_polygons[s];
 }
 
+void ProjectInputs::complete_field_parts(ModelRules& rules) const {
+  for (const auto& [row, parts] : field_parts)
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      FieldPart& part = rules.surfaces[row].field_parts[k];
+      part.end = parts[k].end;
+      part.field = parts[k].field;
+      part.doubts = parts[k].doubts;
+      if (part.block) part.block = frame.point(*part.block);
+      for (FieldPart::Doubt& doubt : part.doubts)
+        for (Vec3& place : doubt.places) place = frame.point(place);
+    }
+}
+
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context) {
   ReadFiles files = read_files(project, context);
   ProjectInputs inputs{ModelFrame(project, files.sources)};
   inputs.warnings = std::move(files.warnings);
   inputs.notes = std::move(files.notes);
+  inputs.field_parts = std::move(files.field_parts);
   for (const SourceInput& source : files.sources) inputs.frame.place(source, inputs.notes, inputs.warnings);
   std::optional<Box3> box;
   if (project.box) {

@@ -27,7 +27,7 @@ class SharedFiles {
  public:
   explicit SharedFiles(const Project& project) {
     for (const SurfaceSpec& spec : project.surfaces)
-      if (!spec.given && !spec.level_set) ++n_users_[key(spec)];
+      if (!spec.given && spec.level_sets.empty()) ++n_users_[key(spec)];
   }
 
   FileContents contents_of(const SurfaceSpec& spec) {
@@ -78,6 +78,7 @@ ReadFiles read_files(const Project& project, const RunContext& context) {
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);
   files.notes = std::move(level_sets.notes);
+  files.field_parts = std::move(level_sets.parts);
   files.warnings = std::move(level_sets.warnings);
   const auto add = [&](const std::string& name, FileContents contents) {
     files.contents.push_back(std::move(contents));

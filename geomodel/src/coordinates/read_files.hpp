@@ -4,6 +4,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 
 #include "coordinates/georeference.hpp"
 #include "geomesh/core/run_context.hpp"
@@ -11,11 +12,12 @@
 namespace geomesh::geomodel {
 
 struct ReadFiles {
-  std::vector<FileContents> contents;     ///< of the surfaces in the project's order, then of the wells
-  std::vector<SourceInput> sources;       ///< those whose coordinates are to be placed
-  std::vector<std::string> notes;         ///< of level sets
-  std::vector<std::string> warnings;      ///< of the readers, behind the names of the entries
-  std::deque<SourceSpec> of_thicknesses;  ///< what `sources` of thicknesses point to
+  std::vector<FileContents> contents;  ///< of the surfaces in the project's order, then of the wells
+  std::vector<SourceInput> sources;    ///< those whose coordinates are to be placed
+  std::vector<std::string> notes;      ///< of level sets
+  std::map<std::size_t, std::vector<FieldPart>> field_parts;  ///< LevelSurfaces::parts
+  std::vector<std::string> warnings;                          ///< of the readers, behind the names of the entries
+  std::deque<SourceSpec> of_thicknesses;                      ///< what `sources` of thicknesses point to
 };
 
 /// Throws as the readers.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fractures/fracture.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace geomesh::geomodel {
@@ -22,7 +24,40 @@ std::vector<Vec3> clipped_at(const std::vector<Vec3>& polygon, std::size_t axis,
   return kept;
 }
 
+Vec3 mean_of(const std::vector<Vec3>& points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum = sum + p;
+  return (1 / static_cast<double>(points.size())) * sum;
+}
+
+/// Newell's normal, which is that of the mean plane; of the length of twice the area.
+Vec3 normal_of(const std::vector<Vec3>& polygon) {
+  const Vec3 center = mean_of(polygon);
+  Vec3 sum;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    sum = sum + cross(polygon[i] - center, polygon[(i + 1) % polygon.size()] - center);
+  return sum;
+}
+
 }  // namespace
+
+std::string plane_fault(const std::vector<Vec3>& corners) {
+  const Vec3 normal = normal_of(corners), center = mean_of(corners);
+  const double area2 = std::sqrt(dot(normal, normal));
+  double size = 0, off = 0;
+  for (const Vec3& p : corners) {
+    size = std::max(size, std::sqrt(dot(p - center, p - center)));
+    off = std::max(off, area2 > 0 ? std::abs(dot(normal, p - center)) / area2 : 0);
+  }
+  if (!(area2 > 1e-12 * size * size)) return "the corners of the polygon lie on a line";
+  if (off <= plane_share * size) return "";
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the polygon is not plane: a corner is %.4g off the mean plane, near (%.9g, %.9g, %.9g); give its "
+                "corners in one plane, or divide it into triangles",
+                off, center.x, center.y, center.z);
+  return text;
+}
 
 std::vector<Vec3> polygon_of(const Ellipse& ellipse, int n_corners, PolygonSize size) {
   const double step = 2 * std::numbers::pi / n_corners;

@@ -37,6 +37,10 @@ struct PlaneAxes {
 };
 PlaneAxes axes_of_plane(double dip_direction, double dip);
 
+/// Why the corners are those of no plane polygon: on one line, or farther than plane_share off the mean plane; empty
+/// where they are.
+std::string plane_fault(const std::vector<Vec3>& corners);
+
 double area_of(const std::vector<Vec3>& polygon);
 /// The part of a convex polygon in the box; empty where there is none.
 std::vector<Vec3> clipped(std::vector<Vec3> polygon, const Box3& box);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "fractures/fracture_surfaces.hpp"
 #include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
@@ -27,21 +28,6 @@ Fields split(std::string_view line) {
     at = line.find_first_not_of(between, end);
   }
   return fields;
-}
-
-Vec3 mean_of(const std::vector<Vec3>& points) {
-  Vec3 sum;
-  for (const Vec3& p : points) sum = sum + p;
-  return (1 / static_cast<double>(points.size())) * sum;
-}
-
-/// Newell's normal, which is that of the mean plane; of the length of twice the area.
-Vec3 normal_of(const std::vector<Vec3>& polygon) {
-  const Vec3 center = mean_of(polygon);
-  Vec3 sum;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-    sum = sum + cross(polygon[i] - center, polygon[(i + 1) % polygon.size()] - center);
-  return sum;
 }
 
 class FractureReader {
@@ -66,6 +52,8 @@ class FractureReader {
     if (fields.empty()) return;
     if (starts_with_ignoring_case(fields.front(), "nPolygons")) {
       is_dfnworks_ = true;
+    } else if (starts_with_ignoring_case(fields.front(), "POLYGON")) {
+      add_well_known_text(fields);
     } else if (is_first && !to_double(fields.front())) {
       read_header(fields);
     } else if (!columns_.empty()) {
@@ -83,6 +71,12 @@ class FractureReader {
     std::vector<double> values;
     for (const std::string_view field : fields) values.push_back(finite_number(lines_, field, "a number"));
     return values;
+  }
+
+  /// POLYGON Z ((x y z, ...)), whose last corner is the first one again.
+  void add_well_known_text(const Fields& fields) {
+    const std::size_t first = fields.size() > 1 && !to_double(fields[1]) ? 2 : 1;
+    add_polygon(numbers({fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end()}));
   }
 
   void read_header(const Fields& fields) {
@@ -157,25 +151,8 @@ class FractureReader {
     std::vector<Vec3> corners;
     for (std::size_t i = 0; i < values.size(); i += 3) corners.push_back({values[i], values[i + 1], values[i + 2]});
     if (corners.size() > 3 && corners.front() == corners.back()) corners.pop_back();
-    check_plane(corners);
+    if (const std::string fault = plane_fault(corners); !fault.empty()) lines_.fail(fault);
     add_corners(std::move(corners), "");
-  }
-
-  void check_plane(const std::vector<Vec3>& corners) const {
-    const Vec3 normal = normal_of(corners), center = mean_of(corners);
-    const double area2 = std::sqrt(dot(normal, normal));
-    double size = 0, off = 0;
-    for (const Vec3& p : corners) {
-      size = std::max(size, std::sqrt(dot(p - center, p - center)));
-      off = std::max(off, area2 > 0 ? std::abs(dot(normal, p - center)) / area2 : 0);
-    }
-    char text[200];
-    if (!(area2 > 1e-12 * size * size)) lines_.fail("the corners of the polygon lie on a line");
-    std::snprintf(text, sizeof text,
-                  "the polygon is not plane: a corner is %.4g off the mean plane, near (%.9g, %.9g, %.9g); give its "
-                  "corners in one plane, or divide it into triangles",
-                  off, center.x, center.y, center.z);
-    if (off > plane_share * size) lines_.fail(text);
   }
 
   void add_corners(std::vector<Vec3> corners, std::string name) {
@@ -194,6 +171,7 @@ class FractureReader {
 }  // namespace
 
 std::vector<Fracture> read_fracture_file(const std::filesystem::path& path, const FractureFileOptions& options) {
+  if (is_file_of_surfaces(path)) return fractures_of_surfaces(path, options.name);
   const InputFile file = load_input_file(path);
   return FractureReader(file, options).read();
 }

@@ -24,7 +24,9 @@ struct FractureFileOptions {
 ///   domain;
 /// - ellipses as PorePy's elliptic_network_3d_from_csv: center (3), major and minor half axis, angle of the major axis,
 ///   of the strike and of the dip, perhaps the number of corners;
-/// - polygons as dfnWorks' polygons.dat: "nPolygons: N", then the number of corners and {x, y, z} of each.
+/// - polygons as dfnWorks' polygons.dat: "nPolygons: N", then the number of corners and {x, y, z} of each;
+/// - polygons as well-known text: POLYGON Z ((x y z, ...)).
+/// Or a file of surfaces or closed lines (is_file_of_surfaces).
 /// Lines that begin with # are passed over. Throws Error{invalid_input} with file and line: no number, too few, a
 /// polygon that is not plane or crosses itself, an axis that is not above zero.
 std::vector<Fracture> read_fracture_file(const std::filesystem::path& path, const FractureFileOptions& options);

@@ -77,16 +77,11 @@ class FieldMesher {
   FieldSurfaces mesh() {
     for (int round = 0;; ++round) {
       const AdaptResult adapted = adapt(mesh_, field_, values_, limits_);
-      result_.n_unresolved += adapted.n_unresolved;
-      if (adapted.n_unresolved > 0) result_.unresolved_place = adapted.unresolved_place;
+      result_.unresolved.insert(result_.unresolved.end(), adapted.unresolved.begin(), adapted.unresolved.end());
       result_.surfaces = extract_isosurfaces(mesh_, &field_, values_);
-      const std::vector<std::size_t> chosen = cells_beyond(static_cast<std::uint64_t>(round));
-      if (chosen.empty()) break;
-      if (round + 1 == most_rounds) {
-        result_.n_beyond = chosen.size();
-        result_.beyond_place = mesh_.point(mesh_.cells()[chosen.front()].v[0]);
-        break;
-      }
+      find_beyond(static_cast<std::uint64_t>(round));
+      const std::vector<std::size_t> chosen = cells_beyond();
+      if (chosen.empty() || round + 1 == most_rounds) break;
       mesh_.bisect(chosen);
     }
     result_.n_cells = mesh_.cells().size();
@@ -95,10 +90,10 @@ class FieldMesher {
   }
 
  private:
-  /// Cells to bisect. In a cell with edges shorter than the distance every triangle is near enough, since the true
-  /// isosurface passes through the cell too.
-  std::vector<std::size_t> cells_beyond(std::uint64_t seed) {
-    std::vector<std::size_t> chosen;
+  /// The triangles that are not known to be near. In a cell with edges shorter than the distance every triangle is near
+  /// enough, because the true isosurface passes through the cell too.
+  void find_beyond(std::uint64_t seed) {
+    result_.beyond.assign(values_.size(), {});
     for (std::size_t v = 0; v < values_.size(); ++v) {
       const Isosurface& surface = result_.surfaces[v];
       std::vector<std::size_t> rows;
@@ -109,13 +104,18 @@ class FieldMesher {
         result_.n_samples = sampled.n_samples;
         rows = std::move(sampled.beyond);
       }
-      for (const std::size_t t : rows) chosen.push_back(surface.cell[t]);
+      for (const std::size_t t : rows)
+        if (BackgroundMesh::longest_edge(mesh_.corners(mesh_.cells()[surface.cell[t]])) > limits_.least_edge)
+          result_.beyond[v].push_back(static_cast<Index>(t));
     }
+  }
+
+  std::vector<std::size_t> cells_beyond() const {
+    std::vector<std::size_t> chosen;
+    for (std::size_t v = 0; v < values_.size(); ++v)
+      for (const Index t : result_.beyond[v]) chosen.push_back(result_.surfaces[v].cell[t]);
     std::sort(chosen.begin(), chosen.end());
     chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-    std::erase_if(chosen, [&](std::size_t c) {
-      return BackgroundMesh::longest_edge(mesh_.corners(mesh_.cells()[c])) <= limits_.least_edge;
-    });
     return chosen;
   }
 
@@ -138,6 +138,7 @@ FieldSurfaces isosurfaces_of(const TetrahedralField& field, const std::vector<do
   const BackgroundMesh mesh(field.points, field.values, field.cells);
   FieldSurfaces result;
   result.surfaces = extract_isosurfaces(mesh, nullptr, values);
+  result.beyond.resize(values.size());
   result.n_cells = mesh.cells().size();
   result.found = values_at_vertices(mesh);
   return result;

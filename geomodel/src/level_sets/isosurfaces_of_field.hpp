@@ -16,12 +16,10 @@ struct FieldSurfaces {
   double distance = 0;               ///< within which the surfaces are of the field's own; 0: the same up to rounding
   bool is_proven = true;             ///< false: found for samples
   std::size_t n_samples = 0;         ///< per surface, where it is not proven
-  std::size_t n_beyond = 0;          ///< triangles for which neither was reached
-  Vec3 beyond_place;
-  std::size_t n_cells = 0;       ///< of the background mesh
-  std::size_t n_unresolved = 0;  ///< cells in which an isosurface may have several sheets
-  Vec3 unresolved_place;
-  Range found;  ///< the values that the field takes at the vertices of the mesh
+  std::vector<std::vector<Index>> beyond;  ///< per surface: triangles for which neither was reached
+  std::size_t n_cells = 0;                 ///< of the background mesh
+  std::vector<Box3> unresolved;            ///< bounds of cells in which an isosurface may have several sheets
+  Range found;                             ///< the values that the field takes at the vertices of the mesh
 };
 
 /// Meshes the box, refines the mesh where isosurfaces pass, and repeats until all triangles are within the distance.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <optional>
 #include <tuple>
 
@@ -16,10 +17,16 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Rows of the surfaces of one field.
-using Group = std::vector<std::size_t>;
+/// One of the fields of a surface: rows in Project::surfaces and SurfaceSpec::level_sets.
+struct PartKey {
+  std::size_t surface, part;
+  auto operator<=>(const PartKey&) const = default;
+};
+using Group = std::vector<PartKey>;  ///< of one field
 
-const LevelSetSpec& level_set(const Project& project, std::size_t row) { return *project.surfaces[row].level_set; }
+const LevelSetSpec& level_set(const Project& project, PartKey key) {
+  return project.surfaces[key.surface].level_sets[key.part];
+}
 
 std::vector<Group> group_by_field(const Project& project) {
   const auto is_same = [](const LevelSetSpec& a, const LevelSetSpec& b) {
@@ -27,18 +34,18 @@ std::vector<Group> group_by_field(const Project& project) {
            a.spacing == b.spacing;
   };
   std::vector<Group> groups;
-  for (std::size_t row = 0; row < project.surfaces.size(); ++row) {
-    if (!project.surfaces[row].level_set) continue;
-    const auto of_field = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-      return is_same(level_set(project, group.front()), level_set(project, row));
-    });
-    if (of_field == groups.end())
-      groups.push_back({row});
-    else
-      of_field->push_back(row);
-  }
+  for (std::size_t row = 0; row < project.surfaces.size(); ++row)
+    for (std::size_t part = 0; part < project.surfaces[row].level_sets.size(); ++part) {
+      const auto of_field = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+        return is_same(level_set(project, group.front()), level_set(project, {row, part}));
+      });
+      if (of_field == groups.end())
+        groups.push_back({{row, part}});
+      else
+        of_field->push_back({row, part});
+    }
   for (Group& group : groups)
-    std::stable_sort(group.begin(), group.end(), [&](std::size_t a, std::size_t b) {
+    std::stable_sort(group.begin(), group.end(), [&](const PartKey& a, const PartKey& b) {
       return level_set(project, a).value < level_set(project, b).value;
     });
   return groups;
@@ -83,25 +90,32 @@ std::string field_words(const LevelSetSpec& spec) {
   return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
 }
 
+/// The triangles of one field of a surface, and what is not proven of them.
+struct MadePart {
+  Isosurface surface;
+  FieldPart facts;
+};
+using MadeParts = std::map<PartKey, MadePart>;
+
 class GroupMaker {
  public:
-  GroupMaker(const Project& project, const Group& group, LevelSurfaces& made)
-      : project_(project), group_(group), made_(made), spec_(level_set(project, group.front())) {
-    for (const std::size_t row : group)
-      if (values_.empty() || values_.back() != level_set(project, row).value)
-        values_.push_back(level_set(project, row).value);
+  GroupMaker(const Project& project, const Group& group, LevelSurfaces& made, MadeParts& parts)
+      : project_(project), group_(group), made_(made), parts_(parts), spec_(level_set(project, group.front())) {
+    for (const PartKey& key : group)
+      if (values_.empty() || values_.back() != level_set(project, key).value)
+        values_.push_back(level_set(project, key).value);
   }
 
   void make() {
     const FieldSurfaces found = spec_.function ? from_function() : from_file();
-    for (const std::size_t row : group_) {
-      const auto at = std::lower_bound(values_.begin(), values_.end(), level_set(project_, row).value);
-      take(row, found, found.surfaces[static_cast<std::size_t>(at - values_.begin())]);
+    for (const PartKey& key : group_) {
+      const auto at = std::lower_bound(values_.begin(), values_.end(), level_set(project_, key).value);
+      take(key, found, static_cast<std::size_t>(at - values_.begin()));
     }
   }
 
  private:
-  const std::string& name() const { return project_.surfaces[group_.front()].name; }
+  const std::string& name() const { return project_.surfaces[group_.front().surface].name; }
 
   FieldSurfaces from_function() const {
     const std::optional<Box3> box = bounds_of_volume(project_);
@@ -144,70 +158,100 @@ class GroupMaker {
     return domain;
   }
 
-  void take(std::size_t row, const FieldSurfaces& found, const Isosurface& surface) {
-    const SurfaceSpec& spec = project_.surfaces[row];
-    if (surface.triangles.empty())
+  void take(PartKey key, const FieldSurfaces& found, std::size_t of_value) {
+    const SurfaceSpec& spec = project_.surfaces[key.surface];
+    const double value = level_set(project_, key).value;
+    if (found.surfaces[of_value].triangles.empty())
       throw Error(ErrorKind::invalid_input, "surface " + spec.name + ": " + field_words(spec_) + " has values from " +
                                                 short_words(found.found.low) + " to " + short_words(found.found.high) +
-                                                " in the model, and " + short_words(level_set(project_, row).value) +
+                                                " in the model, and " + short_words(value) +
                                                 " is not among them; there is no surface");
-    TriangulatedSurface triangulated;
-    triangulated.name = spec.name;
-    triangulated.points = surface.points;
-    triangulated.triangles = surface.triangles;
-    report(spec, found, triangulated);
-    FileContents contents;
-    contents.format = "level set";
-    contents.surfaces.push_back(std::move(triangulated));
-    made_.contents.emplace(row, std::move(contents));
+    MadePart& part = parts_[key];
+    part.surface = found.surfaces[of_value];
+    part.facts.field = field_words(spec_);
+    report(spec.name, value, found, found.beyond[of_value], part);
+    if (!level_set(project_, key).domain.is_everywhere()) return;
+    for (FieldPart::Doubt& doubt : part.facts.doubts) made_.warnings.push_back(std::move(doubt.warning));
+    part.facts.doubts.clear();
   }
 
-  void report(const SurfaceSpec& spec, const FieldSurfaces& found, const TriangulatedSurface& surface) {
-    const SheetTopology topology = topology_of(surface);
-    std::string text = spec.name + ": the surface where " + field_words(spec_) + " is " +
-                       short_words(spec.level_set->value) + ", in " + std::to_string(topology.n_parts) +
-                       (topology.n_parts == 1 ? " part, " : " parts, ") + std::to_string(surface.triangles.size()) +
-                       " triangles";
-    if (found.distance > 0 && found.is_proven && found.n_beyond == 0)
-      text += ", proven to be within " + short_words(found.distance) + " of it";
-    if (!found.is_proven && found.n_beyond == 0)
-      text += ", within " + short_words(found.distance) + " of it at each of " + std::to_string(found.n_samples) +
+  void report(const std::string& name, double value, const FieldSurfaces& found, const std::vector<Index>& beyond,
+              MadePart& part) {
+    TriangulatedSurface triangulated;
+    triangulated.points = part.surface.points;
+    triangulated.triangles = part.surface.triangles;
+    const SheetTopology topology = topology_of(triangulated);
+    std::string note = name + ": the surface where " + field_words(spec_) + " is " + short_words(value) + ", in " +
+                       std::to_string(topology.n_parts) + (topology.n_parts == 1 ? " part, " : " parts, ") +
+                       std::to_string(part.surface.triangles.size()) + " triangles";
+    if (found.distance > 0 && found.is_proven && beyond.empty())
+      note += ", proven to be within " + short_words(found.distance) + " of it";
+    if (!found.is_proven && beyond.empty())
+      note += ", within " + short_words(found.distance) + " of it at each of " + std::to_string(found.n_samples) +
               " samples: with 99 % confidence at all but " + short_words(460.5 / static_cast<double>(found.n_samples)) +
               " % of its area";
-    made_.notes.push_back(std::move(text));
-    if (found.n_beyond > 0)
-      made_.warnings.push_back(spec.name + ": in " + std::to_string(found.n_beyond) +
-                               " places the surface may be farther than " + short_words(found.distance) +
-                               " from its field, as near " + place_words(found.beyond_place));
-    if (found.n_unresolved > 0)
-      made_.warnings.push_back(
-          spec.name + ": its field bends within less than " + short_words(found.distance) + " near " +
-          place_words(found.unresolved_place) +
-          ", so that sheets nearer to each other than that may be one; a smaller mesh.surfaces_within "
-          "would tell them apart");
+    made_.notes.push_back(std::move(note));
     if (topology.n_bad_edges > 0)
-      made_.warnings.push_back(spec.name + ": more than two sheets of it meet along " +
+      made_.warnings.push_back(name + ": more than two sheets of it meet along " +
                                std::to_string(topology.n_bad_edges) + " edges, as near " +
                                place_words(topology.bad_place) + "; choose a value slightly off this one");
+    if (!beyond.empty())
+      part.facts.doubts.push_back({beyond,
+                                   {},
+                                   name + ": in " + std::to_string(beyond.size()) +
+                                       " places the surface may be farther than " + short_words(found.distance) +
+                                       " from its field, as near " +
+                                       place_words(part.surface.points[part.surface.triangles[beyond.front()][0]])});
+    if (found.unresolved.empty()) return;
+    std::vector<Vec3> places;
+    for (const Box3& cell : found.unresolved) places.push_back(0.5 * (cell.min + cell.max));
+    const std::string text = name + ": its field bends within less than " + short_words(found.distance) + " near " +
+                             place_words(places.front()) +
+                             ", so that sheets nearer to each other than that may be one; a smaller "
+                             "mesh.surfaces_within would tell them apart";
+    part.facts.doubts.push_back({{}, std::move(places), text});
   }
 
   const Project& project_;
   const Group& group_;
   LevelSurfaces& made_;
+  MadeParts& parts_;
   const LevelSetSpec& spec_;
   std::vector<double> values_;  ///< rising, each once
 };
+
+/// All parts of the surfaces, one behind the other.
+void assemble(const Project& project, const MadeParts& parts, LevelSurfaces& made) {
+  for (const auto& [key, part] : parts) {
+    FileContents& contents = made.contents[key.surface];
+    contents.format = "level set";
+    if (contents.surfaces.empty()) contents.surfaces.emplace_back();
+    TriangulatedSurface& surface = contents.surfaces.front();
+    surface.name = project.surfaces[key.surface].name;
+    const auto n_points = static_cast<VertexIndex>(surface.points.size());
+    const auto n_triangles = static_cast<Index>(surface.triangles.size());
+    surface.points.insert(surface.points.end(), part.surface.points.begin(), part.surface.points.end());
+    for (const Triangle& t : part.surface.triangles)
+      surface.triangles.push_back({t[0] + n_points, t[1] + n_points, t[2] + n_points});
+    FieldPart& facts = made.parts[key.surface].emplace_back(part.facts);
+    facts.end = static_cast<Index>(surface.triangles.size());
+    for (FieldPart::Doubt& doubt : facts.doubts)
+      for (Index& t : doubt.triangles) t += n_triangles;
+  }
+}
 
 }  // namespace
 
 bool has_level_sets(const Project& project) {
   return std::any_of(project.surfaces.begin(), project.surfaces.end(),
-                     [](const SurfaceSpec& spec) { return spec.level_set.has_value(); });
+                     [](const SurfaceSpec& spec) { return !spec.level_sets.empty(); });
 }
 
 LevelSurfaces make_level_surfaces(const Project& project) {
   LevelSurfaces made;
-  for (const Group& group : group_by_field(project)) GroupMaker(project, group, made).make();
+  MadeParts parts;
+  for (const Group& group : group_by_field(project)) GroupMaker(project, group, made, parts).make();
+  assemble(project, parts, made);
   return made;
 }
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys gridding, resample and smooth of an entry of `surfaces`, declared in project/read_reading.hpp.
+// The keys gridding, resample and smooth of an entry of `surfaces`, declared in project/read_reading.hpp, and the keys
+// of fields, declared in project/read_gridding.hpp.
+#include "project/read_gridding.hpp"
+
+#include <algorithm>
 #include <cmath>
 
+#include "geomesh/geomodel/words.hpp"
 #include "project/read_reading.hpp"
 
 namespace geomesh::geomodel {
@@ -48,6 +53,30 @@ std::optional<Vec3> read_spacing(const YamlValue& value) {
   return spacing;
 }
 
+std::vector<std::string> one_name_or_several(const YamlValue& value) {
+  std::vector<std::string> names;
+  if (!value.is_list()) {
+    if (const auto name = value.text()) names.push_back(*name);
+    return names;
+  }
+  for (const YamlValue& item : value.items())
+    if (const auto name = item.text()) names.push_back(*name);
+  if (names.empty()) value.problem("the list of surfaces is empty");
+  return names;
+}
+
+FieldDomain read_domain(const YamlValue& value) {
+  FieldDomain domain;
+  const YamlMap map(value, {"above", "below", "block"});
+  if (!map.is_map()) return domain;
+  if (const auto v = map.find("above")) domain.above = one_name_or_several(*v);
+  if (const auto v = map.find("below")) domain.below = one_name_or_several(*v);
+  if (const auto v = map.find("block")) domain.block = v->point();
+  if (!map.find("above") && !map.find("below") && !map.find("block"))
+    value.problem("above or below (surfaces), or block (a place in a fault block), was expected");
+  return domain;
+}
+
 void refuse_keys_of_files(const YamlMap& map) {
   for (const char* key : {"file", "object", "gridding", "resample", "smooth", "fault_polygons"})
     if (const auto v = map.find(key))
@@ -72,19 +101,20 @@ void read_gridding(const YamlMap& map, SurfaceSpec& spec) {
 }
 
 const std::vector<std::string_view>& level_set_keys() {
-  static const std::vector<std::string_view> keys{"field", "value", "array", "origin", "spacing"};
+  static const std::vector<std::string_view> keys{"field", "value", "array", "origin", "spacing", "domain"};
   return keys;
 }
 
 void read_level_set(const YamlMap& map, const std::shared_ptr<FieldFunction>& function, SurfaceSpec& spec) {
   refuse_keys_of_files(map);
-  LevelSetSpec& level_set = spec.level_set.emplace();
+  LevelSetSpec& level_set = spec.level_sets.emplace_back();
   level_set.function = function;
   if (const auto v = map.require("value", "the value that the field has on the surface"))
     level_set.value = v->number().value_or(0);
   if (const auto v = map.find("array")) level_set.array = v->text().value_or("");
   if (const auto v = map.find("origin")) level_set.origin = v->point();
   if (const auto v = map.find("spacing")) level_set.spacing = read_spacing(*v);
+  if (const auto v = map.find("domain")) level_set.domain = read_domain(*v);
   const auto field = map.find("field");
   if (function && field) field->problem("a function was given for '" + spec.name + "' already; leave out one of them");
   const bool is_npy = field && field->scalar().ends_with(".npy");
@@ -92,6 +122,130 @@ void read_level_set(const YamlMap& map, const std::shared_ptr<FieldFunction>& fu
     field->problem("an array of NumPy says nothing of its place; give 'origin' [x, y, z] and 'spacing'");
   for (const char* key : {"origin", "spacing"})
     if (const auto v = map.find(key); v && !is_npy) v->problem("goes with a field in a .npy file alone");
+}
+
+void refuse_keys_of_first_entry(const YamlMap& map, const SurfaceSpec& first) {
+  std::vector<std::string_view> own = level_set_keys();
+  own.insert(own.end(), {"name", "kind"});
+  for (const auto& [key, value] : named_entries(map.value(), "KEY: VALUE"))
+    if (std::find(own.begin(), own.end(), key) == own.end())
+      value.problem("belongs to the first entry of '" + first.name + "'; further entries give a field and its domain");
+}
+
+namespace {
+
+/// The domains of the fields of one surface.
+class DomainReader {
+ public:
+  DomainReader(const YamlValue& root, Project& project, SurfaceSpec& spec)
+      : root_(root), project_(project), spec_(spec) {}
+
+  void read() {
+    if (spec_.kind == SurfaceKind::body) return problem("a body is closed, and a domain would open it; leave it out");
+    if (spec_.kind == SurfaceKind::fault && spec_.level_sets.size() > 1)
+      return problem("several fields, one for each side of a fault, go with a horizon alone");
+    for (const LevelSetSpec& level_set : spec_.level_sets) read_part(level_set.domain);
+    for (std::size_t a = 0; a < spec_.level_sets.size(); ++a)
+      for (std::size_t b = a + 1; b < spec_.level_sets.size(); ++b)
+        if (overlap(spec_.rules.field_parts[a], spec_.rules.field_parts[b]))
+          problem(
+              "the domains of its entries overlap; let one be above and the other below the same fault, or give "
+              "each a block");
+    if (!spec_.rules.has_fault_domain()) return;
+    if (spec_.rules.has_throw())
+      problem("throw_at and fault_polygons do not go with a domain at faults, which says where its parts end");
+    for (const FieldPart& part : spec_.rules.field_parts) {
+      for (const auto& [fault, is_above] : part.sides) add_fault(fault);
+      if (part.block) add_all_faults();
+    }
+  }
+
+ private:
+  void problem(const std::string& text) const { root_.problem("surface '" + spec_.name + "': " + text); }
+
+  static bool overlap(const FieldPart& a, const FieldPart& b) {
+    if (a.block && b.block) return false;  // the same block is seen when the places are
+    for (const auto& [fault, is_above] : a.sides)
+      for (const auto& [other, is_other_above] : b.sides)
+        if (fault == other && is_above != is_other_above) return false;
+    return true;
+  }
+
+  const SurfaceSpec* find(const std::string& name) const {
+    std::vector<std::string_view> known;
+    for (const SurfaceSpec& other : project_.surfaces) {
+      if (&other == &spec_ || other.kind == SurfaceKind::body) continue;
+      if (other.name == name) return &other;
+      known.push_back(other.name);
+    }
+    const std::string meant = was_meant(name, known);
+    problem("its domain names '" + name + "', which is no other horizon or fault" +
+            (meant.empty() ? "; these are " + (known.empty() ? "none" : listed(known)) : meant));
+    return nullptr;
+  }
+
+  void read_part(const FieldDomain& domain) {
+    FieldPart part;
+    part.block = domain.block;
+    std::vector<std::string> above, below;
+    for (const bool is_above : {true, false})
+      for (const std::string& name : is_above ? domain.above : domain.below) {
+        const SurfaceSpec* const other = find(name);
+        if (!other) continue;
+        if (spec_.kind == SurfaceKind::horizon && other->kind == SurfaceKind::fault)
+          part.sides.emplace_back(name, is_above);
+        else
+          (is_above ? above : below).push_back(name);
+        if (is_above && std::find(domain.below.begin(), domain.below.end(), name) != domain.below.end())
+          problem("its domain is both above and below '" + name + "'");
+        check_column(name, is_above);
+      }
+    if (part.block && spec_.kind != SurfaceKind::horizon) problem("only the field of a horizon holds in a block");
+    if (part.block && project_.crs.z_scale != 1) problem("a domain in a block does not go with crs.z_scale");
+    if (spec_.rules.field_parts.empty()) {
+      spec_.rules.holds_above = above;
+      spec_.rules.holds_below = below;
+    } else if (above != spec_.rules.holds_above || below != spec_.rules.holds_below) {
+      problem("all of its entries must be above and below the same horizons");
+    }
+    spec_.rules.field_parts.push_back(std::move(part));
+  }
+
+  /// A horizon lies above those that are older.
+  void check_column(const std::string& name, bool is_above) const {
+    const auto& column = project_.column;
+    const auto own = std::find(column.begin(), column.end(), spec_.name);
+    const auto other = std::find(column.begin(), column.end(), name);
+    if (own == column.end() || other == column.end() || (own < other) == is_above) return;
+    problem("its domain is " + std::string(is_above ? "above" : "below") + " '" + name + "', which the column puts " +
+            (is_above ? "above it" : "below it"));
+  }
+
+  void add_fault(const std::string& name) {
+    std::vector<std::string>& faults = spec_.rules.throw_at;
+    if (std::find(faults.begin(), faults.end(), name) == faults.end()) faults.push_back(name);
+  }
+  void add_all_faults() {
+    for (const SurfaceSpec& other : project_.surfaces)
+      if (other.kind == SurfaceKind::fault && !(other.given && other.file_as_written == "fractures"))
+        add_fault(other.name);
+  }
+
+  const YamlValue& root_;
+  Project& project_;
+  SurfaceSpec& spec_;
+};
+
+}  // namespace
+
+void finish_domains(const YamlValue& root, Project& project) {
+  for (SurfaceSpec& spec : project.surfaces) {
+    const bool has_domain =
+        std::any_of(spec.level_sets.begin(), spec.level_sets.end(),
+                    [](const LevelSetSpec& level_set) { return !level_set.domain.is_everywhere(); });
+    if (has_domain) DomainReader(root, project, spec).read();
+    spec.rules.field_parts.resize(spec.level_sets.size());
+  }
 }
 
 }  // namespace geomesh::geomodel

@@ -129,6 +129,7 @@ class ProjectReader {
     if (const auto v = map.find("attributes")) read_attributes(*v, project_);
     if (const auto v = map.find("colours")) read_colours(*v, project_);
     finish_volume(root, project_);
+    finish_domains(root, project_);
     finish_rules(root, project_);
     finish_below(root, project_);
     if (const auto v = find_renamed(map, "merge_within", "tolerance", project_.notes)) read_merge_within(*v);
@@ -215,10 +216,33 @@ class ProjectReader {
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Triangles or points, or a field whose level set it is.
-  void read_shape(const YamlMap& map, SurfaceSpec& spec) {
+  /// The entry before this one that has the same name, where both have fields with domains; null: none.
+  SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
+    const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
+                                    [&](const SurfaceSpec& s) { return s.name == name; });
+    const bool is_further = map.find("domain") && first != project_.surfaces.end() && !first->level_sets.empty() &&
+                            !first->level_sets.front().domain.is_everywhere();
+    return is_further ? &*first : nullptr;
+  }
+
+  /// One more field of a surface, which holds on another side of a fault than those before.
+  void read_further_field(const YamlMap& map, SurfaceSpec& first) {
+    refuse_keys_of_first_entry(map, first);
+    if (const auto v = map.require("kind", "horizon, fault or body"))
+      if (v->scalar() != to_string(first.kind))
+        v->problem("the first entry of '" + first.name + "' is a " + std::string(to_string(first.kind)));
+    SurfaceSpec spec;
+    spec.name = first.name;
+    spec.kind = first.kind;
+    read_shape(map, spec, first.level_sets.size() + 1);
+    first.level_sets.insert(first.level_sets.end(), spec.level_sets.begin(), spec.level_sets.end());
+    if (!spec.level_sets.empty()) first.file_as_written += ", " + spec.file_as_written;
+  }
+
+  /// Triangles or points, or a field whose level set it is. `entry`: which of the entries of one name it is, from 1.
+  void read_shape(const YamlMap& map, SurfaceSpec& spec, std::size_t entry = 1) {
     const auto field = map.find("field");
-    const std::shared_ptr<FieldFunction> function = given_field(spec.name);
+    const std::shared_ptr<FieldFunction> function = given_field(further_field(spec.name, entry));
     if (!field && !function) {
       read_content(map, "the file of the surface, or the field whose level set it is", spec);
       for (const std::string_view key : level_set_keys())
@@ -226,8 +250,9 @@ class ProjectReader {
       return;
     }
     read_level_set(map, function, spec);
-    if (field) read_file(*field, spec.level_set->file, spec.level_set->file_as_written);
-    spec.file_as_written = field ? spec.level_set->file_as_written : "a function";
+    LevelSetSpec& level_set = spec.level_sets.back();
+    if (field) read_file(*field, level_set.file, level_set.file_as_written);
+    spec.file_as_written = field ? level_set.file_as_written : "a function";
   }
 
   void read_surface(const YamlValue& value) {
@@ -241,7 +266,10 @@ class ProjectReader {
     SurfaceSpec spec;
     spec.line = map.place().line;
     if (const auto v = map.require("name", "each surface needs a name")) {
-      if (read_name(*v, spec.name)) claim_name(*v, spec.name);
+      if (read_name(*v, spec.name)) {
+        if (SurfaceSpec* const first = first_entry(map, spec.name)) return read_further_field(map, *first);
+        claim_name(*v, spec.name);
+      }
     }
     spec.kind = SurfaceKind::surface;  // until it is known: what goes with which kind cannot be said
     if (const auto v = map.require("kind", "horizon, fault or body")) {

@@ -5,6 +5,7 @@
 #include "geomesh/core/error.hpp"
 #include "naming/sheets.hpp"
 #include "rules/blocks/build_blocks.hpp"
+#include "rules/blocks/field_blocks.hpp"
 #include "rules/column_order.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/dyke.hpp"
@@ -73,6 +74,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
   built.rows.sides_of_block.resize(surfaces.size());
+  built.rows.on_both_sides.resize(surfaces.size());
   built.rows.parted_at.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
@@ -105,6 +107,8 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {
       build_body(surface, rule, rules.box, log);
+    } else if (rule.has_fault_domain()) {
+      part_by_fields(built, s, rules);
     } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
       build_blocks(built, s, rules, log);
     } else if (rule.extend != Extend::none && !rule.fills_blocks()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "geomesh/core/error.hpp"
@@ -16,7 +17,9 @@
 #include "rules/framework/overshoots.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/height_vote.hpp"
+#include "rules/planar/map_locator.hpp"
 #include "rules/planar/pieces.hpp"
+#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 
@@ -111,8 +114,12 @@ struct Trimming {
     if (are_horizons) add_others_of_column(x, y, dividers);
     for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond, dividers)) {
       if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) &&
-          is_step(piece, least_of_step))
+          is_step(piece, least_of_step)) {
+        if (surfaces[y].kind == SurfaceKind::fault)
+          warnings.push_back(because + ", but " + surfaces[x].name + " goes round the end of " + surfaces[y].name +
+                             " near " + to_text(working.centre(piece.largest)) + " and is kept there");
         continue;
+      }
       if (side_of_piece(piece, y, heights, !faults.empty()) == side) gone.push_back(std::move(piece));
     }
     for (const Piece& piece : gone) {
@@ -211,9 +218,28 @@ void refuse_crossing(Trimming& work, Index younger, Index older) {
                 {{}, {}, {}, {place}});
 }
 
+std::string reason_of_domain(const Trimming& work, Index s, Index bound, bool is_above) {
+  return "the field of " + work.surfaces[s].name + " holds " + (is_above ? "above " : "below ") +
+         work.surfaces[bound].name + " alone";
+}
+
+BuiltSurfaces built_surfaces(const Trimming& work) {
+  BuiltSurfaces built;
+  built.surfaces.assign(work.surfaces.begin(), work.surfaces.begin() + work.n_given());
+  built.rows = work.built;
+  return built;
+}
+
 /// Why the younger of two horizons cuts the older one where they cross, or is cut by it; empty where nothing is said.
 std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keeper keeper) {
   const bool younger_stays = keeper == Keeper::younger;
+  const auto is_in = [&](const std::vector<std::string>& names, Index row) {
+    return std::find(names.begin(), names.end(), work.surfaces[row].name) != names.end();
+  };
+  if (!younger_stays && is_in(work.rules.of(younger).holds_above, older))
+    return reason_of_domain(work, younger, older, true);
+  if (younger_stays && is_in(work.rules.of(older).holds_below, younger))
+    return reason_of_domain(work, older, younger, false);
   if (younger_stays && work.rules.of(younger).base == BaseRule::erode) return work.surfaces[younger].name + " erodes";
   if (!younger_stays && work.rules.of(older).base == BaseRule::onlap) return work.surfaces[younger].name + " onlaps";
   if (younger_stays && work.rules.on_crossing == OnCrossing::clip_older)
@@ -242,6 +268,83 @@ void order_horizons(Trimming& work) {
       }
 }
 
+/// Fields that do not hold everywhere: the parts of surface `s` outside of their domain, but for those that
+/// order_horizons and part_blocks remove.
+void end_at_domain(Trimming& work, Index s) {
+  const auto& column = work.rules.column;
+  const auto is_of_column = [&](Index row) {
+    return std::find(column.begin(), column.end(), work.surfaces[row].name) != column.end();
+  };
+  const SurfaceRules rule = work.rules.of(s);
+  for (const bool is_above : {true, false})
+    for (const std::string& name : is_above ? rule.holds_above : rule.holds_below) {
+      const Index bound = work.row_of(name);
+      if (is_of_column(s) && is_of_column(bound)) continue;
+      work.clip(s, bound, is_above ? -1 : 1, reason_of_domain(work, s, bound, is_above));
+    }
+}
+
+/// Whether places lie where a field of surface `s` holds. A place near a bound may be counted to either side.
+class DomainSides {
+ public:
+  DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)
+      : part_(part), in_one_block_(parting.in_one_block) {
+    for (const auto& [fault, is_above] : part.sides) add(work, fault, is_above);
+    const SurfaceRules rule = work.rules.of(s);
+    for (const std::string& name : rule.holds_above) add(work, name, true);
+    for (const std::string& name : rule.holds_below) add(work, name, false);
+  }
+
+  bool hold(const Vec3& p) const {
+    for (const auto& [fault, is_above] : faults_)
+      if (fault.is_above(p) != is_above) return false;
+    for (const auto& bound : horizons_) {
+      const MapLocator& horizon = *bound.first;
+      bool is_over = false, is_on_side = false;
+      horizon.for_each({p.x, p.y}, [&](Index triangle, bool) {
+        is_over = true;
+        is_on_side |= (p.z > horizon.height(triangle, {p.x, p.y})) == bound.second;
+      });
+      if (is_over && !is_on_side) return false;
+    }
+    return !part_.block || in_one_block_(p, *part_.block);
+  }
+
+ private:
+  void add(const Trimming& work, const std::string& name, bool is_above) {
+    const TriangulatedSurface& surface = work.surfaces[work.row_of(name)];
+    if (surface.triangles.empty()) return;
+    if (surface.kind == SurfaceKind::fault)
+      faults_.emplace_back(FaultSides(surface), is_above);
+    else
+      horizons_.emplace_back(std::make_unique<MapLocator>(surface), is_above);
+  }
+
+  const FieldPart& part_;
+  const std::function<bool(const Vec3&, const Vec3&)>& in_one_block_;
+  std::vector<std::pair<FaultSides, bool>> faults_;
+  std::vector<std::pair<std::unique_ptr<MapLocator>, bool>> horizons_;
+};
+
+/// Warns of what was not proven of a field, if the model keeps some of it. Outside of its domain it concerns nobody.
+void warn_of_doubts(Trimming& work, const Parting& parting) {
+  for (Index s = 0; s < work.n_given(); ++s) {
+    const std::vector<FieldPart> parts = work.rules.of(s).field_parts;
+    if (std::all_of(parts.begin(), parts.end(), [](const FieldPart& part) { return part.doubts.empty(); })) continue;
+    std::vector<bool> is_kept(work.surfaces[s].triangles.size(), false);
+    for (const auto& origins : work.working.origins)
+      for (const PolygonSoup::Origin& o : origins)
+        if (o.surface == s) is_kept[o.triangle] = true;
+    for (const FieldPart& part : parts) {
+      const DomainSides sides(work, s, part, parting);
+      for (const FieldPart::Doubt& doubt : part.doubts)
+        if (std::any_of(doubt.triangles.begin(), doubt.triangles.end(), [&](Index t) { return is_kept[t]; }) ||
+            std::any_of(doubt.places.begin(), doubt.places.end(), [&](const Vec3& p) { return sides.hold(p); }))
+          work.warnings.push_back(doubt.warning);
+    }
+  }
+}
+
 /// Horizons that fill their fault blocks: data that run beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
   std::optional<BlockFramework> blocks;  // made where something overshoots
@@ -249,12 +352,7 @@ void end_data_at_faults(Trimming& work) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
     if (!(end.limit > 0) || overshoots_of(work.working, end).empty()) continue;
-    if (!blocks) {
-      BuiltSurfaces built;
-      built.surfaces.assign(work.surfaces.begin(), work.surfaces.begin() + work.n_given());
-      built.rows = work.built;
-      blocks.emplace(built, work.rules);
-    }
+    if (!blocks) blocks.emplace(built_surfaces(work), work.rules);
     end.blocks = &*blocks;
     work.removed[s] += remove_overshoots(work.working, end, work.surfaces[s].name, work.notes);
   }
@@ -277,7 +375,12 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
-  const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings};
+  std::optional<BlockFramework> blocks;  // made where a field holds in one of them
+  const auto in_one_block = [&](const Vec3& p, const Vec3& q) {
+    if (!blocks) blocks.emplace(built_surfaces(work), rules);
+    return blocks->block_at(p) == blocks->block_at(q);
+  };
+  const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings, in_one_block};
   const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
   for (Index s = 0; s < work.n_given(); ++s)
     if (is_end(s)) part_blocks(parting, s);  // what ends at it ends at what is left of its blocks
@@ -285,6 +388,8 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
+  for (Index s = 0; s < work.n_given(); ++s)
+    if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at what is left of the faults
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);
@@ -293,9 +398,12 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   remove_continuations(parting);
   truncate_faults(work.working, surfaces, built, rules.continuation.within_of_faults, work.removed, work.notes);
   end_data_at_faults(work);
+  for (Index s = 0; s < work.n_given(); ++s)
+    if (surfaces[s].kind != SurfaceKind::fault) end_at_domain(work, s);
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);
+  warn_of_doubts(work, parting);
   return {work.working.result(), std::move(work.removed), std::move(work.notes), std::move(work.warnings)};
 }
 

@@ -37,6 +37,11 @@ TriangulatedSurface box_surface(const Box3& b) {
 
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
   if (!refinement.refine || refinement.honour != Honour::tolerance || volume.bounds.empty()) return;
+  // The surface of a field runs on beyond the faults that bound its domain until the arranged model is cut there. A
+  // common triangulation of the map would take that for data.
+  if (std::any_of(rules.surfaces.begin(), rules.surfaces.end(),
+                  [](const SurfaceRules& rule) { return rule.has_fault_domain(); }))
+    return;
   StackRules& stack = rules.stack;
   stack.tolerance = refinement.tolerance.left();
   // Triangles larger than the model have no place in its map: the map's shorter side is the largest size there.

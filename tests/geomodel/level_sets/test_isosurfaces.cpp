@@ -120,7 +120,7 @@ TEST_CASE("an isosurface of a distance function is within the distance at all bu
     const FieldSurfaces found = of_function(c.f, {0}, distance);
     const SheetTopology topology = topology_of(as_surface(found.surfaces[0], "top"));
     // Each round draws samples of its own: one of the last 20,000 may find a place that no round before has met.
-    CHECK(found.n_beyond <= 1);
+    CHECK(found.beyond[0].size() <= 1);
     CHECK(topology.n_parts == c.n_parts);
     CHECK(topology.n_border_edges == 0);
     CHECK(topology.n_bad_edges == 0);
@@ -138,7 +138,7 @@ TEST_CASE("a trilinear field's isosurface is proven near, and is near the trilin
     const GridField grid = on_grid(f, 40);
     const FieldSurfaces found = isosurfaces_of(grid, cube(), {0}, distance);
     CHECK(found.is_proven);
-    CHECK(found.n_beyond == 0);
+    CHECK(found.beyond[0].empty());
     // Independent of the proof: the sign changes between both sides of samples.
     for (const std::uint64_t seed : {11u, 12u, 13u, 14u, 15u})
       CHECK(sample_within(grid, found.surfaces[0], 0, distance, seed).beyond.empty());

@@ -19,8 +19,14 @@ namespace geomesh::geomodel {
 /// Contents of inputs by the name of the surface or well that they are for.
 using GivenInputs = std::map<std::string, std::shared_ptr<const FileContents>>;
 
-/// Functions by the name of the surface that is a level set of them.
+/// Functions by the name of the surface that is a level set of them. The functions of further entries of one name are
+/// called by `further_field`.
 using GivenFields = std::map<std::string, std::shared_ptr<FieldFunction>>;
+
+/// The key in GivenFields of the `entry`-th entry of one name, from 1. No name holds a line break.
+inline std::string further_field(const std::string& name, std::size_t entry) {
+  return entry == 1 ? name : name + "\n" + std::to_string(entry);
+}
 
 /// A triangulated surface. Throws Error{invalid_input} with the rows in trouble: a coordinate that is not finite, a
 /// triangle that names a point which is not there, no triangle.

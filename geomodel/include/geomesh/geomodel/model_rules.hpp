@@ -10,6 +10,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geomesh/geomodel/arrangement.hpp"
@@ -42,6 +43,22 @@ enum class OnCrossing {
   error,         ///< Error{invalid_input} with both names, the area and the place
 };
 
+/// The triangles of a horizon that come from one field, and on which sides of faults that field holds.
+struct FieldPart {
+  Index end = 0;                                    ///< behind its last triangle; the first follows the part before
+  std::vector<std::pair<std::string, bool>> sides;  ///< faults, each with whether the field holds above it
+  std::optional<Vec3> block;                        ///< a place in the fault block where the field holds
+  std::string field;                                ///< its file, or "its function", for messages
+  /// What was not proven, and the warning that is due if the model keeps one of the triangles, or if one of the places
+  /// lies where the field holds.
+  struct Doubt {
+    std::vector<Index> triangles;
+    std::vector<Vec3> places;
+    std::string warning;
+  };
+  std::vector<Doubt> doubts;
+};
+
 struct SurfaceRules {
   Extend extend = Extend::none;  ///< to beyond the box
   double fill_holes = 0;         ///< fill holes whose border is at most this long (m); infinity: all
@@ -58,6 +75,14 @@ struct SurfaceRules {
   bool throw_auto = false;  ///< find_ramps adds faults to throw_at; without any the horizon fills its blocks
   /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
   bool throw_at_polygons = false;
+  /// Level sets of fields: one part a field. Those with sides or a block are cut off at the faults in throw_at.
+  std::vector<FieldPart> field_parts;
+  /// Level sets of fields: names of other horizons and, for faults, of faults, above or below which the field holds.
+  std::vector<std::string> holds_above, holds_below;
+  bool has_fault_domain() const {
+    return std::any_of(field_parts.begin(), field_parts.end(),
+                       [](const FieldPart& part) { return part.block || !part.sides.empty(); });
+  }
   /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
   bool continues = true;
   bool continues_by_default() const {
@@ -108,7 +133,8 @@ struct ModelRules {
   /// Whether any rule acts on the soup.
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
-      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || rule.has_throw())
+      if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || rule.has_throw() ||
+          !rule.holds_above.empty() || !rule.holds_below.empty())
         return true;
     return on_crossing != OnCrossing::leave || trim_overshoot > 0 || !topography.empty() || !floor.empty();
   }
@@ -123,6 +149,13 @@ struct BuiltRows {
   std::vector<std::vector<Index>> parted_at;
   /// Per surface and block: whether it lies above each fault of parted_at; empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
+  /// Per surface and block: faults of parted_at on both sides of which the block's field holds. Empty for surfaces
+  /// without fields that hold on certain sides of faults.
+  std::vector<std::vector<std::vector<bool>>> on_both_sides;
+  /// Whether the block holds on both sides of the k-th fault of parted_at.
+  bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
+    return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
+  }
   /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
   /// none was.
   std::vector<Index> first_only_parting;

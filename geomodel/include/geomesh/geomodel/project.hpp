@@ -50,8 +50,9 @@ struct SurfaceSpec {
   std::filesystem::path file;  ///< absolute, resolved against the project file
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< in place of the file (given.hpp); null: the file
-  std::optional<LevelSetSpec> level_set;      ///< in place of a file: the surface is a level set of a field
-  bool cuts_all = false;                      ///< `cuts: all`; default true for bodies
+  /// In place of a file: the surface is a level set of a field, or of several fields, each with a domain of its own.
+  std::vector<LevelSetSpec> level_sets;
+  bool cuts_all = false;  ///< `cuts: all`; default true for bodies
   SourceSpec source;
   GriddingSpec gridding;  ///< how points become a surface
   double resample = 0;    ///< length of the edges of the surface remade; 0: as it is

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "geomesh/core/geometry.hpp"
 
@@ -19,6 +20,14 @@ namespace geomesh::geomodel {
 /// run. It is called from one thread at a time.
 using FieldFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
 
+/// Where a field holds: above some surfaces of the project, below others, and in one fault block. Without any of them
+/// it holds everywhere. Above a fault is the side to which the fault dips.
+struct FieldDomain {
+  std::vector<std::string> above, below;  ///< names of horizons and faults
+  std::optional<Vec3> block;              ///< a place in the fault block
+  bool is_everywhere() const { return above.empty() && below.empty() && !block; }
+};
+
 /// A surface that is the set of places where a scalar field has one value.
 struct LevelSetSpec {
   std::filesystem::path file;  ///< .vti, .npy or .vtu; empty: `function`
@@ -27,6 +36,7 @@ struct LevelSetSpec {
   std::optional<Vec3> origin, spacing;      ///< of the grid in a .npy file, whose axes are x, y, z
   std::shared_ptr<FieldFunction> function;  ///< in the project's coordinates; its domain is the box
   double value = 0;
+  FieldDomain domain;
 };
 
 }  // namespace geomesh::geomodel

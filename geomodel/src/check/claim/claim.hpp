@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geomesh/core/geometry.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/surface.hpp"
 #include "geomesh/geomodel/write_options.hpp"
@@ -33,16 +34,18 @@ struct ClaimedNames {
 
 /// What the rules of the model may take away of one surface. Rows are of Claim::surfaces.
 struct TrimRules {
-  std::vector<Index> above, below;            ///< parts above (below) one of these surfaces, on the vertical
-  double near_others = 0;                     ///< parts that overshoot another surface by no more than this
-  double near_faults = 0;                     ///< of a fault that ends on others: the same, beyond faults alone
-  std::size_t n_given_triangles = 0;          ///< the others were made by rule
-  bool continuation = false;                  ///< any part of the triangles made by rule
-  bool given_beyond_faults = false;           ///< any part: a horizon with throw that runs beyond its fault
+  std::vector<Index> above, below;    ///< parts above (below) one of these surfaces, on the vertical
+  double near_others = 0;             ///< parts that overshoot another surface by no more than this
+  double near_faults = 0;             ///< of a fault that ends on others: the same, beyond faults alone
+  std::size_t n_given_triangles = 0;  ///< the others were made by rule
+  bool continuation = false;          ///< any part of the triangles made by rule
+  bool given_beyond_faults = false;   ///< any part: a horizon with throw that runs beyond its fault
+  /// Fields, each of which may be away outside of its domain: where the horizon's faults say so.
+  std::vector<FieldPart> fields;
   std::vector<std::array<Vec3, 3>> partings;  ///< of faults that were continued to part its blocks, and are gone again
   bool any() const {
     return !above.empty() || !below.empty() || near_others > 0 || near_faults > 0 || continuation ||
-           given_beyond_faults;
+           given_beyond_faults || !fields.empty();
   }
 };
 

@@ -28,7 +28,9 @@ class TrimReader {
     if (spec.kind != SurfaceKind::body) trim.near_others = project_.rules.trim_overshoot;
     const bool has_throw = spec.rules.has_throw();
     trim.continuation = !spec.rules.stop_at.empty() || has_throw;
-    trim.given_beyond_faults = has_throw;
+    trim.given_beyond_faults = has_throw && !spec.rules.has_fault_domain();
+    for (const std::string& name : spec.rules.holds_above) add(name, row, trim.below);
+    for (const std::string& name : spec.rules.holds_below) add(name, row, trim.above);
     add_order_of_horizons(row, trim);
     add_cut_units(row, trim);
     return trim;
@@ -145,6 +147,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
     ask_continuation(rules, of_build, *claim.volume);
   }
   inputs.add_throws(rules);
+  inputs.complete_field_parts(rules);
   std::vector<std::string> found, doubts;  // the run tells them
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
@@ -162,6 +165,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   const TrimReader reader(project);
   for (Index row = 0; row < claim.surfaces.size(); ++row) {
     claim.trims.push_back(reader.of(row));
+    if (rules.of(row).has_fault_domain()) claim.trims.back().fields = rules.of(row).field_parts;
     if (rules.of(row).continues && std::ranges::count(project.column, claim.surfaces[row].name) > 0)
       claim.names.continued.push_back(row);
     claim.trims.back().continuation |= !built.rows.part_of_triangle[row].empty();

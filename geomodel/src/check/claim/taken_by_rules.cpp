@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "check/exact/deviation.hpp"
 #include "check/exact/vertical_line.hpp"
@@ -11,6 +12,13 @@
 namespace geomesh::geomodel::checking {
 TakenByRules::TakenByRules(const Claim& claim, double room) : claim_(claim), room_(room) {
   for (const TriangulatedSurface& s : claim.surfaces) trees_.push_back(tree_over_triangles(s));
+  for (const TriangulatedSurface& s : claim.surfaces) {
+    Vec3& up = upward_.emplace_back();
+    for (const Triangle& t : s.triangles) {
+      const Vec3 n = cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
+      up = n.z < 0 ? up - n : up + n;
+    }
+  }
 }
 
 bool TakenByRules::is_outside(const Vec3& p) const {
@@ -96,6 +104,45 @@ bool TakenByRules::is_beyond_cutters(Index surface, const Vec3& p) const {
   return is_beyond_cutters(surface, p, Heights::of_one_block);
 }
 
+bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
+  const TriangulatedSurface& s = claim_.surfaces[fault];
+  double nearest = std::numeric_limits<double>::infinity(), height = 0;
+  const auto visit = [&](Index t) {
+    const Vec3 &a = s.points[s.triangles[t][0]], &b = s.points[s.triangles[t][1]], &c = s.points[s.triangles[t][2]];
+    const Vec3 d = p - nearest_on_triangle(p, {a, b, c});
+    if (dot(d, d) >= nearest) return;
+    nearest = dot(d, d);
+    const Vec3 n = cross(b - a, c - a);
+    height = dot(n, upward_[fault]) < 0 ? -dot(n, p - a) : dot(n, p - a);
+  };
+  // The reach grows until what it holds is nearer than what it may lack.
+  Box3 bounds;
+  for (const Vec3& q : s.points) bounds.add(q);
+  const Vec3 size = bounds.max - bounds.min, away = p - bounds.min;
+  const double widest = std::sqrt(dot(size, size)) + std::sqrt(dot(away, away));
+  for (double reach = std::max(room_, widest / 256);; reach *= 2) {
+    trees_[fault].query(inflated(box_of(p, p, p), reach), visit);
+    if (nearest <= reach * reach || reach > widest) return height > 0;
+  }
+}
+
+/// Whether p lies on a side of a fault where the field of its triangle does not hold, or near a fault.
+bool TakenByRules::is_outside_domain(Index surface, Index triangle, const Vec3& p) const {
+  const std::vector<FieldPart>& fields = claim_.trims[surface].fields;
+  const auto part = std::find_if(fields.begin(), fields.end(), [&](const FieldPart& f) { return triangle < f.end; });
+  if (part == fields.end()) return false;
+  if (is_near_another(surface, p, room_, true)) return true;
+  for (Index s = 0; s < claim_.surfaces.size(); ++s) {
+    if (claim_.surfaces[s].kind != SurfaceKind::fault || claim_.surfaces[s].triangles.empty()) continue;
+    std::optional<bool> side;
+    if (part->block) side = is_above_fault(s, *part->block);
+    for (const auto& [name, is_above] : part->sides)
+      if (name == claim_.surfaces[s].name) side = is_above;
+    if (side && is_above_fault(s, p) != *side) return true;
+  }
+  return false;
+}
+
 bool TakenByRules::may_be_away(Index surface, Index triangle, const Vec3& p) const {
   const bool has_throw = claim_.may_be_trimmed(surface) && claim_.trims[surface].given_beyond_faults;
   return has_throw || may_be_away_but_for_throw(surface, triangle, p);
@@ -106,7 +153,7 @@ bool TakenByRules::may_be_away_but_for_throw(Index surface, Index triangle, cons
   if (!claim_.may_be_trimmed(surface)) return false;
   const TrimRules& trim = claim_.trims[surface];
   if (trim.continuation && triangle >= trim.n_given_triangles) return true;
-  return is_beyond_cutters(surface, p, Heights::of_all_blocks) ||
+  return is_beyond_cutters(surface, p, Heights::of_all_blocks) || is_outside_domain(surface, triangle, p) ||
          (trim.near_others > 0 && is_near_another(surface, p, trim.near_others + room_, false)) ||
          (trim.near_faults > 0 && is_near_another(surface, p, trim.near_faults + room_, true));
 }

@@ -33,11 +33,15 @@ class TakenByRules {
   bool is_beyond_cutters(Index surface, const Vec3& p, Heights heights) const;
   bool is_beyond(Index other, const Vec3& p, bool above, Heights heights) const;
   bool is_fault_between(const Vec3& p, double z) const;
+  bool is_outside_domain(Index surface, Index triangle, const Vec3& p) const;
+  /// By the plane of the triangle that is nearest to p, its normal turned to the upper side of the whole fault.
+  bool is_above_fault(Index fault, const Vec3& p) const;
   bool is_near_another(Index surface, const Vec3& p, double distance, bool faults_alone) const;
 
   const Claim& claim_;
   double room_;
   std::vector<BoxTree> trees_;  ///< over the triangles of each surface
+  std::vector<Vec3> upward_;    ///< per surface: sum of its normals, each turned upwards
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -103,6 +103,12 @@ TetrahedralField read_vtu(const InputFile& file, const LevelSetSpec& spec) {
   return field;
 }
 
+bool is_netcdf_or_hdf5(const InputFile& file) {
+  const std::string_view text = file.text();
+  return text.starts_with("CDF\1") || text.starts_with("CDF\2") || text.starts_with("CDF\5") ||
+         text.starts_with("\x89HDF\r\n\x1a\n");
+}
+
 void check_lattice(const InputFile& file, const GridField::Lattice& lattice) {
   for (std::size_t a = 0; a < 3; ++a) {
     if (lattice.n[a] < 2) file.fail("its grid has fewer than two nodes along an axis");
@@ -131,9 +137,11 @@ FieldOfFile read_field_file(const LevelSetSpec& spec) {
     lattice = read_vti(file, spec);
   } else if (file.extension() == ".npy") {
     lattice = read_npy(spec);
+  } else if (is_netcdf_or_hdf5(file)) {
+    lattice = read_netcdf_lattice(spec);
   } else {
     file.fail(
-        "is no field that is read; a grid (.vti, .npy) or tetrahedra (.vtu) with a value at each point were "
+        "is no field that is read; a grid (.vti, .npy, netCDF) or tetrahedra (.vtu) with a value at each point were "
         "expected");
   }
   check_lattice(file, lattice);

@@ -21,9 +21,13 @@ struct TetrahedralField {
 using FieldOfFile = std::variant<GridField::Lattice, TetrahedralField>;
 
 /// Reads .vti (point or cell data; a value of a cell stands at its centre), .npy (three axes x, y, z, with the origin
-/// and spacing of the entry) and .vtu (tetrahedra with point data). Throws Error{invalid_input} with file and place:
-/// another format, no such array, a value that is not finite, another kind of cell.
+/// and spacing of the entry), netCDF and HDF5 (a variable over three axes) and .vtu (tetrahedra with point data).
+/// Throws Error{invalid_input} with file and place: another format, no such array, a value that is not finite, another
+/// kind of cell.
 FieldOfFile read_field_file(const LevelSetSpec& spec);
+
+/// A variable over three axes of a netCDF or HDF5 file. Throws Error{invalid_input}.
+GridField::Lattice read_netcdf_lattice(const LevelSetSpec& spec);
 
 /// A NumPy array of three axes as a lattice, x fastest. Throws Error{invalid_input}.
 GridField::Lattice read_npy(const LevelSetSpec& spec);

@@ -81,7 +81,7 @@ class Adapter {
     do {
       refine_by_samples();
     } while (field_.has_bounds() && refine_what_is_not_proven());
-    return result_;
+    return std::move(result_);
   }
 
  private:
@@ -104,7 +104,7 @@ class Adapter {
     if (is_one_sheet && is_near) return false;
     const double edge = BackgroundMesh::longest_edge(q.corners);
     if (edge > (is_near ? limits_.least_sheet_edge : limits_.least_edge)) return true;
-    if (!is_one_sheet && result_.n_unresolved++ == 0) result_.unresolved_place = q.corners[0];
+    if (!is_one_sheet) result_.unresolved.push_back(bounds(q.corners));
     return false;
   }
 

@@ -18,8 +18,7 @@ struct AdaptLimits {
 };
 
 struct AdaptResult {
-  std::size_t n_unresolved = 0;  ///< cells at the least edge in which an isosurface may have several sheets
-  Vec3 unresolved_place;         ///< one of them
+  std::vector<Box3> unresolved;  ///< bounds of cells at the least edge in which an isosurface may have several sheets
 };
 
 /// Bisects cells of the mesh where an isosurface of `values` (rising) may pass, until in each of them

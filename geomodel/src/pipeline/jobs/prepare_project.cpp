@@ -52,6 +52,9 @@ void scale_z(PreparedModel& model, std::vector<Polyline>& wells) {
   for (TriangulatedSurface& surface : model.surfaces) scale.apply(surface.points);
   for (Polyline& well : wells) scale.apply(well.points);
   for (NamedPoint& point : model.points) scale.apply(point.point);
+  for (SurfaceRules& rule : model.rules.surfaces)
+    for (FieldPart& part : rule.field_parts)
+      for (FieldPart::Doubt& doubt : part.doubts) scale.apply(doubt.places);
   for (TriangulatedSurface& side : model.volume.sides) scale.apply(side.points);
   for (Box3* box : {&model.volume.bounds, model.volume.box ? &*model.volume.box : nullptr,
                     model.rules.box ? &*model.rules.box : nullptr}) {
@@ -201,6 +204,7 @@ void prepare_project(const Project& project, PreparedModel& model, const RunCont
   tell_sizes(model, context);
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);
+  inputs.complete_field_parts(model.rules);
   find_ramps(model.surfaces, model.rules, found);
   leave_out_unreached_faults(model.surfaces, model.rules, doubts);
   for (std::string& text : found) note(model.notes, context, std::move(text));

@@ -8,12 +8,24 @@
 #include "geomesh/core/error.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
+#include "rules/blocks/field_blocks.hpp"
 #include "rules/blocks/throw_blocks.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 using Origin = PolygonSoup::Origin;
+
+/// Per piece, the area of the triangles that `counts` accepts.
+std::vector<double> area_of(const WorkingSoup& soup, const std::vector<Piece>& pieces,
+                            const std::function<bool(const Origin&)>& counts) {
+  std::vector<double> area(pieces.size(), 0);
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+    for (const Index f : pieces[k].facets)
+      for (const Origin& o : soup.origins[f])
+        if (counts(o)) area[k] += soup.area(f);
+  return area;
+}
 
 /// One horizon with throw.
 class HorizonParting {
@@ -64,9 +76,14 @@ class HorizonParting {
     };
     const std::vector<Piece> pieces = pieces_of(p_.soup, is_mine, faults_, nullptr);
     if (pieces.empty()) return;
-    const std::vector<double> given = given_area(pieces, is_own);
-    const std::vector<bool> is_kept = kept_of(pieces, given, block, is_own);
-    if (pieces.size() == 1 && one_of_several && is_kept[0]) {
+    const std::vector<double> given =
+        area_of(p_.soup, pieces, [&](const Origin& o) { return is_own(o) && is_given(o); });
+    const bool is_of_fields = p_.rules.of(horizon_).has_fault_domain();
+    const std::vector<bool> is_kept =
+        is_of_fields ? pieces_in_domain(p_, {horizon_, block}, pieces,
+                                        [&](const Piece& piece) { return lies_on_own_side(piece, block, is_own); })
+                     : kept_of(pieces, given, block, is_own);
+    if (pieces.size() == 1 && one_of_several && is_kept[0] && !is_of_fields) {
       keep(pieces[0]);
       return drop_continuation(pieces[0], is_own);
     }
@@ -119,7 +136,9 @@ class HorizonParting {
         if (!counts(o)) continue;
         area += p_.soup.area(f);
         for (std::size_t k = 0; k < balance.size(); ++k)
-          balance[k] += (fault_sides_[k].is_above(p_.soup.centre(f)) == sides[k] ? 1 : -1) * p_.soup.area(f);
+          balance[k] += p_.built.is_on_both_sides(horizon_, block, k)
+                            ? p_.soup.area(f)
+                            : (fault_sides_[k].is_above(p_.soup.centre(f)) == sides[k] ? 1 : -1) * p_.soup.area(f);
       }
     return area > 0 && std::all_of(balance.begin(), balance.end(), [](double b) { return b > 0; });
   }
@@ -135,16 +154,6 @@ class HorizonParting {
       p_.notes.push_back("horizon " + name() + ": lay on its faults, which have it now, over an area of " +
                          to_text(area));
     p_.removed[horizon_] += area;
-  }
-
-  std::vector<double> given_area(const std::vector<Piece>& pieces,
-                                 const std::function<bool(const Origin&)>& is_own) const {
-    std::vector<double> given(pieces.size(), 0);
-    for (std::size_t k = 0; k < pieces.size(); ++k)
-      for (const Index f : pieces[k].facets)
-        for (const Origin& o : p_.soup.origins[f])
-          if (is_own(o) && is_given(o)) given[k] += p_.soup.area(f);
-    return given;
   }
 
   /// Where no fault parts a block's continuation from it, it would run through the other blocks.

@@ -8,10 +8,16 @@
 namespace geomesh::geomodel {
 namespace {
 
+bool holds(const std::vector<std::string>& names, const TriangulatedSurface& surface) {
+  return std::find(names.begin(), names.end(), surface.name) != names.end();
+}
+
 Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
                  const std::vector<TriangulatedSurface>& surfaces) {
   if (surfaces[younger].name == rules.topography) return Keeper::younger;
   if (surfaces[older].name == rules.floor) return Keeper::older;
+  if (holds(rules.of(younger).holds_above, surfaces[older])) return Keeper::older;
+  if (holds(rules.of(older).holds_below, surfaces[younger])) return Keeper::younger;
   if (rules.of(younger).base == BaseRule::erode) return Keeper::younger;
   if (rules.of(older).base == BaseRule::onlap) return Keeper::older;
   const bool younger_moves = rules.on_crossing == OnCrossing::clip_younger ||

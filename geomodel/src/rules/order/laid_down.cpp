@@ -31,6 +31,7 @@ LaidDown::Horizon LaidDown::horizon_of(const TriangulatedSurface& surface, const
   if (has_blocks) {
     for (const Index fault : built.parted_at[row]) horizon.faults.emplace_back(surfaces[fault]);
     horizon.sides = built.sides_of_block[row];
+    if (row < built.on_both_sides.size()) horizon.on_both_sides = built.on_both_sides[row];
   }
   horizon.blocks.resize(has_blocks ? horizon.sides.size() : 1);
   for (std::size_t b = 0; b < horizon.blocks.size(); ++b) {
@@ -49,10 +50,14 @@ double LaidDown::height(const Horizon& horizon, const Vec3& p) {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   std::vector<bool> sides;
   for (const FaultSides& fault : horizon.faults) sides.push_back(fault.is_above(p));
+  const auto is_of_block = [&](std::size_t block) {
+    for (std::size_t k = 0; k < sides.size(); ++k)
+      if (sides[k] != horizon.sides[block][k] && (horizon.on_both_sides.empty() || !horizon.on_both_sides[block][k]))
+        return false;
+    return true;
+  };
   std::size_t block = 0;
-  if (!horizon.faults.empty())
-    block =
-        static_cast<std::size_t>(std::find(horizon.sides.begin(), horizon.sides.end(), sides) - horizon.sides.begin());
+  while (!horizon.faults.empty() && block < horizon.sides.size() && !is_of_block(block)) ++block;
   if (block >= horizon.blocks.size() || !horizon.blocks[block].locator) return nowhere;
   const MapLocator& locator = *horizon.blocks[block].locator;
   double least = std::numeric_limits<double>::infinity(), most = -least;

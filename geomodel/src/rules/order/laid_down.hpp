@@ -34,8 +34,9 @@ class LaidDown {
   };
   struct Horizon {
     std::vector<FaultSides> faults{};
-    std::vector<std::vector<bool>> sides{};  ///< per block
-    std::vector<Sheet> blocks{};             ///< one where there are none
+    std::vector<std::vector<bool>> sides{};          ///< per block
+    std::vector<std::vector<bool>> on_both_sides{};  ///< per block, or empty: faults on both sides of which it lies
+    std::vector<Sheet> blocks{};                     ///< one where there are none
   };
   static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
                             const std::vector<TriangulatedSurface>& surfaces);
