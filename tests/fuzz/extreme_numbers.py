@@ -130,6 +130,10 @@ BASES = {
               "mesh": {"size": {"global": 300, "layers": {"b": 2}, "surfaces": {"top": 200},
                                 "curves": {"intersections": {"size": 100, "radius": 50}}}, "quality": "fast"}},
     "background": {"box": BOX, "surfaces": [TOP, BASE], "column": COLUMN, "mesh": {"size": {"background": "sizes.txt"}, "quality": "fast"}},
+    "domains": {"box": BOX, "surfaces": [
+                    {"name": "top", "kind": "horizon", "field": "field.npy", "origin": [0, 0, -1000], "spacing": 100, "value": -300, "domain": {"block": [100, 500, -500]}},
+                    {"name": "top", "kind": "horizon", "field": "field.npy", "origin": [0, 0, -1000], "spacing": 100, "value": -400, "domain": {"block": [900, 500, -500]}},
+                    FAULT], "column": ["a", "top", "b"], "mesh": {"size": 300, "quality": "fast"}},
 }
 
 
