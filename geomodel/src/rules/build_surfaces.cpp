@@ -72,7 +72,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
-  built.rows.sides_of_block.resize(surfaces.size());
+  built.rows.throw_blocks.resize(surfaces.size());
   built.rows.parted_at.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());

@@ -126,36 +126,6 @@ struct Trimming {
   }
 };
 
-/// Pieces beyond the target that the continuation alone made go.
-void stop_at(Trimming& work, Index s, Index target) {
-  double area = 0;
-  std::size_t n = 0;
-  for (const Piece& piece : pieces_of(work.working, s, {target}, nullptr)) {
-    const bool given = std::any_of(piece.facets.begin(), piece.facets.end(),
-                                   [&](Index f) { return work.is_given(*work.working.origin_of(f, s)); });
-    if (given) continue;
-    area += work.remove(piece, s);
-    ++n;
-  }
-  if (n > 0)
-    work.notes.push_back("surface " + work.surfaces[s].name + " ends at " + work.surfaces[target].name + ": " +
-                         std::to_string(n) + " continued pieces beyond it removed (area " + to_text(area) + ")");
-}
-
-/// stop_at, targets first: what ends on a surface that ends itself does not go on beyond what is left of that one.
-void stop_continuations(Trimming& work) {
-  std::vector<bool> done(work.n_given(), false);
-  const std::function<void(Index)> stop = [&](Index s) {
-    if (s >= work.n_given() || done[s]) return;
-    done[s] = true;
-    const std::string target = work.rules.of(s).stop_at;
-    if (target.empty()) return;
-    stop(work.row_of(target));
-    stop_at(work, s, work.row_of(target));
-  };
-  for (Index s = 0; s < work.n_given(); ++s) stop(s);
-}
-
 /// cut_units: pieces of a fault above the units that it cuts, or below them, go.
 void cut_units_alone(Trimming& work, Index s) {
   const std::vector<std::string> units = work.rules.of(s).cut_units;
@@ -283,8 +253,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
     if (is_end(s)) part_blocks(parting, s);  // what ends at it ends at what is left of its blocks
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
-  stop_continuations(work);
-  end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
+  end_faults(work.working, surfaces, built, rules, {work.removed, work.notes});
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at what is left of the faults
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);

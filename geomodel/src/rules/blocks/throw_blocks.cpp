@@ -2,245 +2,269 @@
 #include "rules/blocks/throw_blocks.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
 
+#include "common/by_rounding.hpp"
 #include "common/union_find.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sheets.hpp"
-#include "naming/sums.hpp"
-#include "rules/planar/map_locator.hpp"
-#include "rules/throw/fault_crossings.hpp"
+#include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
-constexpr double much_alone = 0.02;      // of the horizon's area in the box
+/// What a triangle meets.
+enum class Meets : std::uint8_t { nothing, fault, continuation };
 
-bool is_in(const Box3& box, const Vec3& p) {
-  return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
-         p.z <= box.max.z;
-}
-
-/// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
-/// that `counts` accepts are sorted; the others are of no block.
-template <class F>
-SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
-                              const std::vector<ThrowFault>& faults, F&& counts) {
-  std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
-  std::vector<FaultSides> sides;
-  for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
-  const AreaSamples samples(horizon);
-  for (Index t = 0; t < sheet.size(); ++t) {
-    if (!counts(t)) continue;
-    auto& sums = balance.try_emplace(sheet[t], faults.size(), 0.0).first->second;
-    samples.for_each(t, [&](const Vec3& place, double area) {
-      for (std::size_t f = 0; f < sides.size(); ++f) sums[f] += sides[f].is_above(place) ? area : -area;
-    });
-  }
-  std::map<std::vector<bool>, Index> block_of_sides;
-  SortedBlocks blocks{std::vector<Index>(sheet.size(), BuiltRows::of_no_block)};
-  for (Index t = 0; t < sheet.size(); ++t) {
-    if (!counts(t)) continue;
-    std::vector<bool> key;
-    for (const double sum : balance.at(sheet[t])) key.push_back(sum > 0);
-    const auto [at, is_new] = block_of_sides.emplace(key, static_cast<Index>(block_of_sides.size()));
-    blocks.of_triangle[t] = at->second;
-    if (is_new) blocks.sides.push_back(std::move(key));
-  }
-  return blocks;
-}
-
-/// The horizon's sheets as the faults that end inside part them.
-class Ends {
+/// The parts of a horizon's sheets: triangles that hang together and meet alike what ends blocks. Free ones meet
+/// nothing, and lie in one block each; the others are places at faults.
+class SheetParts {
  public:
-  Ends(const TriangulatedSurface& horizon, const BlockFaults& parting)
-      : horizon_(horizon),
-        neighbours_(neighbours_in(horizon)),
-        crossing_(find_crossings(horizon, 0, parting.faults, everywhere)),
-        in_box_(find_crossings(horizon, 0, parting.faults, parting.box)) {
-    const std::size_t n = horizon.triangles.size();
-    whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
-    part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
-    find_kept();
-    attach_overshoot();
+  SheetParts(const TriangulatedSurface& horizon, const std::vector<Index>& sheet, const SortingSetting& setting)
+      : horizon_(horizon), setting_(setting), n_(static_cast<Index>(horizon.triangles.size())) {
+    find_what_they_meet(sheet);
+    Index last = no_index;
+    for (Index t = 0; t < n_; ++t)
+      own_block_.push_back(is_free(t) ? setting_.framework.block_of(corners(t), last) : no_index);
+    const auto pairs = neighbours_in(horizon);
+    sheet_ = sheet.empty() ? sheets_of(n_, pairs, [](Index, Index) { return true; }) : sheet;
+    for (const auto& [a, b] : pairs)
+      if (sheet_[a] == sheet_[b] || sheet_[a] == BuiltRows::of_every_block || sheet_[b] == BuiltRows::of_every_block)
+        neighbours_.emplace_back(a, b);
+    part_ = sheets_of(n_, neighbours_, [&](Index a, Index b) {
+      return sheet_[a] == sheet_[b] && meets_[a] == meets_[b] && own_block_[a] == own_block_[b];
+    });
+    measure();
   }
-  const std::vector<Index>& parts() const { return part_; }
-  /// In a part that counts: the largest of its sheet, those that go round a fault's end, and what crosses a fault on
-  /// the border of one of these.
-  bool is_kept(Index t) const { return counts_[t] != 0; }
-  /// Crosses a fault and goes round no end.
-  bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
-  /// Beyond the box nothing goes round an end: blocks are continued there.
-  bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
+
+  Index n() const { return n_; }
+  bool is_free(Index t) const { return meets_[t] == Meets::nothing; }
+  bool meets_fault(Index t) const { return meets_[t] == Meets::fault; }
+  /// Whether a triangle crosses a fault as given, or touches it.
+  bool crosses(Index t, std::size_t fault) const { return crossed_[fault][t] == Crossing::fault; }
+  bool touches_fault(Index t) const {
+    return std::ranges::any_of(crossed_, [t](const auto& crossed) { return crossed[t] == Crossing::fault; });
+  }
+  Index part(Index t) const { return part_[t]; }    ///< the first of its triangles
+  Index sheet(Index t) const { return sheet_[t]; }  ///< BuiltRows::of_every_block: of several
+  /// The block in which a free triangle lies; no_index for others and outside of the model.
+  Index block(Index t) const { return own_block_[t]; }
+  /// Pairs of triangles of one sheet, each way.
+  template <class F>
+  void for_each_neighbour(F&& visit) const {
+    for (const auto& [a, b] : neighbours_) visit(a, b), visit(b, a);
+  }
+  /// By part its area in each block.
+  const std::map<Index, std::map<Index, double>>& areas() const { return areas_; }
 
  private:
-  bool is_free(Index t) const { return crossing_[t] == Crossing::none; }
-  void find_kept() {
-    std::map<Index, double> area;
-    for (Index t = 0; t < part_.size(); ++t)
-      if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // part of each sheet
-    for (const auto& [part, size] : area) {
-      kept_[part] = false;
-      const auto [at, is_new] = largest.emplace(whole_[part], part);
-      if (!is_new && size > area.at(at->second)) at->second = part;
+  void find_what_they_meet(const std::vector<Index>& sheet) {
+    meets_.assign(n_, Meets::nothing);
+    for (const ThrowFault& fault : setting_.faults) {
+      crossed_.push_back(find_crossings(horizon_, 0, {fault}, everywhere));
+      const std::vector<Crossing> in_box = find_crossings(horizon_, 0, {fault}, setting_.box);
+      for (Index t = 0; t < n_; ++t) {
+        if (crossed_.back()[t] != Crossing::none) meets_[t] = std::max(meets_[t], Meets::fault);
+        if (in_box[t] == Crossing::continuation) meets_[t] = Meets::continuation;
+      }
     }
-    for (const auto& [sheet, part] : largest) kept_[part] = true;
-    for (const auto& [a, b] : neighbours_) {
-      if (is_free(a) && goes_round(b)) kept_[part_[a]] = true;
-      if (is_free(b) && goes_round(a)) kept_[part_[b]] = true;
-    }
+    for (Index t = 0; t < n_; ++t)
+      if (meets_[t] != Meets::nothing && lies_in_one_block(t)) meets_[t] = Meets::nothing;
+    for (Index t = 0; t < sheet.size(); ++t)
+      if (sheet[t] == BuiltRows::of_every_block) meets_[t] = Meets::continuation;
   }
 
-  /// What crosses faults and goes round no end hangs together in places. A place beside one part that counts is its
-  /// overshoot, and is ended at the fault later. A place beside none is a part of its own, as where a sheet is as
-  /// narrow as its triangles. A place between two such parts is a ramp, and is made anew.
-  void attach_overshoot() {
-    const std::size_t n = part_.size();
-    const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
-    UnionFind joined(n);
-    for (const auto& [a, b] : neighbours_)
-      if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
-    std::map<Index, std::set<Index>> beside;  // by place the parts that count
-    for (const auto& [a, b] : neighbours_)
-      for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
-        if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);
-    counts_.resize(n);
-    for (Index t = 0; t < n; ++t) {
-      if (!is_of_a_place(t)) {
-        counts_[t] = is_free(t) && kept_.at(part_[t]);
-        continue;
-      }
-      const Index place = joined.find(t);
-      const auto parts = beside.find(place);
-      counts_[t] = parts == beside.end() || parts->second.size() == 1;
-      if (counts_[t]) part_[t] = parts == beside.end() ? place : *parts->second.begin();
+  /// A triangle in the model that only touches a fault, or crosses what of it goes on beyond the surface on which it
+  /// ends.
+  bool lies_in_one_block(Index t) const {
+    const std::map<Index, double> areas = areas_of(t);
+    return areas.size() == 1 && areas.begin()->second >= (1 - by_rounding) * area_of(horizon_, t);
+  }
+  std::map<Index, double> areas_of(Index t) const {
+    std::map<Index, double> areas = setting_.framework.areas(corners(t));
+    std::erase_if(areas, [least = by_rounding * area_of(horizon_, t)](const auto& e) { return e.second <= least; });
+    return areas;
+  }
+  std::array<Vec3, 3> corners(Index t) const {
+    const Triangle& v = horizon_.triangles[t];
+    return {horizon_.points[v[0]], horizon_.points[v[1]], horizon_.points[v[2]]};
+  }
+
+  void measure() {
+    for (Index t = 0; t < n_; ++t) {
+      std::map<Index, double>& area = areas_[part_[t]];
+      if (own_block_[t] != no_index) area[own_block_[t]] += area_of(horizon_, t);
+      if (is_free(t)) continue;
+      for (const auto& [block, size] : areas_of(t)) area[block] += size;
     }
   }
 
   const TriangulatedSurface& horizon_;
+  SortingSetting setting_;
+  Index n_;
+  std::vector<Index> sheet_, part_;  ///< per triangle, like own_block_ and meets_
+  std::vector<Index> own_block_;
+  std::vector<Meets> meets_;
   std::vector<std::pair<Index, Index>> neighbours_;
-  std::vector<std::uint8_t> counts_;  ///< per triangle
-  std::vector<Crossing> crossing_, in_box_;
-  std::vector<Index> whole_, part_;
-  std::map<Index, bool> kept_;
+  std::vector<std::vector<Crossing>> crossed_;      ///< per fault and triangle
+  std::map<Index, std::map<Index, double>> areas_;  ///< by part and block
 };
 
-/// The greatest difference in height along an edge across a fault or its continuation.
-double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
-                    const Box3& box) {
-  TriangulatedSurface edge{};
-  edge.triangles = {{0, 1, 2}};
-  double greatest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &p = horizon.points[t[i]], &q = horizon.points[t[(i + 1) % 3]];
-    edge.points = {p, q, p};
-    if (find_crossings(edge, 0, faults, box).front() != Crossing::none)
-      greatest = std::max(greatest, std::abs(p.z - q.z));
+/// What is larger than others at one place.
+template <class At>
+class Largest {
+ public:
+  void add(const At& at, Index part, double area) {
+    const auto [found, is_new] = largest_.emplace(at, std::pair(part, area));
+    if (area > found->second.second) found->second = {part, area};
   }
-  return greatest;
-}
+  bool has(const At& at) const { return largest_.contains(at); }
+  Index part(const At& at) const { return largest_.at(at).first; }
+  const std::map<At, std::pair<Index, double>>& all() const { return largest_; }
 
-/// Says how much throw is left where the faults end.
-void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, double at_end, double greatest,
-                const BuildLog& log) {
-  const std::string what = "horizon " + horizon.name + ": its blocks are joined beyond the end of its faults by " +
-                           std::to_string(n_joining) + " triangles (throw left there: at most " + to_text(at_end) +
-                           " m)";
-  if (at_end > most_throw_left * greatest) {
-    log.warnings.push_back(what + "; the throw does not die out towards the end (it is at most " + to_text(greatest) +
-                           " m elsewhere): should the fault reach further (extent: to_box)?");
-  } else {
-    log.notes.push_back(what);
-  }
-}
+ private:
+  std::map<At, std::pair<Index, double>> largest_;
+};
 
-/// Appends those triangles of the joint's continuation by which it runs round the faults' ends.
-void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
-                     const BlockFaults& parting, const BuildLog& log) {
-  std::vector<std::string> notes, warnings;
-  const std::size_t n_kept = joint.triangles.size();
-  fill_holes(joint, infinite, {notes, warnings});
-  extend_to_box(joint, parting.how, parting.box, {notes, warnings}, {0, false});
-  if (!warnings.empty())
-    log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
-  const std::vector<Crossing> crossing = find_crossings(joint, n_kept, parting.faults, parting.box);
-  const std::size_t first = horizon.triangles.size();
-  horizon.points = joint.points;
-  double at_end = 0, greatest = 0;
-  for (std::size_t k = 0; k < crossing.size(); ++k) {
-    if (crossing[k] == Crossing::none) continue;
-    const Triangle& t = joint.triangles[n_kept + k];
-    const double across = throw_across(joint, t, parting.faults, parting.box);
-    greatest = std::max(greatest, across);
-    if (crossing[k] != Crossing::continuation) continue;
-    at_end = std::max(at_end, across);
-    horizon.triangles.push_back(t);
-    block.push_back(BuiltRows::of_every_block);
+/// The parts on their way to their blocks.
+class Sorting {
+ public:
+  explicit Sorting(const SheetParts& parts) : parts_(parts) {
+    std::map<Index, std::map<Index, double>> of_sheet;  // by block
+    for (const auto& [part, areas] : parts.areas())
+      for (const auto& [block, size] : areas) {
+        if (parts.sheet(part) != BuiltRows::of_every_block) of_sheet[block][parts.sheet(part)] += size;
+        if (parts.is_free(part)) largest_in_block_.add({block, parts.sheet(part)}, part, size);
+      }
+    for (const auto& [block, sheets] : of_sheet)
+      sheet_of_block_[block] =
+          std::ranges::max_element(sheets, {}, [](const auto& entry) { return entry.second; })->first;
+    find_those_that_count();
   }
-  if (horizon.triangles.size() > first) tell_throw(horizon, horizon.triangles.size() - first, at_end, greatest, log);
-}
+
+  SortedTriangles sorted(std::size_t n_faults) {
+    SortedTriangles sorted{std::vector<Index>(parts_.n(), BuiltRows::of_every_block),
+                           std::vector<bool>(parts_.n(), false), std::vector<bool>(n_faults, false)};
+    const std::map<Index, std::set<Index>> blocks = blocks_of_places();
+    for (Index t = 0; t < parts_.n(); ++t) {
+      const Index part = parts_.part(t);
+      if (parts_.is_free(t)) {
+        if (parts_.block(t) != no_index) sorted.overshoots[t] = !counts_.contains(part);
+        if (counts_.contains(part)) sorted.block[t] = parts_.block(t);
+        continue;
+      }
+      const std::set<Index>& at = blocks.at(part);
+      if (at.size() == 1) sorted.block[t] = *at.begin();
+      if (at.empty()) sorted.overshoots[t] = true;
+      for (std::size_t f = 0; f < n_faults; ++f)
+        if (at.size() > 1 && parts_.crosses(t, f)) sorted.runs_across[f] = true;
+    }
+    leave_out_beside(sorted.overshoots);
+    for_each_pair_at_fault([&](Index t, Index other) {
+      for (std::size_t f = 0; f < n_faults; ++f)
+        if (counts_.contains(parts_.part(t)) && counts_.contains(parts_.part(other)) && parts_.crosses(t, f) &&
+            parts_.crosses(other, f))
+          sorted.runs_across[f] = true;
+    });
+    return sorted;
+  }
+
+ private:
+  /// What lies outside of the model and hangs together with overshoot alone overshoots, too.
+  void leave_out_beside(std::vector<bool>& overshoots) const {
+    std::map<Index, bool> all;  // by part outside
+    const auto is_outside = [&](Index t) { return parts_.is_free(t) && parts_.block(t) == no_index; };
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (!is_outside(t) || !parts_.is_free(other) || is_outside(other)) return;
+      bool& alone = all.emplace(parts_.part(t), true).first->second;
+      alone = alone && overshoots[other];
+    });
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (const auto at = all.find(parts_.part(t)); at != all.end() && at->second) overshoots[t] = true;
+  }
+
+  /// Free triangles with an edge on a fault between them.
+  template <class F>
+  void for_each_pair_at_fault(F&& visit) const {
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (parts_.block(t) != no_index && parts_.block(other) != no_index && parts_.block(t) != parts_.block(other))
+        visit(t, other);
+    });
+  }
+
+  void find_those_that_count() {
+    UnionFind linked(parts_.n());   // across faults
+    std::map<Index, Index> beside;  // by place a free part
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (!parts_.meets_fault(t) || parts_.block(other) == no_index) return;
+      const auto [at, is_new] = beside.emplace(parts_.part(t), parts_.part(other));
+      if (!is_new) linked.unite(at->second, parts_.part(other));
+    });
+    for_each_pair_at_fault([&](Index t, Index other) {
+      if (parts_.touches_fault(t) && parts_.touches_fault(other)) linked.unite(parts_.part(t), parts_.part(other));
+    });
+    Largest<Index> largest;
+    for (const auto& [part, areas] : parts_.areas())
+      if (parts_.block(part) != no_index) largest.add(linked.find(part), part, areas.at(parts_.block(part)));
+    for (const auto& [_, part] : largest.all()) counts_.insert(part.first);
+    for (const auto& [block, sheet] : sheet_of_block_)
+      if (largest_in_block_.has({block, sheet})) counts_.insert(largest_in_block_.part({block, sheet}));
+  }
+
+  /// By place at faults: the blocks of the parts that count beside it, and those in which all of its sheet meets faults
+  /// and is more than any other sheet. One beside no part is of the block in which most of it lies.
+  std::map<Index, std::set<Index>> blocks_of_places() {
+    std::map<Index, std::set<Index>> blocks;
+    std::set<Index> is_beside;  // a free part, whether it counts or not
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (!parts_.is_free(t)) blocks[parts_.part(t)];
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (parts_.is_free(t) || !parts_.is_free(other)) return;
+      is_beside.insert(parts_.part(t));
+      if (counts_.contains(parts_.part(other))) blocks[parts_.part(t)].insert(parts_.block(other));
+    });
+    for (auto& [place, at] : blocks) {
+      const std::map<Index, double>& areas = parts_.areas().at(place);
+      const Index sheet = parts_.sheet(place);
+      for (const auto& [block, _] : areas)
+        if (sheet_of_block_.contains(block) && sheet_of_block_.at(block) == sheet &&
+            !largest_in_block_.has({block, sheet}))
+          at.insert(block);
+      if (!is_beside.contains(place) && !areas.empty())
+        at.insert(std::ranges::max_element(areas, {}, [](const auto& entry) { return entry.second; })->first);
+    }
+    return blocks;
+  }
+
+  const SheetParts& parts_;
+  std::map<Index, Index> sheet_of_block_;              ///< that of which most lies in the block
+  Largest<std::pair<Index, Index>> largest_in_block_;  ///< of free parts, by block and sheet
+  std::set<Index> counts_;                             ///< free parts
+};
 
 }  // namespace
 
-bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
-                      const std::vector<std::vector<bool>>& sides, const BlockFaults& parting) {
-  std::vector<FaultSides> fault_sides;
-  for (const ThrowFault& fault : parting.faults) fault_sides.emplace_back(*fault.surface);
-  const bool one_ends_inside = std::any_of(parting.faults.begin(), parting.faults.end(),
-                                           [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
-  if (!one_ends_inside) return false;
-  const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, everywhere);
-  const AreaSamples samples(horizon);
-  double all = 0, alone = 0;
-  for (Index t = 0; t < block.size(); ++t) {
-    const bool is_sorted = block[t] != BuiltRows::of_every_block && crossing[t] == Crossing::none;
-    samples.for_each(t, [&](const Vec3& place, double area) {
-      if (!is_in(parting.box, place)) return;
-      all += area;
-      if (is_sorted) return;
-      std::vector<bool> key;
-      for (const FaultSides& side : fault_sides) key.push_back(side.is_above(place));
-      if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area;
-    });
-  }
-  return alone > much_alone * all;
+std::shared_ptr<const HorizonBlocks> blocks_between(const BuiltSurfaces& built, const ModelRules& rules,
+                                                    const std::vector<Index>& faults) {
+  BuiltSurfaces alone = built;
+  for (Index s = 0; s < alone.surfaces.size(); ++s)
+    if (!std::ranges::binary_search(faults, s)) {
+      alone.surfaces[s].triangles.clear();
+      alone.rows.part_of_triangle[s].clear();
+    }
+  alone.rows.truncations.clear();
+  alone.rows.overshooting.clear();
+  return std::make_shared<HorizonBlocks>(HorizonBlocks{BlockFramework(alone, rules),
+                                                       Walls(alone.surfaces, faults, {}),
+                                                       Walls(alone.surfaces, faults, rules.continuation.sides),
+                                                       {}});
 }
 
-SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
-                              const KnownSheets& known) {
-  const std::vector<ThrowFault>& faults = parting.faults;
-  const bool one_ends_inside =
-      std::any_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
-  TriangulatedSurface joint = horizon;
-  SortedBlocks sorted;
-  std::vector<Index>& block = sorted.of_triangle;
-  if (!known.sheet.empty()) {
-    const auto is_round = [&](Index t) { return known.sheet[t] == BuiltRows::of_every_block; };
-    sorted = blocks_of_sheets(horizon, known.sheet, faults, [&](Index t) { return !is_round(t); });
-    for (Index t = 0; t < block.size(); ++t)
-      if (is_round(t)) block[t] = BuiltRows::of_every_block;
-    joint.triangles = known.before;
-  } else if (!one_ends_inside) {
-    const auto all = [](Index, Index) { return true; };
-    const std::vector<Index> joined = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
-    return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
-  } else {
-    const Ends ends(horizon, parting);
-    sorted = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
-    joint.triangles.clear();
-    for (Index t = 0; t < block.size(); ++t) {
-      if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
-      if (block[t] != BuiltRows::of_no_block && !ends.is_overshoot(t)) joint.triangles.push_back(horizon.triangles[t]);
-    }
-  }
-  if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
-  return sorted;
+SortedTriangles sort_into_blocks(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
+                                 const SortingSetting& setting) {
+  const SheetParts parts(horizon, sheet, setting);
+  return Sorting(parts).sorted(setting.faults.size());
 }
 
 }  // namespace geomesh::geomodel

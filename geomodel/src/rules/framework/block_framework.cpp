@@ -42,7 +42,7 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   WorkingSoup working(walls.soup);
   std::vector<double> area(walls.surfaces.size(), 0);
   std::vector<std::string> notes;  // told where the model's own soup is cut
-  end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
+  end_faults(working, walls.surfaces, built.rows, rules, {area, notes});
   const PolygonSoup soup = working.result();
   const ModelPlc plc = make_plc(soup, walls.surfaces, {});
   ConstrainedTetrahedralization mesh = tetrahedralize(plc.plc);
@@ -68,8 +68,17 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   }
   block_ = std::move(mesh.component);
   bounds_.resize(n_blocks());
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-    for (const VertexIndex v : mesh.tetrahedra[t]) bounds_[block_[t]].add(mesh.points[v]);
+  place_.resize(n_blocks());
+  std::vector<double> largest(n_blocks(), 0);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    for (const VertexIndex w : v) bounds_[block_[t]].add(mesh.points[w]);
+    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
+    const double volume = std::abs(dot(b - a, cross(c - a, d - a)));
+    if (!(volume > largest[block_[t]])) continue;
+    largest[block_[t]] = volume;
+    place_[block_[t]] = 0.25 * ((a + b) + (c + d));
+  }
   search_ = std::make_unique<TetrahedronSearch>(std::move(mesh.points), std::move(mesh.tetrahedra));
 }
 
@@ -90,17 +99,42 @@ Index BlockFramework::block_at(const Vec3& p, Index& last) const {
   return block_[found];
 }
 
-bool BlockFramework::overlaps(Index block, const std::array<Vec3, 3>& triangle) const {
+Index BlockFramework::block_of(const std::array<Vec3, 3>& triangle, Index& last) const {
+  const auto& [a, b, c] = triangle;
+  const Vec3 centre = (1.0 / 3) * (a + b + c);
+  for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
+    if (const Index block = block_at(p, last); block != no_index) return block;
+  return no_index;
+}
+
+template <class F>
+void BlockFramework::for_each_piece(const std::array<Vec3, 3>& triangle, F&& visit) const {
   Box3 box;
   for (const Vec3& p : triangle) box.add(p);
-  bool found = false;
   search_->boxes().boxes_meeting(box, [&](Index t) {
-    if (found || block_[t] != block) return;
     std::vector<Vec3> polygon(triangle.begin(), triangle.end());
     for (std::size_t k = 0; k < 4; ++k) polygon = cut_at_face(polygon, search_->corners(t), k);
-    found = has_area(polygon);
+    visit(block_[t], polygon);
+  });
+}
+
+bool BlockFramework::overlaps(Index block, const std::array<Vec3, 3>& triangle) const {
+  bool found = false;
+  for_each_piece(triangle, [&](Index at, const std::vector<Vec3>& polygon) {
+    found = found || (at == block && has_area(polygon));
   });
   return found;
+}
+
+std::map<Index, double> BlockFramework::areas(const std::array<Vec3, 3>& triangle) const {
+  std::map<Index, double> area;
+  for_each_piece(triangle, [&](Index block, const std::vector<Vec3>& polygon) {
+    Vec3 sum{0, 0, 0};
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      sum = sum + cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    if (norm(sum) > 0) area[block] += norm(sum) / 2;
+  });
+  return area;
 }
 
 }  // namespace geomesh::geomodel
