@@ -125,6 +125,8 @@ struct BuiltRows {
   std::vector<std::vector<Index>> block_of_triangle;
   /// Per surface: the blocks of these faults alone, as if each went on through the model; null for others.
   std::vector<std::shared_ptr<const HorizonBlocks>> throw_blocks;
+  /// The blocks of all faults; null while no horizon needs them.
+  std::shared_ptr<const HorizonBlocks> blocks_of_faults;
   /// Per surface: rows of the faults that part it into these blocks, ascending.
   std::vector<std::vector<Index>> parted_at;
   /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
@@ -203,8 +205,8 @@ std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& 
                                         const ModelRules& rules);
 
 /// Beyond the end of a fault that ends inside, what continues it to part blocks is removed again, and the blocks of a
-/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon the triangles
-/// by which such faults were continued. trim_soup gives those of their parts to the horizon that lie between its
+/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon that has blocks or
+/// parts the triangles by which such faults were continued. trim_soup gives those of their parts to the horizon that lie between its
 /// blocks. Called after the arrangement. Sets BuiltRows::first_step.
 void add_steps(std::vector<TriangulatedSurface>& surfaces, BuiltRows& built);
 

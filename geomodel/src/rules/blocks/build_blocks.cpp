@@ -9,6 +9,7 @@
 #include "rules/blocks/smeared_throw.hpp"
 #include "rules/blocks/throw_blocks.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
+#include "rules/fault_ends.hpp"
 #include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
@@ -54,12 +55,34 @@ std::shared_ptr<const HorizonBlocks> shared_blocks(const BuiltSurfaces& built, c
   return blocks_between(built, rules, faults);
 }
 
+/// The blocks of all faults of the model, as if each went on through it: sheets on both sides of a fault that the list
+/// lacks are not in one block.
+const BlockFramework& framework_of_faults(BuiltSurfaces& built, const ModelRules& rules, std::size_t horizon) {
+  std::vector<Index> faults;
+  for (Index s = 0; s < built.surfaces.size(); ++s)
+    if (built.surfaces[s].kind == SurfaceKind::fault && !built.surfaces[s].triangles.empty()) faults.push_back(s);
+  if (built.rows.parted_at[horizon] == faults) return built.rows.throw_blocks[horizon]->framework;
+  if (!built.rows.blocks_of_faults) {
+    BuiltSurfaces continued = built;
+    for (const Index s : faults) {
+      if (built.rows.first_only_parting[s] != no_index) continue;
+      continue_fault(continued.surfaces[s], *rules.box, *rules.box);
+      if (std::vector<Index>& part = continued.rows.part_of_triangle[s]; !part.empty())
+        part.resize(continued.surfaces[s].triangles.size(), 0);
+    }
+    built.rows.blocks_of_faults = blocks_between(continued, rules, faults);
+  }
+  return built.rows.blocks_of_faults->framework;
+}
+
 /// Sets the blocks of the horizon's triangles and removes what overshoots its faults. Says so.
 void sort_triangles(BuiltSurfaces& built, std::size_t row, const PartingFaults& parting, const RestoredThrow& restored,
-                    const Box3& box, const BuildLog& log) {
-  TriangulatedSurface& horizon = built.surfaces[row];
+                    const ModelRules& rules, const BuildLog& log) {
   const SortedTriangles sorted =
-      sort_into_blocks(horizon, restored.sheet, {parting.faults, built.rows.throw_blocks[row]->framework, box});
+      sort_into_blocks(built.surfaces[row], restored.sheet,
+                       {parting.faults, built.rows.throw_blocks[row]->framework, *rules.box,
+                        [&]() -> const BlockFramework& { return framework_of_faults(built, rules, row); }});
+  TriangulatedSurface& horizon = built.surfaces[row];
   std::vector<Index>& block = built.rows.block_of_triangle[row];
   std::vector<Triangle> kept;
   Index n_given = 0;
@@ -121,7 +144,7 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   built.rows.throw_blocks[s] = shared_blocks(built, rules, rows);
   built.rows.parted_at[s] = std::move(rows);
-  sort_triangles(built, s, parting, restored, *rules.box, log);
+  sort_triangles(built, s, parting, restored, rules, log);
   fill_throw_blocks(built, static_cast<Index>(s), rules, log);
 }
 

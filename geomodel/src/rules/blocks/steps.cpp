@@ -22,6 +22,11 @@ bool is_continued(const BuiltRows& built, const std::vector<TriangulatedSurface>
   return s < built.first_only_parting.size() && built.first_only_parting[s] < surfaces[s].triangles.size();
 }
 
+/// Whether blocks part the horizon, or parts of it were made block by block: only then may its blocks not meet.
+bool has_blocks(const BuiltRows& built, std::size_t horizon) {
+  return !built.parted_at[horizon].empty() || !built.part_of_triangle[horizon].empty();
+}
+
 /// An edge of what continues a fault.
 struct Edge {
   std::span<const EdgeUse> uses;
@@ -209,7 +214,7 @@ void add_steps(std::vector<TriangulatedSurface>& surfaces, BuiltRows& built) {
   if (faults.empty()) return;
   for (std::size_t h = 0; h < surfaces.size(); ++h) {
     TriangulatedSurface& horizon = surfaces[h];
-    if (horizon.kind != SurfaceKind::horizon) continue;
+    if (horizon.kind != SurfaceKind::horizon || !has_blocks(built, h)) continue;
     built.first_step[h] = static_cast<Index>(horizon.triangles.size());
     for (const Index s : faults) {
       const auto shift = static_cast<VertexIndex>(horizon.points.size());

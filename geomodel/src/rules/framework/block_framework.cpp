@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "common/by_rounding.hpp"
 #include "geomesh/core/tetrahedralize.hpp"
 #include "geomesh/geomodel/build_model.hpp"
 #include "naming/region_facts.hpp"
@@ -135,6 +136,16 @@ std::map<Index, double> BlockFramework::areas(const std::array<Vec3, 3>& triangl
     if (norm(sum) > 0) area[block] += norm(sum) / 2;
   });
   return area;
+}
+
+std::set<Index> BlockFramework::blocks_on(const Vec3& a, const Vec3& b) const {
+  std::set<Index> blocks;
+  for_each_piece({a, b, b}, [&](Index block, const std::vector<Vec3>& polygon) {
+    const bool has_length =
+        std::ranges::any_of(polygon, [&](const Vec3& p) { return norm(p - polygon[0]) > by_rounding * norm(b - a); });
+    if (has_length) blocks.insert(block);
+  });
+  return blocks;
 }
 
 }  // namespace geomesh::geomodel

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,8 @@ class BlockFramework {
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// The area of the triangle in each block that it reaches. Clipped in doubles, like overlaps.
   std::map<Index, double> areas(const std::array<Vec3, 3>& triangle) const;
+  /// The blocks through which the segment passes. Clipped in doubles, like overlaps.
+  std::set<Index> blocks_on(const Vec3& a, const Vec3& b) const;
   /// Whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
   /// Whether a wall ends inside the block that holds p; false outside of the model.
