@@ -88,6 +88,36 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 160, "upper__3": 180, "lower__1": 180, "lower__2": 240, "lower__3": 120})
         self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
 
+    def test_a_sheet_that_runs_on_to_a_fault_out_of_the_list(self):
+        """Throw at g alone, which the list lacks: the larger sheet beyond g is no reason to take what lies between the faults."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("g", [(6, -1), (6, 11)])
+        self.surface("h", [(-1, 6), (2, 6), (6, 6)], [(6, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES.replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 120, "upper__3": 240, "lower__1": 180, "lower__2": 180, "lower__3": 160})
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
+
+    def test_a_short_fault_that_cuts_off_the_corner_of_a_triangle(self):
+        """The horizon goes round both of its ends. The triangle's neighbours beside the corner cross what continues the fault."""
+        self.write("f.ts", triangles_ts("f", [(4.2, 3.4, -1), (6.6, 5.8, -1), (6.6, 5.8, 11), (4.2, 3.4, 11)], [(0, 1, 2), (0, 2, 3)]))
+        self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=3)))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, {"upper": 400, "lower": 600})
+        self.assertFalse(any("stops short" in text for text in report["warnings"]), report["warnings"])
+
+    def test_a_sheet_torn_beside_a_fault_up_to_its_end(self):
+        """The fault at x = 5.3 ends at y = 6. The horizon is torn at x = 6, so that its western side overshoots; east of it lies lower by up to 2."""
+        self.write("f.ts", triangles_ts("f", [(5.3, -1, -1), (5.3, 6, -1), (5.3, 6, 11), (5.3, -1, 11)], [(0, 1, 2), (0, 2, 3)]))
+        def side(columns, thrown):
+            points = [(x, y, 6 - (max(0, 6 - y) * 2 / 7 if thrown else 0)) for y in range(-1, 12) for x in columns]
+            n = len(columns)
+            return points, [t for j in range(12) for i in range(n - 1) for c in [j * n + i] for t in ((c, c + 1, c + n + 1), (c, c + n + 1, c + n))]
+        west, east = side(range(-1, 7), False), side(range(6, 12), True)
+        self.write("h.ts", triangles_ts("h", west[0] + east[0], west[1] + [tuple(v + len(west[0]) for v in t) for t in east[1]]))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assertEqual(sorted(volumes), ["lower", "upper"])
+        self.assertAlmostEqual(volumes["lower"], 600 - 4.7 * 6 * 6 / 7, delta=0.2)  # 24 m3 are thrown
+
     def test_a_sheet_of_two_triangles_that_runs_on_across_one_of_the_faults(self):
         """A fifth of the eastern sheet lies west of g, though the middles of both its triangles lie east of it."""
         self.surface("f", [(3, -1), (3, 11)])

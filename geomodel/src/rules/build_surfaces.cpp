@@ -9,7 +9,7 @@
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/extend/fault_ends.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 

@@ -91,8 +91,11 @@ bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules
     if (why.empty()) return false;
     if (blocks) return settle_in_blocks(stack, built, rules, *blocks);
     const auto has_throw = [&](Index row) { return !built.rows.parted_at[row].empty(); };
-    if (may_be_in_blocks && std::ranges::any_of(stack.rows, has_throw))
-      return settle_in_blocks(stack, built, rules, blocks_of_model(built, rules));
+    const bool any_has_throw = std::ranges::any_of(stack.rows, has_throw);
+    if (may_be_in_blocks && any_has_throw) return settle_in_blocks(stack, built, rules, blocks_of_model(built, rules));
+    if (any_has_throw)
+      why += built.rows.truncations.empty() ? "; it is not settled in fault blocks where continue_within is 0"
+                                            : "; it is not settled in fault blocks where a horizon truncates faults";
   }
   built.notes.push_back("the stack is left as given: " + why);
   return false;

@@ -205,9 +205,9 @@ std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& 
                                         const ModelRules& rules);
 
 /// Beyond the end of a fault that ends inside, what continues it to part blocks is removed again, and the blocks of a
-/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon that has blocks or
-/// parts the triangles by which such faults were continued. trim_soup gives those of their parts to the horizon that lie between its
-/// blocks. Called after the arrangement. Sets BuiltRows::first_step.
+/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon that has blocks
+/// or parts the triangles by which such faults were continued. trim_soup gives those of their parts to the horizon that
+/// lie between its blocks. Called after the arrangement. Sets BuiltRows::first_step.
 void add_steps(std::vector<TriangulatedSurface>& surfaces, BuiltRows& built);
 
 struct TrimmedSoup {

@@ -9,7 +9,7 @@
 #include "rules/blocks/smeared_throw.hpp"
 #include "rules/blocks/throw_blocks.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/extend/fault_ends.hpp"
 #include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {

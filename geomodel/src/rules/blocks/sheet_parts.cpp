@@ -5,6 +5,7 @@
 
 #include "common/by_rounding.hpp"
 #include "common/union_find.hpp"
+#include "naming/sheets.hpp"
 #include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
@@ -14,6 +15,7 @@ SheetParts::SheetParts(const TriangulatedSurface& horizon, const std::vector<Ind
     : horizon_(horizon),
       setting_(setting),
       n_(static_cast<Index>(horizon.triangles.size())),
+      triangles_(merged_triangles(horizon)),
       sheet_(sheet),
       meets_(n_, Meets::nothing),
       neighbours_(neighbours_in(horizon)) {
@@ -23,6 +25,7 @@ SheetParts::SheetParts(const TriangulatedSurface& horizon, const std::vector<Ind
     return sheet_[pair.first] != sheet_[pair.second] && !is_of_several(pair.first) && !is_of_several(pair.second);
   });
   add_fragments();
+  find_ends();
   join_fragments();
 }
 
@@ -62,40 +65,84 @@ void SheetParts::add_fragments() {
   for (Index t = 0; t < n_; ++t) {
     first_.push_back(n_fragments());
     const double area = area_of(horizon_, t);
+    reaches_outside_.push_back(false);
     if (meets_nothing(t)) {
       fragments_.push_back({t, setting_.framework.block_of(corners(t), last), area});
       continue;
     }
-    for (const auto& [block, size] : setting_.framework.areas(corners(t)))
+    double inside = 0;
+    for (const auto& [block, size] : setting_.framework.areas(corners(t))) {
       if (size > by_rounding * area) fragments_.push_back({t, block, size});
+      inside += size;
+    }
+    reaches_outside_.back() = inside < (1 - by_rounding) * area;
     if (first_.back() == n_fragments()) fragments_.push_back({t, no_index, area});
   }
   first_.push_back(n_fragments());
 }
 
+void SheetParts::find_ends() {
+  std::map<std::pair<VertexIndex, VertexIndex>, int> n_at_edge;
+  for (const Triangle& t : triangles_)
+    for (std::size_t i = 0; i < 3; ++i) ++n_at_edge[std::minmax(t[i], t[(i + 1) % 3])];
+  for (const auto& [edge, n] : n_at_edge)
+    if (n == 1)
+      for (const VertexIndex v : {edge.first, edge.second}) ends_[v];
+  for (Index t = 0; t < n_; ++t)
+    for (const VertexIndex v : triangles_[t])
+      if (const auto at = ends_.find(v); at != ends_.end() && is_whole(t)) at->second.insert(block(t));
+}
+
 void SheetParts::join_fragments() {
   UnionFind joined(fragments_.size());
+  std::vector<std::pair<Index, Index>> torn;  // fragments: what crosses a fault, and what crosses a continuation
   for (const auto& [t, other] : neighbours_) {
-    const bool are_whole = is_whole(t) && is_whole(other);
-    const std::set<Index> blocks = are_whole ? std::set<Index>{block(t)} : blocks_of_edge(t, other);
+    const std::vector<VertexIndex> edge = shared(t, other);
     for (Index i = first_[t]; i < first_[t + 1]; ++i)
       for (Index j = first_[other]; j < first_[other + 1]; ++j) {
-        if (!hang_together(fragments_[i], fragments_[j], blocks)) continue;
-        if (sheet_[t] == sheet_[other])
-          joined.unite(i, j);
-        else
+        if (!hang_together(fragments_[i], fragments_[j], edge)) continue;
+        if (sheet_[t] != sheet_[other])
           beside_.emplace_back(i, j);
+        else if (are_beside_end(t, other) && may_be_torn(edge, fragments_[i].block))
+          torn.push_back(meets_[t] == Meets::fault ? std::pair(i, j) : std::pair(j, i));
+        else
+          joined.unite(i, j);
       }
   }
+  // What crosses the fault beside a tear overshoots, unless it hangs together with whole triangles of the block.
+  std::set<Index> has_whole;
+  for (Index t = 0; t < n_; ++t)
+    if (is_whole(t)) has_whole.insert(joined.find(first_[t]));
+  std::erase_if(torn, [&](const auto& pair) { return !has_whole.contains(joined.find(pair.first)); });
+  for (const auto& [i, j] : torn) joined.unite(i, j);
   for (Index i = 0; i < n_fragments(); ++i) part_.push_back(joined.find(i));
 }
 
-std::set<Index> SheetParts::blocks_of_edge(Index t, Index other) const {
-  std::vector<Vec3> ends;
-  const std::array<Vec3, 3> of_other = corners(other);
-  for (const Vec3& p : corners(t))
-    if (std::ranges::count(of_other, p) > 0) ends.push_back(p);
-  return ends.size() < 2 ? std::set<Index>{} : setting_.framework.blocks_on(ends[0], ends[1]);
+bool SheetParts::hang_together(const Fragment& a, const Fragment& b, const std::vector<VertexIndex>& edge) const {
+  if (a.block != b.block || edge.size() < 2) return false;
+  if (a.block == no_index) return meets_[a.triangle] == meets_[b.triangle];
+  if (is_whole(a.triangle) && is_whole(b.triangle)) return true;
+  return setting_.framework.blocks_on(horizon_.points[edge[0]], horizon_.points[edge[1]]).contains(a.block);
+}
+
+bool SheetParts::are_beside_end(Index t, Index other) const {
+  const auto crosses_fault = [&](Index s) { return meets_[s] == Meets::fault && !is_whole(s); };
+  const auto meets_continuation = [&](Index s) { return meets_[s] == Meets::continuation; };
+  return (crosses_fault(t) && meets_continuation(other)) || (crosses_fault(other) && meets_continuation(t));
+}
+
+bool SheetParts::may_be_torn(const std::vector<VertexIndex>& edge, Index block) const {
+  return std::ranges::any_of(edge, [&](VertexIndex v) {
+    const auto at = ends_.find(v);
+    return at != ends_.end() && at->second.contains(block) && setting_.framework.block_at(horizon_.points[v]) == block;
+  });
+}
+
+std::vector<VertexIndex> SheetParts::shared(Index t, Index other) const {
+  std::vector<VertexIndex> shared;
+  for (const VertexIndex v : triangles_[t])
+    if (std::ranges::count(triangles_[other], v) > 0) shared.push_back(v);
+  return shared;
 }
 
 }  // namespace geomesh::geomodel

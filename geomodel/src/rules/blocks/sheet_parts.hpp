@@ -43,6 +43,8 @@ class SheetParts {
   bool meets_nothing(Index t) const { return meets_[t] == Meets::nothing; }
   bool is_whole(Index t) const { return first_[t + 1] == first_[t] + 1; }
   bool is_outside(Index t) const { return is_whole(t) && block(t) == no_index; }
+  /// Whether some of a triangle that meets faults or their continuations lies outside of the model.
+  bool reaches_outside(Index t) const { return reaches_outside_[t]; }
   /// The block of a triangle that lies in one; no_index for others.
   Index block(Index t) const { return is_whole(t) ? fragments_[first_[t]].block : no_index; }
   /// Whether a triangle is of several sheets (BuiltRows::of_every_block).
@@ -63,14 +65,17 @@ class SheetParts {
   void find_what_they_meet(const ThrowFault& fault);
   void add_fragments();
   void join_fragments();
-  /// Whether two fragments hang together across an edge that passes through these blocks. Outside of the model what
-  /// crosses a fault is apart from what does not.
-  bool hang_together(const Fragment& a, const Fragment& b, const std::set<Index>& blocks) const {
-    return a.block == b.block && blocks.contains(a.block) &&
-           (a.block != no_index || meets_[a.triangle] == meets_[b.triangle]);
-  }
-  /// The blocks through which the edge of two neighbours passes.
-  std::set<Index> blocks_of_edge(Index t, Index other) const;
+  void find_ends();
+  /// Whether fragments of one block hang together across this edge. Outside of the model what crosses a fault is apart
+  /// from what does not.
+  bool hang_together(const Fragment& a, const Fragment& b, const std::vector<VertexIndex>& edge) const;
+  /// Whether one of two triangles crosses a fault, and the other one a fault's continuation.
+  bool are_beside_end(Index t, Index other) const;
+  /// Whether a sheet may be torn up to this edge, beside a fault that ends there: an end of the edge is on the border
+  /// of the sheet, and whole triangles of the block end at it.
+  bool may_be_torn(const std::vector<VertexIndex>& edge, Index block) const;
+  /// Vertices that two neighbours share.
+  std::vector<VertexIndex> shared(Index t, Index other) const;
   std::array<Vec3, 3> corners(Index t) const {
     const Triangle& v = horizon_.triangles[t];
     return {horizon_.points[v[0]], horizon_.points[v[1]], horizon_.points[v[2]]};
@@ -79,13 +84,16 @@ class SheetParts {
   const TriangulatedSurface& horizon_;
   const SortingSetting& setting_;
   Index n_;
-  std::vector<Index> sheet_;  ///< per triangle, like meets_
+  std::vector<Triangle> triangles_;              ///< of merged_triangles
+  std::map<VertexIndex, std::set<Index>> ends_;  ///< per vertex on the border: blocks of whole triangles there
+  std::vector<Index> sheet_;                     ///< per triangle, like meets_
   std::vector<Meets> meets_;
   std::vector<std::vector<Crossing>> crossed_;  ///< per fault and triangle
   std::vector<std::pair<Index, Index>> neighbours_;
-  std::vector<Fragment> fragments_;  ///< by triangle
-  std::vector<Index> first_;         ///< per triangle, and one more
-  std::vector<Index> part_;          ///< per fragment
+  std::vector<Fragment> fragments_;    ///< by triangle
+  std::vector<bool> reaches_outside_;  ///< per triangle
+  std::vector<Index> first_;           ///< per triangle, and one more
+  std::vector<Index> part_;            ///< per fragment
   std::vector<std::pair<Index, Index>> beside_;
 };
 

@@ -65,26 +65,38 @@ class Sorting {
     return blocks;
   }
 
-  /// A part outside of the model that hangs together with overshoot alone overshoots, too. One that crosses a fault
-  /// there is of the block beside it.
+  /// A part outside of the model overshoots where what it meets of whole triangles does.
   void sort_outside(SortedTriangles& sorted) const {
-    struct Beside {
-      bool overshoots_alone = true;
-      std::set<Index> blocks{};
-    };
-    std::map<Index, Beside> beside;  // by part outside
+    std::map<Index, bool> overshoots;  // by part outside
+    const auto part_of = [&](Index t) { return parts_.part(parts_.first_fragment(t)); };
     parts_.for_each_neighbour([&](Index t, Index other) {
-      if (!parts_.is_outside(t) || parts_.is_outside(other)) return;
-      Beside& found = beside[parts_.part(parts_.first_fragment(t))];
-      found.overshoots_alone = found.overshoots_alone && sorted.overshoots[other];
-      found.blocks.merge(blocks_of(other));
+      if (!parts_.is_outside(t) || !parts_.is_whole(other) || parts_.is_outside(other)) return;
+      bool& alone = overshoots.emplace(part_of(t), true).first->second;
+      alone = alone && sorted.overshoots[other];
+    });
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (parts_.is_outside(t) && parts_.meets_nothing(t))
+        if (const auto at = overshoots.find(part_of(t)); at != overshoots.end()) sorted.overshoots[t] = at->second;
+    sort_strips_outside(sorted);
+  }
+
+  /// What crosses a fault outside of the model, in part or whole, is of the block that the triangles have that cross it
+  /// inside of the model and hang together with it, or that are beside it.
+  void sort_strips_outside(SortedTriangles& sorted) const {
+    UnionFind strip(parts_.n());
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      const bool both_meet = !parts_.meets_nothing(t) && !parts_.meets_nothing(other);
+      if (both_meet && parts_.meets_fault(t) == parts_.meets_fault(other)) strip.unite(t, other);
+    });
+    std::map<Index, std::set<Index>> blocks;  // by strip
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (!parts_.meets_nothing(t)) blocks[strip.find(t)].merge(blocks_of(other));
     });
     for (Index t = 0; t < parts_.n(); ++t) {
-      if (!parts_.is_outside(t)) continue;
-      const auto at = beside.find(parts_.part(parts_.first_fragment(t)));
-      if (at == beside.end()) continue;
-      sorted.overshoots[t] = at->second.overshoots_alone;
-      if (!parts_.meets_nothing(t) && at->second.blocks.size() == 1) sorted.block[t] = *at->second.blocks.begin();
+      if (parts_.meets_nothing(t) || !parts_.reaches_outside(t) || !blocks_of(t).empty()) continue;
+      const std::set<Index>& at = blocks[strip.find(t)];
+      if (at.size() == 1) sorted.block[t] = *at.begin();
+      sorted.overshoots[t] = at.empty();
     }
   }
 
@@ -132,7 +144,8 @@ class Sorting {
     }
   }
 
-  /// The largest of the parts that hang together across faults.
+  /// Of parts that hang together across faults the largest that has a triangle that nothing cuts. A part of cut
+  /// triangles alone may be overshoot, even where it hangs together with nothing.
   void find_largest_across_faults(const SheetParts::Areas& all) {
     UnionFind linked(parts_.n_fragments());
     for (Index t = 0; t < parts_.n(); ++t)
@@ -142,11 +155,14 @@ class Sorting {
       if (parts_.touches_fault(t) && parts_.touches_fault(other))
         linked.unite(parts_.part(parts_.first_fragment(t)), parts_.part(parts_.first_fragment(other)));
     });
+    std::set<Index> has_whole;
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (parts_.is_whole(t)) has_whole.insert(parts_.part(parts_.first_fragment(t)));
     Largest<Index> largest;
     for (const auto& [part, areas] : all) {
       double area = 0;
       for (const auto& [_, size] : areas) area += size;
-      if (!is_of_several(part)) largest.add(linked.find(part), part, area);
+      if (!is_of_several(part) && has_whole.contains(part)) largest.add(linked.find(part), part, area);
     }
     for (const auto& [_, part] : largest.all()) counts_.insert(part.first);
   }
