@@ -49,8 +49,8 @@ struct FieldPart {
   std::vector<std::pair<std::string, bool>> sides;  ///< faults, each with whether the field holds above it
   std::optional<Vec3> block;                        ///< a place in the fault block where the field holds
   std::string field;                                ///< its file, or "its function", for messages
-  /// What was not proven, and the warning that is due if the model keeps one of the triangles, or if one of the places
-  /// lies where the field holds.
+  /// A doubt tells what of the field's surface was not proven. Its warning is due if the model keeps one of the
+  /// triangles, or if one of the places lies where the field holds.
   struct Doubt {
     std::vector<Index> triangles;
     std::vector<Vec3> places;

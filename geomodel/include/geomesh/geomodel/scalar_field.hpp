@@ -20,8 +20,8 @@ namespace geomesh::geomodel {
 /// run. It is called from one thread at a time.
 using FieldFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
 
-/// Where a field holds: above some surfaces of the project, below others, and in one fault block. Without any of them
-/// it holds everywhere. Above a fault is the side to which the fault dips.
+/// A domain tells where a field holds: above some surfaces of the project, below others, and in one fault block. An
+/// empty one is everywhere. Above a fault is the side to which the fault dips.
 struct FieldDomain {
   std::vector<std::string> above, below;  ///< names of horizons and faults
   std::optional<Vec3> block;              ///< a place in the fault block

@@ -34,9 +34,9 @@ class Keepers {
   std::vector<Keeper> of_pairs_{};
 };
 
-/// Of horizons by rows of surfaces, youngest first. The topography and the bottom of the model stay, then the one at
-/// which the other's field ends, then a younger one that erodes, then an older one that is onlapped. Else `on_crossing`
-/// and `thin_layers` tell; the younger one by default.
+/// Tells which of two horizons stays where they cross. `rows`: of surfaces, youngest first. The topography and the
+/// bottom of the model stay, then a horizon at which the other's field ends, then a younger one that erodes, then an
+/// older one that is onlapped. Else `on_crossing` and `thin_layers` tell; the younger one stays by default.
 Keepers keepers_of(const ModelRules& rules, const std::vector<Index>& rows,
                    const std::vector<TriangulatedSurface>& surfaces);
 
