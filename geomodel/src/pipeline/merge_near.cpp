@@ -2,7 +2,6 @@
 #include "pipeline/merge_near.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 
@@ -16,19 +15,8 @@ namespace {
 
 constexpr double most_of_tolerance = 0.5;      ///< what merging may use
 constexpr double most_moved_of_tolerance = 2;  ///< of the project's own
-constexpr double next_distance = 0.5;          ///< of the distance before, where the project asks for one
-constexpr unsigned most_tries_asked = 5;
-/// What is tried: surfaces that meet within shares of the distance, then everything within some millimetres or
-/// centimetres, as coordinates are written to. Bodies and faults that were cut at each other coincide within that, and
-/// neither ends there (family `intrusion`).
-struct Merging {
-  double share;
-  ArrangementOptions::MergingOf of;
-};
-constexpr std::array<Merging, 4> mergings{{{1, ArrangementOptions::MergingOf::surfaces_that_meet},
-                                           {0.5, ArrangementOptions::MergingOf::surfaces_that_meet},
-                                           {0.25, ArrangementOptions::MergingOf::surfaces_that_meet},
-                                           {0.0078125, ArrangementOptions::MergingOf::everything}}};
+constexpr double next_distance = 0.5;          ///< of the distance before
+constexpr unsigned most_tries = 3, most_tries_asked = 5;
 constexpr unsigned most_rounds =
     4;  ///< of a try: what has no end then has none later, and each takes as long as the first
 
@@ -136,13 +124,11 @@ ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<P
                                        ArrangementOptions options, const RunContext& context) {
   if (options.tolerance > 0) return booked_apart(model, arrange_merging_asked(model, wells, options, context));
   // A network of fractures keeps its areas and junctions unless the project has `merge_within`.
-  const double whole = is_fracture_network(model.surfaces, model.rules) ? 0 : merging_distance(model.refinement);
+  double distance = is_fracture_network(model.surfaces, model.rules) ? 0 : merging_distance(model.refinement);
   const unsigned rounds = options.max_rounding_rounds;
-  for (const Merging& merging : mergings) {
-    const double distance = merging.share * whole;
-    if (!(distance > 0)) break;
+  for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
     options.tolerance = distance;
-    options.merging = merging.of;
+    options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
     options.max_rounding_rounds = std::min(rounds, most_rounds);
     auto found = try_merging(model, wells, options, context);
     if (!found) continue;
@@ -150,7 +136,7 @@ ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<P
     if (found->merging.displacement.largest > 0) model.refinement.tolerance.take(use_of(found->merging));
     return std::move(*found);
   }
-  options.tolerance = 0;
+  if (options.merging == ArrangementOptions::MergingOf::surfaces_that_meet) options.tolerance = 0;
   options.max_rounding_rounds = rounds;
   return booked_apart(model, arrange(model.surfaces, wells, model.points, options, context));
 }

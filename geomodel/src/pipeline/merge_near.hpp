@@ -13,9 +13,9 @@ namespace geomesh::geomodel {
 /// The arrangement of the model's surfaces. Those that meet somewhere merge where they are nearer to each other than
 /// merging_distance(). That is so where the options ask for no merging of their own. The refinement's tolerance becomes
 /// what merging leaves of it. Half of the distance is tried where something moves by more than half of the tolerance,
-/// or where no arrangement comes of it; then a quarter; then what coordinates are rounded to, of all surfaces; then
-/// none. Merging that the options ask for may move nothing by more than twice its distance, and is tried down to a
-/// sixteenth of that; a warning tells.
+/// or where no arrangement comes of it; then a quarter; then none. Merging that
+/// the options ask for may move nothing by more than twice its distance, and is tried down to a sixteenth of that; a
+/// warning tells.
 ArrangementResult arrange_merging_near(PreparedModel& model, const std::vector<Polyline>& wells,
                                        ArrangementOptions options, const RunContext& context);
 
