@@ -62,13 +62,32 @@ InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warni
 }
 
 /// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+Index InputJoiner::first_fixed() const { return options_.box ? no_index : static_cast<Index>(surfaces_.given.size()); }
+
 JoinRule InputJoiner::join_rule(const Contacts& contacts) const {
-  const Index first_fixed = options_.box ? no_index : static_cast<Index>(surfaces_.given.size());
-  if (options_.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed);
-  JoinRule rule(surfaces_that_meet(ingested_.complex, contacts), first_fixed);
+  if (options_.merging == ArrangementOptions::MergingOf::everything) return JoinRule::all_but(first_fixed());
+  JoinRule rule(surfaces_that_meet(ingested_.complex, contacts), first_fixed());
   rule.join_all_of(pairs_.wherever_near);
   rule.join_ends_of(pairs_.where_they_end);
   return rule;
+}
+
+/// Bodies and the faults that cut them coincide up to the digits of their files. Neither ends where they do, so the
+/// rule for surfaces that meet would leave a gap of these digits between them.
+void InputJoiner::merge_bodies_with_faults(MergingBook& book) {
+  std::set<SurfacePair> pairs;
+  const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
+  for (Index a = 0; a < surfaces.size(); ++a)
+    for (Index b = 0; b < surfaces.size(); ++b)
+      if (surfaces[a].kind == SurfaceKind::body && surfaces[b].kind == SurfaceKind::fault)
+        pairs.insert({surface_pair(a, a), surface_pair(a, b)});
+  if (pairs.empty()) return;
+  SnapOptions snapping{twin_share * options_.tolerance, joining_.box};
+  snapping.rule = JoinRule::all_of(std::move(pairs), first_fixed());
+  snapping.sides_of = sides_of_vertices(ingested_.complex, joining_);
+  std::vector<VertexIndex> now;
+  const std::vector<std::uint8_t> all(ingested_.complex.facets.size(), 1);
+  take(book, snap_near(ingested_.complex, all, snapping, &now), now);
 }
 
 void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound) {
@@ -87,6 +106,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
     if (!drawn) break;
     book.take(*drawn);
   }
+  if (!joins_all) merge_bodies_with_faults(book);
   SnapOptions snapping{options_.tolerance, joining_.box};
   if (options_.box) snapping.move_to_box = joins_all ? MoveToBox::all : MoveToBox::of_free_borders;
   if (!joins_all || !options_.volume.empty()) {

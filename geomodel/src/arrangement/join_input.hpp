@@ -27,9 +27,9 @@ class InputJoiner {
               const Joining& joining, const RunContext& context)
       : ingested_(ingested), surfaces_(surfaces), options_(options), joining_(joining), context_(context) {}
 
-  /// Merges, within the tolerance if there is one: patches of faults, ends, duplicates. Otherwise ends within rounding
-  /// of other surfaces. Then everything on sides up to rounding. Throws Error{usage} if the tolerance is no greater
-  /// than rounding. Cost: that of snap_near, a few times.
+  /// Merges, within the tolerance if there is one: patches of faults, bodies with the faults that cut them, ends,
+  /// duplicates. Otherwise ends within rounding of other surfaces. Then everything on sides up to rounding. Throws
+  /// Error{usage} if the tolerance is no greater than rounding. Cost: that of snap_near, a few times.
   void join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
 
   /// The rule for merging within the tolerance from now on. `contacts` are those of the input as it is now.
@@ -42,7 +42,9 @@ class InputJoiner {
     std::set<SurfacePair> where_they_end;
   };
   PairsToJoin find_pairs(std::vector<std::string>& warnings) const;
+  Index first_fixed() const;
   JoinRule join_rule(const Contacts& contacts) const;
+  void merge_bodies_with_faults(MergingBook& book);
   void apply_tolerance(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
   void join_ends_and_sides(MergingBook& book);
   void take(MergingBook& book, const SnapOutcome& outcome, const std::vector<VertexIndex>& now);

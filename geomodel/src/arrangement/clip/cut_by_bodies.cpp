@@ -36,10 +36,10 @@ class BodyCutter {
       for (const Origin& o : arranged_.origins.of(f)) own[f] |= o.surface == shape.surface;
     const auto component = components(arranged_, own, none, [](auto edge) { return edge.size() == 2; });
     std::vector<std::uint8_t> is_inner, inner(own.size(), 0);
+    for (const Index f : largest_facets(arranged_, component)) is_inner.push_back(has_body_on_both_sides(body, f));
     double removed = 0;
     for (std::size_t f = 0; f < own.size(); ++f) {
       if (!own[f]) continue;
-      if (component[f] == is_inner.size()) is_inner.push_back(has_body_on_both_sides(body, f));
       inner[f] = is_inner[component[f]];
       if (inner[f]) removed += facet_area(arranged_, f);
     }
@@ -67,10 +67,10 @@ class BodyCutter {
       return std::none_of(edge.begin(), edge.end(), [&](const FacetEdge& e) { return barrier[e.facet] != 0; });
     });
     std::vector<Index> body_of;  // per component
+    for (const Index f : largest_facets(arranged_, component)) body_of.push_back(body_around(f));
     std::vector<std::uint8_t> inside(chosen.size(), 0);
     for (std::size_t f = 0; f < chosen.size(); ++f) {
       if (!chosen[f]) continue;
-      if (component[f] == body_of.size()) body_of.push_back(body_around(f));
       inside[f] = body_of[component[f]] != no_index;
       if (inside[f]) note_cut(f, body_of[component[f]]);
     }

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "arrangement/model/arranged.hpp"
+#include "arrangement/clip/clip.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
@@ -51,6 +51,25 @@ std::vector<Index> components(const Arranged& arranged, const std::vector<std::u
   for (Index f = 0; f < component.size(); ++f)
     if (chosen[f]) component[f] = root(f) == f ? n++ : component[root(f)];
   return component;
+}
+
+/// The largest facet of each component: merging bends walls beside the triangles that winding numbers are taken from,
+/// so that a sliver of a component may be on another side than the component is. The first of several. O(n).
+inline std::vector<Index> largest_facets(const Arranged& arranged, const std::vector<Index>& component) {
+  std::vector<Index> largest;
+  std::vector<double> areas;
+  for (Index f = 0; f < component.size(); ++f) {
+    if (component[f] == no_index) continue;
+    const double area = facet_area(arranged, f);
+    if (component[f] == largest.size()) {
+      largest.push_back(f);
+      areas.push_back(area);
+    } else if (area > areas[component[f]]) {
+      largest[component[f]] = f;
+      areas[component[f]] = area;
+    }
+  }
+  return largest;
 }
 
 inline ExactPoint facet_centroid(const Arranged& arranged, const Triangle& t) {
