@@ -7,8 +7,7 @@
 #include "archive.hpp"
 #include "geomesh/core/error.hpp"
 #include "grid_sizes/size_grid.hpp"
-#include "pipeline/finish.hpp"
-#include "pipeline/jobs/prepare.hpp"
+#include "pipeline/jobs/run_stages.hpp"
 
 namespace geomesh::geomodel {
 
@@ -75,7 +74,7 @@ constexpr double least_ratio = 2, most_ratio = 12;
 double ratio_for(double elements) { return std::clamp(std::cbrt(elements / least_cells), least_ratio, most_ratio); }
 
 /// About the elements that one size comes to in a volume.
-double elements_of(const geomodel::PreparedModel& model) {
+double elements_of(const geomodel::Inputs& model) {
   const double size = model.refinement.size.base.global;
   const Vec3 extent = model.volume.bounds.max - model.volume.bounds.min;
   constexpr double elements_a_cube = 11;
@@ -129,45 +128,32 @@ double share_of_short_edges(const geomodel::ModelMesh& mesh, const SizeField& si
   return n > 0 ? static_cast<double>(n_short) / static_cast<double>(n) : 0;
 }
 
-struct Start {
-  geomodel::PreparedModel model;
-  double elements = 0;  ///< about so many
-};
-
-Start prepare(const geomodel::Project& project, const RunContext& context) {
-  Start start;
-  start.model.command = "project";
-  start.model.name = project.name;
-  geomodel::prepare_project(project, start.model, context);
-  start.elements = elements_of(start.model);
-  return start;
-}
-
 }  // namespace
 
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run) {
   geomodel::StageRecorder recorder(context, "");
-  Start start = prepare(project, recorder.context());
+  geomodel::Journal prepared(recorder.context());
+  const geomodel::Inputs inputs = geomodel::read_project_model(project, prepared);
+  const geomodel::Built built = geomodel::build_model(inputs, prepared);
+  const geomodel::Arranged arranged = geomodel::intersect(inputs, built, prepared);
+  const double elements = elements_of(inputs);  // about so many
   const auto mesh_with = [&](unsigned halvings) {
-    geomodel::PreparedModel& model = start.model;
-    if (halvings > 0) model.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
-    model.sparse_growth = halvings > 0 ? growth : slow_growth;
-    model.sparse_surfaces = std::exp2(halvings);
-    model.sparse_ratio = ratio_for(start.elements);
-    geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(model, recorder);
-    run.input_json = model.input_json;
-    run.notes = model.notes;
-    run.warnings = model.warnings;
+    geomodel::Arranged start = arranged;
+    if (halvings > 0) start.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
+    geomodel::Journal journal = prepared;
+    geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(
+        {inputs, built, start}, {halvings > 0 ? growth : slow_growth, ratio_for(elements), std::exp2(halvings)},
+        journal);
+    run.input_json = meshed.description;
+    run.notes = journal.notes();
+    run.warnings = journal.warnings();
     run.stages = recorder.records();
     run.estimated_elements = meshed.refined.statistics.estimated_elements;
     return SparseModel{std::move(meshed.mesh), std::move(meshed.refined.mesh.component),
                        std::move(meshed.refined.size_field), halvings};
   };
-  SparseModel sparse = mesh_with(start.elements < large_mesh ? 0 : 1);
-  if (sparse.halvings > 0 && share_of_short_edges(sparse.mesh, sparse.size) > many_short) {
-    start = prepare(project, recorder.context());
-    sparse = mesh_with(0);
-  }
+  SparseModel sparse = mesh_with(elements < large_mesh ? 0 : 1);
+  if (sparse.halvings > 0 && share_of_short_edges(sparse.mesh, sparse.size) > many_short) sparse = mesh_with(0);
   sparse.size = sparse.size.times(std::exp2(-static_cast<double>(sparse.halvings)));
   return sparse;
 }

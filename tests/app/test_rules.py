@@ -252,6 +252,8 @@ output: {directory: out, formats: [vtu, inp]}
         self.run_program(project)
         check = self.check(self.path("out", "model.vtu"), "--project", project)
         self.assertEqual([region["name"] for region in check["regions"]], ["rock"])
+        # What lies above the top and below the bottom is no unit that the model lacks.
+        self.assertFalse([w for w in self.report(self.path("out", "model.report.json"))["warnings"] if "no region" in w])
         # Distance of the planes at the centroids of [0,6]x[0,3] and [0,3]x[3,6].
         self.assertAlmostEqual(check["volume"], 18 * (8 - 1 - 4 / 6) + 9 * (8 - 1 - 2.5 / 6), delta=1e-9)
         with open(self.path("out", "model.inp")) as file:

@@ -3,19 +3,18 @@
 
 #include "geomesh/core/refine.hpp"
 #include "geomesh/geomodel/project.hpp"
-#include "pipeline/jobs/prepare.hpp"
-#include "pipeline/refine_model.hpp"
+#include "pipeline/stages/refine_model.hpp"
 #include "quality_models.hpp"
 #include "test_places.hpp"
 
 namespace geomesh::bench {
 namespace {
 
-QualityModel prepared(const std::string& name, geomodel::PreparedModel& model) {
+QualityModel prepared(const std::string& name, geomodel::Arranged arranged) {
   QualityModel q;
   q.name = name;
-  q.facet_parent = geomodel::facet_parents(model);
-  q.plc = std::move(model.plc.plc);
+  q.facet_parent = geomodel::facet_parents(arranged);
+  q.plc = std::move(arranged.plc.plc);
   q.sizes_from_edges = false;
   return q;
 }
@@ -24,18 +23,21 @@ QualityModel prepared(const std::string& name, geomodel::PreparedModel& model) {
 
 QualityModel sample(const std::string& name) {
   const auto file = std::filesystem::path(GEOMESH_SOURCE_DIR) / "samples" / name / "project.yaml";
-  geomodel::PreparedModel model;
-  geomodel::prepare_project(geomodel::read_project(file), model, {});
-  return prepared(name, model);
+  const RunContext context;
+  geomodel::Journal journal(context);
+  const geomodel::Inputs inputs = geomodel::read_project_model(geomodel::read_project(file), journal);
+  const geomodel::Built built = geomodel::build_model(inputs, journal);
+  return prepared(name, geomodel::intersect(inputs, built, journal));
 }
 
 QualityModel model_a4() {
   geomodel::MeshRequest request;
   request.inputs = {std::string(GEOMESH_SHARED_DATA) + "/modelA4/modelA4.ml"};
   if (!std::filesystem::exists(request.inputs[0])) return {"modelA4", {}, false};
-  geomodel::PreparedModel model;
-  geomodel::prepare_mesh(request, model, {});
-  return prepared("modelA4", model);
+  const RunContext context;
+  geomodel::Journal journal(context);
+  const geomodel::Inputs inputs = geomodel::read_mesh_model(request, journal);
+  return prepared("modelA4", geomodel::intersect(inputs, geomodel::built_as_given(inputs), journal));
 }
 
 QualityModel model_a4_remeshed() {

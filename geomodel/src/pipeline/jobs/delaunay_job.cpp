@@ -5,19 +5,20 @@
 #include <nlohmann/json.hpp>
 
 #include "geomesh/geomodel/formats.hpp"
+#include "geomesh/geomodel/pipeline.hpp"
 #include "geomesh/geomodel/report.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
-#include "pipeline/finish.hpp"
-#include "pipeline/jobs/hull.hpp"
 #include "pipeline/jobs/read_points.hpp"
+#include "pipeline/journal.hpp"
+#include "pipeline/stage_recorder.hpp"
+#include "pipeline/stages/hull.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 /// Equal points are one vertex; a warning names the first few rows, the report all of them.
-void report_equal_points(const std::vector<VertexIndex>& representative, std::vector<std::string>& warnings,
-                         const RunContext& context) {
+void report_equal_points(const std::vector<VertexIndex>& representative, Journal& journal) {
   std::size_t n = 0;
   std::string rows;
   for (VertexIndex v = 0; v < representative.size(); ++v) {
@@ -25,9 +26,8 @@ void report_equal_points(const std::vector<VertexIndex>& representative, std::ve
     if (++n <= 5) rows += (rows.empty() ? "" : ", ") + std::to_string(v) + " = " + std::to_string(representative[v]);
   }
   if (n > 0)
-    warn(warnings, context,
-         std::to_string(n) + " points equal an earlier one and were merged with it (rows from 0: " + rows +
-             (n > 5 ? ", ..." : "") + ")");
+    journal.warn(std::to_string(n) + " points equal an earlier one and were merged with it (rows from 0: " + rows +
+                 (n > 5 ? ", ..." : "") + ")");
 }
 
 /// Each point that was merged, with the one it equals, as rows of the input.
@@ -119,7 +119,9 @@ JobResult run_delaunay(const DelaunayRequest& request, const RunContext& context
     delaunay = delaunay_tetrahedralization(points, request.options, recorder.context());
     recorder.context().note(LogLevel::info, std::to_string(delaunay.statistics.points_deferred) + " points deferred");
   }
-  report_equal_points(delaunay.representative, result.warnings, recorder.context());
+  Journal journal(recorder.context());
+  report_equal_points(delaunay.representative, journal);
+  result.warnings = journal.warnings();
 
   ModelMesh mesh;
   {

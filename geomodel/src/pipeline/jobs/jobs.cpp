@@ -2,7 +2,7 @@
 // The commands that mesh, declared in geomesh/geomodel/pipeline.hpp.
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
-#include "pipeline/jobs/prepare.hpp"
+#include "pipeline/jobs/run_stages.hpp"
 
 namespace geomesh::geomodel {
 
@@ -23,9 +23,6 @@ static Project preview_of(Project project) {
 JobResult run_project(const ProjectRequest& request, const RunContext& context) {
   const Project project = request.preview ? preview_of(request.project) : request.project;
   StageRecorder recorder(context, request.stop_after);
-  PreparedModel model;
-  model.command = "project";
-  model.name = project.name;
   OutputPlan plan;
   if (request.outputs == ProjectRequest::Outputs::written) {
     plan.stem = request.directory.value_or(project.output.directory) / project.name;
@@ -35,20 +32,17 @@ JobResult run_project(const ProjectRequest& request, const RunContext& context) 
   } else {
     plan.report_beside = false;
   }
-  return run_stages(model, plan, recorder, [&] { prepare_project(project, model, recorder.context()); });
+  return run_stages(plan, recorder, [&](Journal& journal) { return read_project_model(project, journal); });
 }
 
 JobResult run_mesh(const MeshRequest& request, const RunContext& context) {
   StageRecorder recorder(context, request.stop_after);
-  PreparedModel model;
-  model.command = "mesh";
-  model.name = request.output.stem().string();
   OutputPlan plan;
   plan.stem = request.output.parent_path() / request.output.stem();
   plan.formats = {format_name_of(request.output)};
   plan.report_beside = plan.formats.front() == "vtu";
   plan.report_copy = request.report;
-  return run_stages(model, plan, recorder, [&] { prepare_mesh(request, model, recorder.context()); });
+  return run_stages(plan, recorder, [&](Journal& journal) { return read_mesh_model(request, journal); });
 }
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/refine_model.hpp"
+#include "pipeline/stages/refine_model.hpp"
 
 #include <algorithm>
 #include <map>
@@ -54,8 +54,8 @@ Value value_of(const Region& r, const std::map<std::string, Value>& values) {
   return own != values.end() ? own->second : unit != values.end() ? unit->second : Value{};
 }
 
-double wavelength_size_of(const Region& r, const PreparedModel& model) {
-  const double size = wavelength_size(model.refinement.size, value_of(r, model.naming.attributes));
+double wavelength_size_of(const Region& r, const NamedSizes& sizes, const NamingRules& naming) {
+  const double size = wavelength_size(sizes, value_of(r, naming.attributes));
   if (size > 0) return size;
   throw Error(ErrorKind::usage, "mesh.size.frequency: the region '" + r.name +
                                     "' has no velocity; give its unit one in 'attributes', as " +
@@ -63,20 +63,21 @@ double wavelength_size_of(const Region& r, const PreparedModel& model) {
 }
 
 /// Per component the size asked inside of it, and the elements asked across it.
-void ask_of_components(const PreparedModel& model, const ConstrainedTetrahedralization& mesh, SizeOptions& size) {
-  const NamedSizes& asked = model.refinement.size;
+void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedralization& mesh, const NamingRules& rules,
+                       SizeOptions& size) {
+  const NamedSizes& asked = model.arranged.refinement.size;
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
   std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
-  const Column column = make_column(model.naming.column, model.surfaces, told_later);
-  const NamingRules naming = with_heights(model.naming, model.surfaces, model.built_rows, model.rules);
-  const NamedRegions named =
-      name_regions({mesh, model.arrangement.soup, model.plc, model.surfaces}, naming, column, told_later);
+  const Column column = make_column(rules.column, model.arranged.surfaces, told_later);
+  const NamingRules naming = with_heights(rules, model.arranged.surfaces, model.built.rows, model.built.rules);
+  const NamedRegions named = name_regions(
+      {mesh, model.arranged.arrangement.soup, model.arranged.plc, model.arranged.surfaces}, naming, column, told_later);
   std::set<std::string> words;
   for (const auto& [name, value] : asked.units) words.insert(name);
   for (const auto& [name, value] : asked.layers) words.insert(name);
   for (const Region* r : regions_of_components(named, words)) {
     double least = value_of(*r, asked.units).size;
-    const double by_waves = asked.frequency > 0 ? wavelength_size_of(*r, model) : 0;
+    const double by_waves = asked.frequency > 0 ? wavelength_size_of(*r, asked, rules) : 0;
     if (by_waves > 0 && !(least > 0 && least < by_waves)) least = by_waves;
     size.component_size.push_back(least);
     size.component_layers.push_back(value_of(*r, asked.layers));
@@ -99,19 +100,20 @@ std::string kind_word(SurfaceKind kind) {
 }
 
 /// Per patch the size asked on it: the least over the surfaces that it is part of.
-std::vector<AskedSize> patch_sizes(const PreparedModel& model, const std::vector<Index>& facet_patch) {
-  const auto& asked = model.refinement.size.surfaces;
+std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<Index>& facet_patch) {
+  const auto& asked = model.arranged.refinement.size.surfaces;
   std::vector<AskedSize> sizes;
   if (asked.empty()) return sizes;
   std::set<std::string> known;
-  for (const TriangulatedSurface& s : model.surfaces) known.insert(s.name);
+  for (const TriangulatedSurface& s : model.arranged.surfaces) known.insert(s.name);
   known.insert({"horizons", "faults", "bodies"});
   for (const auto& [name, size] : asked)
     if (!known.contains(name)) refuse_name("surface", name, known);
   for (Index f = 0; f < facet_patch.size(); ++f) {
     if (facet_patch[f] >= sizes.size()) sizes.resize(facet_patch[f] + 1);
-    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
-      for (const std::string& word : {model.surfaces[o.surface].name, kind_word(model.surfaces[o.surface].kind)})
+    for (const PolygonSoup::Origin& o : origins_of(model.arranged.arrangement.soup, model.arranged.plc, f))
+      for (const std::string& word :
+           {model.arranged.surfaces[o.surface].name, kind_word(model.arranged.surfaces[o.surface].kind)})
         if (const auto at = asked.find(word); at != asked.end()) ask(sizes[facet_patch[f]], at->second);
   }
   return sizes;
@@ -120,57 +122,57 @@ std::vector<AskedSize> patch_sizes(const PreparedModel& model, const std::vector
 /// The word by which settings name all curves of a kind (NamedCurve::kind).
 std::string plural(const std::string& kind) { return kind + "s"; }
 
-std::vector<AskedSize> segment_sizes(const PreparedModel& model) {
-  const auto& asked = model.refinement.size.curves;
+std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
+  const auto& asked = model.arranged.refinement.size.curves;
   std::vector<AskedSize> sizes;
   if (asked.empty()) return sizes;
   std::set<std::string> known{"wells", "intersections", "borders", "fault_tips"};
-  for (const SoupCurve& c : model.plc.curves) known.insert(c.name);
+  for (const SoupCurve& c : model.arranged.plc.curves) known.insert(c.name);
   for (const auto& [name, size] : asked)
     if (!known.contains(name)) refuse_name("curve", name, known);
-  sizes.resize(model.plc.plc.segments.size());
+  sizes.resize(model.arranged.plc.plc.segments.size());
   for (Index s = 0; s < sizes.size(); ++s)
-    for (const Index c : model.plc.segment_curves[s])
-      for (const std::string& name : {model.plc.curves[c].name, plural(model.plc.curves[c].kind)})
+    for (const Index c : model.arranged.plc.segment_curves[s])
+      for (const std::string& name : {model.arranged.plc.curves[c].name, plural(model.arranged.plc.curves[c].kind)})
         if (const auto at = asked.find(name); at != asked.end()) ask(sizes[s], at->second);
   return sizes;
 }
 
 /// "top, fault": the surfaces that facets are part of.
-std::string names_of_facets(const PreparedModel& model, const std::vector<Index>& facets) {
+std::string names_of_facets(const ModelRecords& model, const std::vector<Index>& facets) {
   std::set<std::string> names;
   for (const Index f : facets)
-    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
-      names.insert(model.surfaces[o.surface].name);
+    for (const PolygonSoup::Origin& o : origins_of(model.arranged.arrangement.soup, model.arranged.plc, f))
+      names.insert(model.arranged.surfaces[o.surface].name);
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   return list;
 }
 
 /// Surfaces that could not be proven to be within the tolerance are as they were given.
-void warn_of_kept(PreparedModel& model, const RefineResult& result, const RunContext& context) {
+std::string words_of_kept(const ModelRecords& model, const RefineResult& result) {
   if (result.all_kept) {
-    warn(model.warnings, context,
-         "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
-         "short edges and needles of the input stay, and force elements as poor. Ask for smaller sizes or another "
-         "tolerance");
-  } else if (!result.kept.empty()) {
+    return "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
+           "short edges and needles of the input stay, and force elements as poor. Ask for smaller sizes or another "
+           "tolerance";
+  }
+  if (!result.kept.empty()) {
     std::vector<Index> facets;
     for (const KeptPlace& k : result.kept) facets.push_back(k.facet);
-    const Vec3 at = result.kept.front().place + model.origin;
-    warn(model.warnings, context,
-         std::to_string(facets.size()) + " triangles of " + names_of_facets(model, facets) +
-             " are kept exactly: remeshed they could not be proven to be within the tolerance. The first is at (" +
-             short_words(at.x) + ", " + short_words(at.y) + ", " + short_words(at.z) +
-             "). Smaller sizes there would let them be remeshed");
+    const Vec3 at = result.kept.front().place + model.inputs.origin;
+    return std::to_string(facets.size()) + " triangles of " + names_of_facets(model, facets) +
+           " are kept exactly: remeshed they could not be proven to be within the tolerance. The first is at (" +
+           short_words(at.x) + ", " + short_words(at.y) + ", " + short_words(at.z) +
+           "). Smaller sizes there would let them be remeshed";
   }
+  return {};
 }
 
 /// What is refused of facets is told of their surfaces.
-RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetrahedralization mesh,
+RefineResult refine_naming_surfaces(const ModelRecords& model, ConstrainedTetrahedralization mesh,
                                     const RefineOptions& options, const RunContext& context) {
   try {
-    return refine_and_improve(model.plc.plc, std::move(mesh), options, context);
+    return refine_and_improve(model.arranged.plc.plc, std::move(mesh), options, context);
   } catch (const Error& error) {
     const std::string list = names_of_facets(model, error.context().facets);
     if (list.empty()) throw;
@@ -179,15 +181,15 @@ RefineResult refine_naming_surfaces(const PreparedModel& model, ConstrainedTetra
 }
 
 /// Points that stay in their places while surfaces are remeshed: named points, and the corners of fractures.
-std::vector<VertexIndex> fixed_points(const PreparedModel& model) {
-  const PolygonSoup& soup = model.arrangement.soup;
+std::vector<VertexIndex> fixed_points(const ModelRecords& model) {
+  const PolygonSoup& soup = model.arranged.arrangement.soup;
   std::vector<VertexIndex> fixed;
   for (const auto& p : soup.isolated_points) fixed.push_back(p.v);
-  const std::vector<bool> polygons = plane_polygons(model.surfaces, model.rules);
+  const std::vector<bool> polygons = plane_polygons(model.arranged.surfaces, model.built.rules);
   if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
   std::vector<bool> is_corner;  // by row in the concatenated points of the surfaces
   for (std::size_t s = 0; s < polygons.size(); ++s)
-    is_corner.resize(is_corner.size() + model.surfaces[s].points.size(), polygons[s]);
+    is_corner.resize(is_corner.size() + model.arranged.surfaces[s].points.size(), polygons[s]);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)
     if (soup.input_point[v] < is_corner.size() && is_corner[soup.input_point[v]]) fixed.push_back(v);
   return fixed;
@@ -195,15 +197,15 @@ std::vector<VertexIndex> fixed_points(const PreparedModel& model) {
 
 }  // namespace
 
-std::vector<Index> facet_parents(const PreparedModel& model) {
+std::vector<Index> facet_parents(const Arranged& arranged) {
   std::map<std::vector<std::pair<Index, Index>>, Index> number;
   std::vector<Index> parents;
-  for (Index f = 0; f < model.plc.plc.n_facets(); ++f) {
+  for (Index f = 0; f < arranged.plc.plc.n_facets(); ++f) {
     std::vector<std::pair<Index, Index>> triangles;
-    for (const PolygonSoup::Origin& o : origins_of(model.arrangement.soup, model.plc, f))
+    for (const PolygonSoup::Origin& o : origins_of(arranged.arrangement.soup, arranged.plc, f))
       triangles.emplace_back(o.surface, o.triangle);
     const bool is_piece =
-        model.plc.facet_soup_offsets[f + 1] - model.plc.facet_soup_offsets[f] == 1 && !triangles.empty();
+        arranged.plc.facet_soup_offsets[f + 1] - arranged.plc.facet_soup_offsets[f] == 1 && !triangles.empty();
     parents.push_back(is_piece
                           ? number.try_emplace(std::move(triangles), static_cast<Index>(number.size())).first->second
                           : no_index);
@@ -211,12 +213,12 @@ std::vector<Index> facet_parents(const PreparedModel& model) {
   return parents;
 }
 
-std::vector<Index> segment_curves(const PreparedModel& model) {
+std::vector<Index> segment_curves(const ModelPlc& plc) {
   std::map<std::vector<Index>, Index> number;
   std::vector<Index> curves;
-  for (const std::vector<Index>& names : model.plc.segment_curves) {
+  for (const std::vector<Index>& names : plc.segment_curves) {
     const bool has_well =
-        std::any_of(names.begin(), names.end(), [&](Index c) { return model.plc.curves[c].kind == "well"; });
+        std::any_of(names.begin(), names.end(), [&](Index c) { return plc.curves[c].kind == "well"; });
     curves.push_back(has_well || names.empty()
                          ? no_index
                          : number.try_emplace(names, static_cast<Index>(number.size())).first->second);
@@ -263,8 +265,9 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
   return "";
 }
 
-RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrahedralization& mesh) {
-  const RefinementSettings& settings = model.refinement;
+RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
+                             const NamingRules& naming) {
+  const RefinementSettings& settings = model.arranged.refinement;
   RefineOptions options;
   options.honour = settings.honour;
   options.tolerance = settings.tolerance.left();
@@ -274,35 +277,35 @@ RefineOptions refine_options(const PreparedModel& model, const ConstrainedTetrah
   options.quality_measure = settings.quality_measure;
   options.time_budget = settings.time_budget;
   options.max_elements = settings.max_elements;
-  options.sparse_growth = model.sparse_growth;
-  options.sparse_ratio = model.sparse_ratio;
-  options.sparse_surfaces = model.sparse_surfaces;
-  for (const Index p : model.plc.facet_patch) options.facet_patch.push_back(p - 1);
-  options.facet_parent = facet_parents(model);
-  options.segment_curve = segment_curves(model);
-  if (std::any_of(model.surfaces.begin(), model.surfaces.end(),
+  for (const Index p : model.arranged.plc.facet_patch) options.facet_patch.push_back(p - 1);
+  options.facet_parent = facet_parents(model.arranged);
+  options.segment_curve = segment_curves(model.arranged.plc);
+  if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
     // Other points inside of a box side are left of pieces that were cut away: nobody's.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)
-    options.size.sources.push_back({near.place - model.origin, near.asked.size, near.asked.radius});
-  ask_of_components(model, mesh, options.size);
+    options.size.sources.push_back({near.place - model.inputs.origin, near.asked.size, near.asked.radius});
+  ask_of_components(model, mesh, naming, options.size);
   options.size.patch_size = patch_sizes(model, options.facet_patch);
   options.size.segment_size = segment_sizes(model);
   return options;
 }
 
-RefineResult refine_model(PreparedModel& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
+RefineResult refine_model(const ModelRecords& model, ConstrainedTetrahedralization mesh, const RefineOptions& options,
                           const RunContext& context) {
-  if (model.options.recover.mode == MeshMode::conforming)
-    return refine_conforming(model.plc.plc, mesh, model.options, options, context);
+  const PiecewiseLinearComplex& plc = model.arranged.plc.plc;
+  if (model.inputs.options.recover.mode == MeshMode::conforming)
+    return refine_conforming(plc, mesh, model.inputs.options, options, context);
   RefineResult result = refine_naming_surfaces(model, std::move(mesh), options, context);
-  model.warnings.insert(model.warnings.end(), result.warnings.begin(), result.warnings.end());
-  warn_of_kept(model, result, context);
+  const auto warn = [&](std::string text) {
+    context.note(LogLevel::warning, text);
+    result.warnings.push_back(std::move(text));
+  };
+  if (std::string kept = words_of_kept(model, result); !kept.empty()) warn(std::move(kept));
   if (result.statistics.out_of_time)
-    warn(model.warnings, context,
-         "the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
+    warn("the time budget ended the improvement of elements early: the mesh is valid, some elements could be better");
   return result;
 }
 

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/target_elements.hpp"
+#include "pipeline/stages/target_elements.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "pipeline/refine_model.hpp"
+#include "pipeline/stages/refine_model.hpp"
 #include "report/announcement.hpp"
 
 namespace geomesh::geomodel {
@@ -25,14 +24,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Elements go with the cube of the size; where surfaces take their share, with less.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
-Box3 bounds_of(const PreparedModel& model) {
+Box3 bounds_of(const Arranged& model) {
   Box3 box;
   for (const Vec3& p : model.plc.plc.points) box.add(p);
   return box;
 }
 
 /// Beyond it the tolerance that follows the sizes would be refused.
-double greatest_factor(const PreparedModel& model, const RefineOptions& options) {
+double greatest_factor(const Arranged& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
   const Box3 box = bounds_of(model);
@@ -41,7 +40,7 @@ double greatest_factor(const PreparedModel& model, const RefineOptions& options)
 }
 
 /// Sizes several times those of a volume with nothing in it change no more than the tolerance that follows them.
-double factor_of_empty_volume(const PreparedModel& model, const RefineOptions& options, double target) {
+double factor_of_empty_volume(const Arranged& model, const RefineOptions& options, double target) {
   constexpr double most = 7;
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
@@ -116,7 +115,7 @@ class CountSearch {
 /// Elements whose size doubles from one to the next are as steep as solvers bear.
 constexpr double steepest_gradation = 1;
 
-Scale greatest_scale(const PreparedModel& model, const RefineOptions& options, double target) {
+Scale greatest_scale(const Arranged& model, const RefineOptions& options, double target) {
   return {std::min(greatest_factor(model, options), factor_of_empty_volume(model, options, target)),
           std::max(steepest_gradation / options.size.gradation, 1.0)};
 }
@@ -161,22 +160,9 @@ double size_by_estimate(const ElementEstimator& estimator, const RefineOptions& 
   return size;
 }
 
-/// What the run promises is what it used, with the sizes and the tolerance of these options.
-void settle(PreparedModel& model, const RefineOptions& options) {
-  RefinementSettings& settings = model.refinement;
-  settings.size.base.global = options.size.global;
-  settings.size.base.gradation = options.size.gradation;
-  settings.size.base.gap_layers = options.size.gap_layers;
-  settings.tolerance.rescale_left(options.tolerance);
-  auto input = nlohmann::ordered_json::parse(model.input_json, nullptr, false);
-  if (input.is_discarded()) return;
-  if (options.size.global > 0) input["mesh"]["size"] = options.size.global;
-  model.input_json = input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
-
-ElementEstimate by_cause(const ElementEstimator& estimator, const PreparedModel& model, const RefineOptions& options,
+ElementEstimate by_cause(const ElementEstimator& estimator, const SettledStack& stack, const RefineOptions& options,
                          std::optional<double> known_total = std::nullopt) {
-  const std::size_t n_thin = model.stack.settled ? model.stack.sizes.size() : 0;  // see ask_of_thin_units
+  const std::size_t n_thin = stack.settled ? stack.sizes.size() : 0;  // see ask_of_thin_units
   return estimator.by_cause(options, n_thin, known_total);
 }
 
@@ -188,44 +174,52 @@ bool may_derive(const RefinementSettings& settings) {
 }
 
 /// Whether gaps between surfaces ask for too many elements even where all sizes are as large as they may be.
-bool gaps_ask_for_too_many(const PreparedModel& model, const ElementEstimator& estimator, const RefineOptions& options,
-                           const Scale& greatest) {
-  const double most = most_over_target * model.refinement.derived_elements;
-  return options.size.gap_layers > 0 && model.refinement.gaps_by_default && estimator.is_above(most, options) &&
+bool gaps_ask_for_too_many(const RefinementSettings& settings, const ElementEstimator& estimator,
+                           const RefineOptions& options, const Scale& greatest) {
+  const double most = most_over_target * settings.derived_elements;
+  return options.size.gap_layers > 0 && settings.gaps_by_default && estimator.is_above(most, options) &&
          estimator.is_above(most, scaled_sizes(options, greatest.size));
 }
 
 }  // namespace
 
-CountedOptions with_derived_size(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
+RefinementSettings settings_used(RefinementSettings settings, const RefineOptions& options) {
+  settings.size.base.global = options.size.global;
+  settings.size.base.gradation = options.size.gradation;
+  settings.size.base.gap_layers = options.size.gap_layers;
+  settings.tolerance.rescale_left(options.tolerance);
+  return settings;
+}
+
+CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
   constexpr double near = 1.4;  // an estimate that is as far off again is still between 50,000 and 200,000
-  const RefinementSettings& settings = model.refinement;
-  const ElementEstimator estimator(model.plc.plc, mesh, options);
-  if (!may_derive(settings)) return {options, by_cause(estimator, model, options)};
+  const RefinementSettings& settings = model.arranged.refinement;
+  const SettledStack& stack = model.built.stack;
+  const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);
+  if (!may_derive(settings)) return {options, by_cause(estimator, stack, options), settings};
   const double target = settings.derived_elements;
   // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
-  Scale most = greatest_scale(model, options, target);
+  Scale most = greatest_scale(model.arranged, options, target);
   if (!settings.gradation_by_default) most.gradation = 1;
-  const bool drops_gaps = gaps_ask_for_too_many(model, estimator, options, most);
+  const bool drops_gaps = gaps_ask_for_too_many(settings, estimator, options, most);
   if (drops_gaps) options.size.gap_layers = 0;
   const auto [scale, count] = scale_by_estimate(estimator, options, CountSearch(target, most), near);
   options = scaled(options, scale);
-  const CountedOptions chosen{options, by_cause(estimator, model, options, count), drops_gaps, scale.gradation};
-  settle(model, chosen.options);
-  return chosen;
+  return {options, by_cause(estimator, stack, options, count), settings_used(settings, options), drops_gaps,
+          scale.gradation};
 }
 
-void announce_count(PreparedModel& model, const CountedOptions& counted, const RunContext& context) {
+void announce_count(const CountedOptions& counted, const std::string& unit, Journal& journal) {
   const RefineOptions& options = counted.options;
+  const RefinementSettings& used = counted.used;
   const bool may_move = options.honour == Honour::tolerance;
-  const double tolerance =
-      may_move ? options.tolerance + model.refinement.tolerance.requested() - model.refinement.tolerance.left() : 0;
-  std::string text = announcement(counted.estimate, options.size.global, tolerance, model.unit,
+  const double tolerance = may_move ? options.tolerance + used.tolerance.requested() - used.tolerance.left() : 0;
+  std::string text = announcement(counted.estimate, options.size.global, tolerance, unit,
                                   options.size.from_input_edges && options.size_surfaces);
   if (counted.gaps_dropped)
     text += "; elements in gaps between surfaces may be flat, because more than " +
-            rounded_count(most_over_target * model.refinement.derived_elements) +
+            rounded_count(most_over_target * used.derived_elements) +
             " would come, whatever the size, if each gap had layers of its own and sizes grew no faster (mesh: {size: "
             "{gap_layers: 0.4}} asks for them)";
   if (counted.gradation_scale > 1)
@@ -237,7 +231,7 @@ void announce_count(PreparedModel& model, const CountedOptions& counted, const R
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +
                                             " (mesh: {max_elements}); sizes about " +
                                             short_words(std::cbrt(total / limit)) + " times as large would do");
-  note(model.notes, context, text);
+  journal.note(text);
 }
 
 RefineOptions scaled_sizes(RefineOptions options, double factor) {
@@ -255,46 +249,41 @@ RefineOptions scaled_sizes(RefineOptions options, double factor) {
   return options;
 }
 
-RefineResult refine_to_count(PreparedModel& model, const ConstrainedTetrahedralization& mesh,
-                             const RefineOptions& options, const RunContext& context) {
-  const double target = model.refinement.target_elements;
-  const Scale greatest = greatest_scale(model, options, target);
+RefinedToCount refine_to_count(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
+                               const RefineOptions& options, Journal& journal) {
+  const double target = model.arranged.refinement.target_elements;
+  const Scale greatest = greatest_scale(model.arranged, options, target);
   const CountSearch search(target, greatest);
-  const std::vector<std::string> warnings = model.warnings;
   std::vector<Try> tries;
-  struct {
-    Try found;
-    RefineResult result;
-    std::vector<std::string> warnings;
-  } best;
+  Try best;
+  RefineResult result;
   Scale scale;
   {
-    const StageScope stage(context, "estimate");
-    scale.size = size_by_estimate(ElementEstimator(model.plc.plc, mesh, options), options, target, greatest.size);
+    const StageScope stage(journal.context(), "estimate");
+    scale.size =
+        size_by_estimate(ElementEstimator(model.arranged.plc.plc, mesh, options), options, target, greatest.size);
   }
   while (tries.size() < most_tries) {
-    model.warnings = warnings;
-    RefineResult result = refine_model(model, mesh, scaled(options, scale), context);
-    tries.push_back({scale, static_cast<double>(result.mesh.tetrahedra.size())});
-    if (tries.size() == 1 || search.is_nearer(tries.back(), best.found))
-      best = {tries.back(), std::move(result), model.warnings};
-    if (search.is_near(best.found, near_enough)) break;
+    RefineResult now = refine_model(model, mesh, scaled(options, scale), journal.context());
+    tries.push_back({scale, static_cast<double>(now.mesh.tetrahedra.size())});
+    if (tries.size() == 1 || search.is_nearer(tries.back(), best)) {
+      best = tries.back();
+      result = std::move(now);
+    }
+    if (search.is_near(best, near_enough)) break;
     const Scale next = search.after(tries);
     if (next.size == scale.size && next.gradation == scale.gradation) break;
     scale = next;
   }
-  model.warnings = std::move(best.warnings);
-  if (!search.is_near(best.found, near_enough))
-    warn(model.warnings, context,
-         "target_elements: " + short_words(best.found.count) + " elements came out and not " + short_words(target) +
-             ", whatever the size: the surfaces alone ask for others");
-  settle(model, scaled(options, best.found.scale));
-  note(model.notes, context,
-       "target_elements: sizes are " + short_words(best.found.scale.size) + " times those asked for" +
-           (best.found.scale.gradation > 1
-                ? ", and grow " + short_words(best.found.scale.gradation) + " times as fast away from small ones"
-                : ""));
-  return std::move(best.result);
+  journal.keep_warnings(result.warnings);
+  if (!search.is_near(best, near_enough))
+    journal.warn("target_elements: " + short_words(best.count) + " elements came out and not " + short_words(target) +
+                 ", whatever the size: the surfaces alone ask for others");
+  journal.note("target_elements: sizes are " + short_words(best.scale.size) + " times those asked for" +
+               (best.scale.gradation > 1
+                    ? ", and grow " + short_words(best.scale.gradation) + " times as fast away from small ones"
+                    : ""));
+  return {std::move(result), settings_used(model.arranged.refinement, scaled(options, best.scale))};
 }
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/failed_place.hpp"
+#include "pipeline/outputs/failed_place.hpp"
 
 #include "writers/vtk_parts.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/soup_vtp.hpp"
+#include "pipeline/outputs/soup_vtp.hpp"
 
 #include "writers/vtk_parts.hpp"
 

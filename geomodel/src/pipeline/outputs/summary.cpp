@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/summary.hpp"
+#include "pipeline/outputs/summary.hpp"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "pipeline/jobs/hull.hpp"
+#include "pipeline/stages/hull.hpp"
 
 #include "geomesh/core/delaunay.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The model of `geomesh mesh`, declared in pipeline/jobs/prepare.hpp.
+// What `geomesh mesh` asks and what its files hold, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -9,74 +9,39 @@
 #include "geomesh/geomodel/readers.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "grid_sizes/size_grid.hpp"
-#include "pipeline/jobs/hull.hpp"
-#include "pipeline/jobs/prepare.hpp"
+#include "pipeline/stages/hull.hpp"
+#include "pipeline/stages/stages.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// True where every edge (by coordinates of its ends) has an even number of triangles.
-bool is_closed(const TriangulatedSurface& surface) {
-  const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
-  std::map<Vec3, Index, decltype(less)> ids(less);
-  std::vector<std::pair<Index, Index>> edges;
-  for (const Triangle& t : surface.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const auto id = [&](VertexIndex v) {
-        return ids.try_emplace(surface.points[v], static_cast<Index>(ids.size())).first->second;
-      };
-      const Index a = id(t[i]), b = id(t[(i + 1) % 3]);
-      if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
-    }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t j = i;
-    while (j < edges.size() && edges[j] == edges[i]) ++j;
-    if ((j - i) % 2 != 0) return false;
-    i = j;
-  }
-  return !edges.empty();
-}
-
-/// A PLC file becomes the engine's input as it is; its facets stand in for soup facets so that results can be named.
-void prepare_plc(const std::filesystem::path& path, PreparedModel& model, const RunContext& context) {
-  StageScope stage(context, "read");
+/// The facets of a PLC file as one surface, by their first three corners, so that results can be named.
+void read_plc(const std::filesystem::path& path, Inputs& model, Journal& journal) {
+  const StageScope stage(journal.context(), "read");
   PlcFile file = read_plc_file(path);
-  for (const std::string& text : file.warnings) warn(model.warnings, context, text);
+  journal.warn_all(file.warnings);
   TriangulatedSurface surface;
   surface.name = path.stem().string();
   surface.file = path.filename().string();
   surface.points = file.plc.points;
-  PolygonSoup& soup = model.arrangement.soup;
-  soup.points = file.plc.points;
-  soup.kind.assign(soup.points.size(), SoupVertexKind::input);
-  for (Index v = 0; v < soup.points.size(); ++v) soup.input_point.push_back(v);
   for (Index f = 0; f < file.plc.n_facets(); ++f) {
     const auto loop = file.plc.outer_loop(f);
     surface.triangles.push_back({loop[0], loop[1], loop[2]});
-    soup.facets.push_back(surface.triangles.back());
-    soup.origins.push_back({0, f, false});
-    soup.origin_offsets.push_back(static_cast<Index>(soup.origins.size()));
-    model.plc.facet_soup.push_back(f);
-    model.plc.facet_soup_offsets.push_back(f + 1);
   }
   model.surfaces.push_back(std::move(surface));
-  model.plc.facet_patch.assign(file.plc.n_facets(), 1);
-  model.plc.segment_curves.resize(file.plc.segments.size());
-  model.plc.plc = std::move(file.plc);
-  model.naming.seed_names = std::move(file.region_names);
-  context.note(LogLevel::info, std::to_string(model.plc.plc.points.size()) + " points, " +
-                                   std::to_string(model.plc.plc.n_facets()) + " facets");
+  model.naming.seed_names = file.region_names;
+  journal.context().note(LogLevel::info, std::to_string(file.plc.points.size()) + " points, " +
+                                             std::to_string(file.plc.n_facets()) + " facets");
+  model.plc = std::move(file);
 }
 
-void read_surfaces(const MeshRequest& request, PreparedModel& model, std::vector<Polyline>& wells,
-                   const RunContext& context) {
-  StageScope stage(context, "read");
+void read_surfaces(const MeshRequest& request, Inputs& model, Journal& journal) {
+  const RunContext& context = journal.context();
+  const StageScope stage(context, "read");
   std::size_t n_triangles = 0;
   for (const auto& path : request.inputs) {
     FileContents contents = read_surface_file(path);
-    for (const std::string& text : contents.warnings)
-      warn(model.warnings, context, path.filename().string() + ": " + text);
+    for (const std::string& text : contents.warnings) journal.warn(path.filename().string() + ": " + text);
     if (contents.surfaces.empty() && contents.polylines.empty() && contents.points.empty())
       throw Error(ErrorKind::invalid_input, path.filename().string() + " (" + contents.format + ") holds no surface");
     const auto first = static_cast<Index>(model.surfaces.size());
@@ -90,7 +55,7 @@ void read_surfaces(const MeshRequest& request, PreparedModel& model, std::vector
       n_triangles += surface.triangles.size();
       model.surfaces.push_back(std::move(surface));
     }
-    std::move(contents.polylines.begin(), contents.polylines.end(), std::back_inserter(wells));
+    std::move(contents.polylines.begin(), contents.polylines.end(), std::back_inserter(model.wells));
     std::move(contents.points.begin(), contents.points.end(), std::back_inserter(model.points));
     context.report(model.surfaces.size(), 0);
     context.check_cancelled();
@@ -100,7 +65,7 @@ void read_surfaces(const MeshRequest& request, PreparedModel& model, std::vector
                std::to_string(model.surfaces.size()) + " surfaces, " + std::to_string(n_triangles) + " triangles");
 }
 
-std::string describe_input(const MeshRequest& request, const PreparedModel& model) {
+std::string describe_input(const MeshRequest& request, const Inputs& model) {
   nlohmann::ordered_json input;
   for (const auto& path : request.inputs) input["files"].push_back(path.filename().string());
   for (const TriangulatedSurface& s : model.surfaces)
@@ -122,7 +87,10 @@ void make_names_unique(std::vector<TriangulatedSurface>& surfaces) {
   }
 }
 
-void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunContext& context) {
+Inputs read_mesh_model(const MeshRequest& request, Journal& journal) {
+  Inputs model;
+  model.command = "mesh";
+  model.name = request.output.stem().string();
   model.options = request.options;
   model.refinement = request.refinement;
   load_background(model.refinement.size, model.origin);
@@ -133,29 +101,24 @@ void prepare_mesh(const MeshRequest& request, PreparedModel& model, const RunCon
                   std::string(request.box ? "--box" : "--hull") + " cannot be combined with a PLC file (" +
                       request.inputs.front().filename().string() +
                       "), which is meshed as it is; give its surfaces as OFF, OBJ, STL, PLY or .ts instead");
-    prepare_plc(request.inputs.front(), model, context);
+    read_plc(request.inputs.front(), model, journal);
     require_sizes_in_range(model.refinement, bounds_of(model.surfaces));
-    model.input_json = describe_input(request, model);
-    return;
+    model.description = describe_input(request, model);
+    return model;
   }
-  std::vector<Polyline> wells;
-  read_surfaces(request, model, wells, context);
+  read_surfaces(request, model, journal);
   require_sizes_in_range(model.refinement, request.box ? *request.box : bounds_of(model.surfaces));
-  model.input_json = describe_input(request, model);
+  model.description = describe_input(request, model);
   if (request.keep_hull) {
     model.naming.hull_surface = static_cast<Index>(model.surfaces.size());
-    model.surfaces.push_back(convex_hull_surface(model.surfaces, context));
+    model.surfaces.push_back(convex_hull_surface(model.surfaces, journal.context()));
   }
-
-  ArrangementOptions options;
-  options.box = request.box;
-  options.tolerance = request.tolerance;
-  if (request.intersect == MeshRequest::Intersect::never) options.crossings = ArrangementOptions::Crossings::refuse;
-  intersect(model, wells, options, context);
-  // Closed surfaces are bodies for `inside`; they do not cut each other.
-  for (TriangulatedSurface& surface : model.surfaces)
-    if (surface.kind == SurfaceKind::surface && surface.name != hull_name && is_closed(surface))
-      surface.kind = SurfaceKind::body;
+  model.arrangement.box = request.box;
+  model.arrangement.tolerance = request.tolerance;
+  if (request.intersect == MeshRequest::Intersect::never)
+    model.arrangement.crossings = ArrangementOptions::Crossings::refuse;
+  model.closed_are_bodies = true;
+  return model;
 }
 
 }  // namespace geomesh::geomodel

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/stages/merge_near.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "fractures/plane_polygons.hpp"
+#include "geomesh/geomodel/words.hpp"
+#include "naming/region_facts.hpp"
+
+namespace geomesh::geomodel {
+
+namespace {
+
+constexpr double most_of_tolerance = 0.5;      ///< what merging may use
+constexpr double most_moved_of_tolerance = 2;  ///< of the project's own
+constexpr double next_distance = 0.5;          ///< of the distance before
+constexpr unsigned most_tries = 3, most_tries_asked = 5;
+constexpr unsigned most_rounds =
+    4;  ///< of a try: what has no end then has none later, and each takes as long as the first
+
+/// What merging, and mending at places too thin for any rounding, moved.
+ToleranceUse use_of(const ArrangementResult::Merging& merging) {
+  ToleranceUse use{"merging", merging.displacement.largest};
+  use.moved = use.taken;
+  use.place = merging.displacement.where;
+  return use;
+}
+
+/// What stood against merging within a distance.
+struct Obstacle {
+  std::string text;
+  void keep_first(std::string other) {
+    if (text.empty()) text = std::move(other);
+  }
+};
+
+class NearMerging {
+ public:
+  NearMerging(const Inputs& inputs, const Built& built, ToleranceLedger& tolerance, Journal& journal)
+      : unit_(inputs.unit), built_(built), tolerance_(tolerance), journal_(journal) {}
+
+  /// As asked by `merge_within`.
+  ArrangementResult asked(ArrangementOptions options) { return booked_apart(try_shares_asked(std::move(options))); }
+
+  /// Within a share of the tolerance.
+  ArrangementResult by_default(ArrangementOptions options) {
+    // A network of fractures keeps its areas and junctions unless the project has `merge_within`.
+    double distance = is_fracture_network(built_.surfaces, built_.rules) ? 0 : merging_distance(built_.refinement);
+    const unsigned rounds = options.max_rounding_rounds;
+    for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
+      options.tolerance = distance;
+      options.merging = ArrangementOptions::MergingOf::surfaces_that_meet;
+      options.max_rounding_rounds = std::min(rounds, most_rounds);
+      auto found = try_default(options);
+      if (!found) continue;
+      tell(*found, distance);
+      if (found->merging.displacement.largest > 0) tolerance_.take(use_of(found->merging));
+      return std::move(*found);
+    }
+    if (options.merging == ArrangementOptions::MergingOf::surfaces_that_meet) options.tolerance = 0;
+    options.max_rounding_rounds = rounds;
+    return booked_apart(arranged(options));
+  }
+
+ private:
+  ArrangementResult arranged(const ArrangementOptions& options) const {
+    return arrange(built_.surfaces, built_.wells, built_.points, options, journal_.context());
+  }
+
+  /// Nothing where no arrangement comes of it, or something moved too far.
+  std::optional<ArrangementResult> try_default(const ArrangementOptions& options) const {
+    const auto tell = [&](const std::string& text) { journal_.context().note(LogLevel::debug, text); };
+    try {
+      ArrangementResult found = arranged(options);
+      if (found.merging.displacement.largest <= most_of_tolerance * tolerance_.left()) return found;
+      tell("merging within " + short_words(options.tolerance) + " moves something by " +
+           short_words(found.merging.displacement.largest) + ", too far");
+    } catch (const Error& error) {
+      if (error.kind() == ErrorKind::interrupted) throw;
+      tell("no merging within " + short_words(options.tolerance) + ": " + error.what());
+    }
+    return std::nullopt;
+  }
+
+  /// What was merged is told as a finding: nothing is wrong with it.
+  void tell(ArrangementResult& found, double distance) const {
+    for (const Spot& spot : found.spots)
+      if (spot.what == "merged") std::erase(found.warnings, describe(spot, built_.surfaces));
+    const ArrangementResult::Merging& merging = found.merging;
+    const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
+    constexpr double by_rounding = 1e-6;  // of the distance: what touches already is counted too
+    if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
+    const std::string pockets = merging.pockets_closed == 0
+                                    ? std::string()
+                                    : "; " + std::to_string(merging.pockets_closed) + " thinner pockets were closed";
+    journal_.note("surfaces that meet were brought together at " + std::to_string(n) +
+                  " places where they were nearer than " + short_words(distance) + " " + unit_ + " to each other" +
+                  pockets + "; nothing moved by more than " + short_words(merging.displacement.largest) + " " + unit_);
+  }
+
+  /// Books what was allowed by `merge_within`, or what mending moved without any tolerance.
+  ArrangementResult booked_apart(ArrangementResult found) {
+    ToleranceUse use = use_of(found.merging);
+    use.by_own_key = true;
+    if (use.taken > 0) tolerance_.take(std::move(use));
+    return found;
+  }
+
+  /// Nothing where no doubles keep apart what merging brings together, or something moved too far, as `obstacle` tells.
+  std::optional<ArrangementResult> try_asked(const ArrangementOptions& options, double most_moved,
+                                             Obstacle& obstacle) const {
+    try {
+      ArrangementResult found = arranged(options);
+      const double moved = found.merging.displacement.largest;
+      if (moved <= most_moved) return found;
+      obstacle.keep_first("moves something by " + short_words(moved) + " " + unit_ + " near " +
+                          to_text(found.merging.displacement.where));
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::cannot_mesh) throw;
+      journal_.context().note(LogLevel::debug,
+                              "no merging within " + short_words(options.tolerance) + ": " + error.what());
+      obstacle.keep_first("leaves surfaces that no rounding to doubles keeps apart");
+    }
+    return std::nullopt;
+  }
+
+  /// It is tried again within half of the distance, and so on to a sixteenth, at last within nothing, with a warning.
+  /// That is so where something would move by more than twice the distance asked, or no doubles keep apart what comes
+  /// together. Throws what arrange does where that was not the cause.
+  ArrangementResult try_shares_asked(ArrangementOptions options) const {
+    const double asked = options.tolerance;
+    const std::string within = "merging within the tolerance of " + short_words(asked) + " " + unit_;
+    Obstacle obstacle;
+    for (unsigned k = 0; k < most_tries_asked; ++k, options.tolerance *= next_distance) {
+      auto found = try_asked(options, most_moved_of_tolerance * asked, obstacle);
+      if (!found) continue;
+      if (options.tolerance < asked)
+        journal_.warn(within + " " + obstacle.text + ": what is nearer than " + short_words(options.tolerance) + " " +
+                      unit_ + " was merged");
+      return std::move(*found);
+    }
+    options.tolerance = 0;
+    ArrangementResult found = arranged(options);
+    journal_.warn(within + " " + obstacle.text + ", and a sixteenth of it does no better: nothing was merged");
+    return found;
+  }
+
+  const std::string& unit_;
+  const Built& built_;
+  ToleranceLedger& tolerance_;
+  Journal& journal_;
+};
+
+}  // namespace
+
+ArrangementResult arrange_merging_near(const Inputs& inputs, const Built& built, ArrangementOptions options,
+                                       ToleranceLedger& tolerance, Journal& journal) {
+  NearMerging merging(inputs, built, tolerance, journal);
+  return options.tolerance > 0 ? merging.asked(std::move(options)) : merging.by_default(std::move(options));
+}
+
+}  // namespace geomesh::geomodel
