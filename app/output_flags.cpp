@@ -80,6 +80,7 @@ void OutputFlags::add_to(CLI::App& app) {
       ->type_name("NAME=FILE")
       ->take_all()
       ->expected(1);
+  app.add_flag("--fractures-only", fractures_only_, "Triangles of faults and fractures alone");
   app.add_flag("--cohesive", cohesive_, "Prisms of no thickness between the sides of split surfaces");
 }
 
@@ -102,6 +103,7 @@ geomodel::WriteOptions OutputFlags::options() const {
   for (const std::string& zone : zones_) options.fault_zones.push_back(zone_of(zone));
   options.partitions = partitions_;
   options.starter = starter_;
+  options.fractures_only = fractures_only_;
   for (const std::string& field : fields_) options.fields.push_back(field_of(field, geomodel::FieldSpec::Place::cells));
   for (const std::string& field : point_fields_)
     options.fields.push_back(field_of(field, geomodel::FieldSpec::Place::points));

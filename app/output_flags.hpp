@@ -24,7 +24,7 @@ class OutputFlags {
   std::string format_, groups_ = "whole", region_array_ = "region", compression_ = "fast";
   std::vector<std::string> split_, zones_, fields_, point_fields_;
   bool no_inner_faces_ = false, no_curves_ = false, single_grid_ = false, node_arrays_ = false, cohesive_ = false,
-       starter_ = false;
+       starter_ = false, fractures_only_ = false;
   int order_ = 0;  // 0: not said
   unsigned partitions_ = 1;
 };

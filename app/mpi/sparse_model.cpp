@@ -107,6 +107,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
   if (!options.fault_zones.empty()) refuse(project, "output.fault_zones");
   if (!options.fields.empty()) refuse(project, "output.fields");
   if (options.single_grid) refuse(project, "output.single_grid");
+  if (options.fractures_only) refuse(project, "output.fractures_only");
   if (options.partitions > 1) refuse(project, "output.partitions, which is the number of ranks,");
   for (const std::string& format : project.output.formats)
     if (format != "vtu" && format != "exodus" && format != "msh" && format != "msh-binary")

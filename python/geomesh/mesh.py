@@ -247,7 +247,7 @@ class Mesh:
         **options
             Further keys of `output` in a project file: ``groups``, ``inner_faces``, ``curves``, ``cohesive``,
             ``fault_zone``, ``partitions``, ``starter``, ``fields``, ``region_array``, ``single_grid``,
-            ``node_arrays``, ``compression``.
+            ``node_arrays``, ``compression``, ``fractures_only``.
 
         Returns
         -------

@@ -116,6 +116,7 @@ const std::map<std::string, Set>& setters() {
        [](WriteOptions& o, const py::handle& v) { o.partitions = count("partitions", v, most_partitions); }},
       {"starter", [](WriteOptions& o, const py::handle& v) { o.starter = v.cast<bool>(); }},
       {"fields", [](WriteOptions& o, const py::handle& v) { o.fields = fields(v.cast<py::dict>()); }},
+      {"fractures_only", [](WriteOptions& o, const py::handle& v) { o.fractures_only = v.cast<bool>(); }},
   };
   return all;
 }

@@ -11,6 +11,12 @@ from document_pages import PageTest, blocks_of
 from geomesh_program import SOURCE, has_module
 
 
+def with_dolfinx(test):
+    is_there = subprocess.run(["/usr/bin/python3", "-c", "import dolfinx"], stderr=subprocess.DEVNULL).returncode == 0
+    return unittest.skipUnless(is_there, "skipped: python3-dolfinx is not installed")(
+        unittest.skipUnless(has_module("xdmf"), "skipped: built without the module geomesh-xdmf")(test))
+
+
 class Tutorials(PageTest):
     def test_every_tutorial_is_run_by_a_test_of_its_own(self):
         names = [name for name in sorted(os.listdir(os.path.join(SOURCE, "docs", "tutorials"))) if name.endswith((".md", ".ipynb"))]
@@ -57,16 +63,26 @@ class Tutorials(PageTest):
                 with open(os.path.join(where, name), "rb") as shipped, open(made, "rb") as file:
                     self.assertEqual(shipped.read(), file.read(), name)
 
-    @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import numpy"], stderr=subprocess.DEVNULL).returncode == 0,
-                         "skipped: python3-numpy is not installed")
-    def test_a_scalar_field_becomes_a_mesh_that_passes_the_check(self):
+    @with_dolfinx
+    def test_a_faulted_scalar_field_becomes_a_mesh_that_passes_the_check_and_a_solved_model(self):
         said = self.run_page("docs/tutorials/implicit-model.md")
         self.assertIn("The mesh passes", said)
+        self.assertIn("temperature from 10 to 100", said)
+        report = self.report(self.path("out", "fold.report.json"))
+        self.assertEqual(self.region_names(report), sorted("%s__%d" % (unit, side) for unit in ("cover", "sand", "basement") for side in (1, 2)))
         with open(self.path("out", "fold.report.json")) as file:
             self.assertIn("proven to be within 1.5", file.read())
 
-    def test_a_network_of_fractures_becomes_a_mesh_that_passes_the_check(self):
-        self.assertIn("The mesh passes", self.run_page("docs/tutorials/fracture-network.md"))
+    @with_dolfinx
+    def test_a_network_of_1000_fractures_becomes_a_mesh_that_conducts(self):
+        said = self.run_page("docs/tutorials/fracture-network.md")
+        report = self.report(self.path("out", "network.report.json"))
+        areas = [s["area"] for s in report["surfaces"] if s["kind"] == "fault"]
+        self.assertEqual(len(areas), 1000)
+        inflow, outflow, pressure = map(float, re.search(r"inflow (\S+), outflow (\S+), pressure at the inlet (\S+)", said).groups())
+        self.assertEqual((inflow, outflow), (10000, 10000))
+        # Fractures conduct at most as if all of them lay along the flow (Wiener's upper bound), and at least nothing.
+        self.assertTrue(100 / (1 + 100 * sum(areas) / 100 ** 3) < pressure < 100, pressure)
 
     @unittest.skipUnless(shutil.which("ccx"), "skipped: calculix-ccx is not installed")
     def test_horizons_in_csv_become_a_solved_model_with_the_temperature_of_flat_layers(self):
@@ -74,9 +90,7 @@ class Tutorials(PageTest):
         temperature = float(re.search(r"mean temperature of top_sand: ([0-9.]+)", said).group(1))
         self.assertAlmostEqual(temperature, 10 + 60 * 400 / (400 + 75 + 450), delta=0.5)
 
-    @unittest.skipUnless(subprocess.run(["/usr/bin/python3", "-c", "import dolfinx"], stderr=subprocess.DEVNULL).returncode == 0,
-                         "skipped: python3-dolfinx is not installed")
-    @unittest.skipUnless(has_module("xdmf"), "skipped: built without the module geomesh-xdmf")
+    @with_dolfinx
     def test_horizons_in_csv_become_a_solved_dolfinx_model_with_the_same_temperature(self):
         said = self.run_page("docs/tutorials/horizons-to-dolfinx.md")
         temperature = float(re.search(r"mean temperature of top_sand: ([0-9.]+)", said).group(1))

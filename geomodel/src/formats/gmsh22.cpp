@@ -128,7 +128,8 @@ constexpr FormatHolds holds(Encoding encoding) {
           .prisms = true,
           .curves = true,
           .overlapping = true,
-          .partitions = encoding == Encoding::text};
+          .partitions = encoding == Encoding::text,
+          .triangles_alone = true};
 }
 
 }  // namespace

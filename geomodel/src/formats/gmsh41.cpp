@@ -166,7 +166,12 @@ std::vector<std::filesystem::path> write_binary(const ModelMesh& mesh, const Wri
   return write(mesh, options, stem, Encoding::binary);
 }
 
-const FormatHolds holds{.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true};
+const FormatHolds holds{.second_order = true,
+                        .prisms = true,
+                        .curves = true,
+                        .overlapping = true,
+                        .partitions = true,
+                        .triangles_alone = true};
 
 }  // namespace
 

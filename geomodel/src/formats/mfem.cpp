@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements the ids of faces (inner ones
-// too); names are in the JSON beside it. Followed: "Mesh Formats" of MFEM 4.7.
+// too); names are in the JSON beside it. Of fractures alone the elements are triangles in space, and the boundary has
+// the edges on curves. Followed: "Mesh Formats" of MFEM 4.7.
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -20,7 +21,10 @@ void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int
     if (label.dimension != dimension) continue;
     for (const std::size_t b : label.blocks) {
       const CellBlock& block = mesh.blocks[b];
-      const int type = block.shape == CellShape::triangle ? 2 : block.shape == CellShape::prism ? 6 : 4;
+      const int type = block.shape == CellShape::edge       ? 1
+                       : block.shape == CellShape::triangle ? 2
+                       : block.shape == CellShape::prism    ? 6
+                                                            : 4;
       for (std::size_t c = 0; c < block.n_cells(); ++c) {
         out << label.id << " " << type;
         for (std::size_t i = 0; i < block.nodes_per_cell; ++i) out << " " << block.nodes[c * block.nodes_per_cell + i];
@@ -35,15 +39,16 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   WriteOptions one_tag = options;
   if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // a face has one attribute
   const SolverMesh mesh = make_solver_mesh(model, one_tag);
+  const int dimension = mesh.count(3) > 0 ? 3 : 2;
   const std::filesystem::path file = stem.string() + ".mesh";
   std::vector<SidecarGroup> sidecar;
   for (const CellGroup& label : mesh.labels)
-    if (label.dimension > 1)
+    if (label.dimension >= dimension - 1)
       sidecar.push_back({"attribute", label.dimension, label.id, label.full_name, label.full_name, label.members});
   write_output_text(file, [&](OutputText& out) {
-    out << "MFEM mesh v1.0\n\ndimension\n3\n";
-    write_cells(out, mesh, "elements", 3);
-    write_cells(out, mesh, "boundary", 2);
+    out << "MFEM mesh v1.0\n\ndimension\n" << dimension << "\n";
+    write_cells(out, mesh, "elements", dimension);
+    write_cells(out, mesh, "boundary", dimension - 1);
     out << "\nvertices\n" << mesh.n_nodes() << "\n3\n";
     for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << mesh.node(v) << "\n";
   });
@@ -52,6 +57,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format mfem_format() { return {"mfem", {".mesh"}, "MFEM mesh v1.0", {.names = false}, write, read_mfem_mesh}; }
+Format mfem_format() {
+  return {"mfem", {".mesh"}, "MFEM mesh v1.0", {.names = false, .triangles_alone = true}, write, read_mfem_mesh};
+}
 
 }  // namespace geomesh::geomodel

@@ -5,6 +5,7 @@
 #include "fault_zones/fault_zones.hpp"
 #include "fields/fields.hpp"
 #include "formats/format_list.hpp"
+#include "formats/fractures_alone.hpp"
 #include "geomesh/core/error.hpp"
 #include "mesh_readers/exodus_parts.hpp"
 #include "solver_mesh/corners/solver_splits.hpp"
@@ -112,15 +113,18 @@ std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std
     throw Error(ErrorKind::usage,
                 "the format " + name + " holds no split faults: its solver splits them; leave out split");
   if (options.partitions > 1) refuse_partitions(*format, options);
+  if (const std::string reason = against_fractures_alone(*format, options); options.fractures_only && !reason.empty())
+    throw Error(ErrorKind::usage, reason);
   for (const FaultZone& zone : options.fault_zones)
     if (std::find(options.split.begin(), options.split.end(), zone.fault) != options.split.end())
       throw Error(ErrorKind::usage, "fault_zone: " + zone.fault + " is to be split too; give one of the two");
   if (options.split.empty() && options.fault_zones.empty() && !second && options.fields.empty())
-    return write_all(mesh, *format, options, stem);
+    return write_all(options.fractures_only ? fractures_alone(mesh) : mesh, *format, options, stem);
   ModelMesh changed = options.fault_zones.empty() ? mesh : open_fault_zones(mesh, options.fault_zones);
   if (!options.split.empty()) changed = split_along(changed, options.split, options.cohesive);
   add_fields(changed, options.fields);
   if (second) add_midpoints(changed);
+  if (options.fractures_only) changed = fractures_alone(changed);
   return write_all(changed, *format, options, stem);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "formats/fractures_alone.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "solver_mesh/corners/solver_splits.hpp"
 
@@ -110,6 +111,12 @@ void read_options(const YamlMap& map, const Project& project, WriteOptions& opti
   }
   if (const auto v = map.find("partitions")) read_partitions(*v, options);
   if (const auto v = map.find("starter")) options.starter = v->boolean().value_or(false);
+  if (const auto v = map.find("fractures_only")) {
+    options.fractures_only = v->boolean().value_or(false);
+    const auto is_fault = [](const SurfaceSpec& s) { return s.kind == SurfaceKind::fault; };
+    if (options.fractures_only && std::none_of(project.surfaces.begin(), project.surfaces.end(), is_fault))
+      v->problem("the model has neither fractures nor faults; leave it out");
+  }
 }
 
 /// Arrays of VTU files that are no fields.
@@ -154,6 +161,9 @@ void check_formats(const YamlValue& value, const OutputSpec& output) {
                     " holds no split faults, because its solver splits them; no split was expected");
     if (output.options.partitions > 1 && !format->holds.partitions)
       value.problem("the format " + name + " is not written in parts here; partitions: 1 was expected");
+    if (!output.options.fractures_only) continue;
+    if (const std::string reason = against_fractures_alone(*format, output.options); !reason.empty())
+      value.problem(reason);
   }
 }
 
@@ -162,7 +172,7 @@ void check_formats(const YamlValue& value, const OutputSpec& output) {
 void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project) {
   const YamlMap map(value, {"directory", "formats", "origin", "groups", "inner_faces", "curves", "order",
                             "region_array", "single_grid", "node_arrays", "compression", "split", "fault_zone",
-                            "cohesive", "partitions", "starter", "fields"});
+                            "cohesive", "partitions", "starter", "fields", "fractures_only"});
   OutputSpec& output = project.output;
   if (const auto v = map.find("directory")) {
     if (const auto text = v->text()) output.directory = (folder / *text).lexically_normal();

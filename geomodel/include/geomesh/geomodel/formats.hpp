@@ -17,11 +17,12 @@ struct RawMesh;
 /// What a format can hold beside tetrahedra and named regions.
 struct FormatHolds {
   bool second_order = false;
-  bool prisms = false;       ///< cohesive layers
-  bool curves = false;       ///< edges on curves, or their nodes, under names
-  bool overlapping = false;  ///< one face in several groups
-  bool names = true;         ///< in the file itself; else only in the JSON beside it
-  bool partitions = false;   ///< a file for each part
+  bool prisms = false;           ///< cohesive layers
+  bool curves = false;           ///< edges on curves, or their nodes, under names
+  bool overlapping = false;      ///< one face in several groups
+  bool names = true;             ///< in the file itself; else only in the JSON beside it
+  bool partitions = false;       ///< a file for each part
+  bool triangles_alone = false;  ///< a mesh of triangles without tetrahedra
 };
 
 struct Format {

@@ -58,6 +58,7 @@ struct WriteOptions {
   unsigned partitions = 1;  ///< parts by METIS: a file for each
   bool starter = false;     ///< a starter input of the solver beside its mesh
   std::vector<FieldSpec> fields;
+  bool fractures_only = false;  ///< triangles of faults and fractures without the tetrahedra
 };
 
 }  // namespace geomesh::geomodel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // AVS UCD (text), which LaGriT reads and writes: NAME.avs has the tetrahedra with the region as material,
 // NAME.faces.avs the faces with the surface as material and, as node attribute idnode0, the number of the node in
-// NAME.avs. Followed: "read/avs" of the LaGriT manual, and the reader of meshio. LaGriT names such files .inp, as
-// Abaqus does its own.
+// NAME.avs. Fractures alone are NAME.avs itself, as dfnWorks has them. Followed: "read/avs" of the LaGriT manual, and
+// the reader of meshio. LaGriT names such files .inp, as Abaqus does its own.
 #include <map>
 
 #include "formats/codes/each_cell.hpp"
@@ -32,14 +32,15 @@ void write_tetrahedra(OutputText& out, const SolverMesh& mesh) {
   });
 }
 
-void write_faces(OutputText& out, const SolverMesh& mesh) {
+/// `beside_volume`: nodes have the number that they have in the file of the tetrahedra as an attribute.
+void write_faces(OutputText& out, const SolverMesh& mesh, bool beside_volume) {
   std::map<VertexIndex, std::size_t> number_of;  // nodes of faces, in their order in the mesh
   for_each_cell(mesh, 2, [&](const CellGroup&, const CellBlock&, std::size_t, auto nodes) {
     for (const VertexIndex v : nodes) number_of[v] = 0;
   });
   std::size_t n = 0;
   for (auto& [v, number] : number_of) number = ++n;
-  write_counts(out, n, mesh.count(2), 1);
+  write_counts(out, n, mesh.count(2), beside_volume ? 1 : 0);
   for (const auto& [v, number] : number_of) out << number << " " << mesh.node(v) << "\n";
   std::size_t face = 0;
   for_each_cell(mesh, 2, [&](const CellGroup& label, const CellBlock&, std::size_t, auto nodes) {
@@ -47,6 +48,7 @@ void write_faces(OutputText& out, const SolverMesh& mesh) {
     for (const VertexIndex v : nodes) out << " " << number_of[v];
     out << "\n";
   });
+  if (!beside_volume) return;
   out << "1 1\nidnode0, integer\n";
   for (const auto& [v, number] : number_of) out << number << " " << v + std::size_t{1} << "\n";
 }
@@ -56,10 +58,12 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   const SolverMesh mesh = make_solver_mesh(model, with_one_number(options));
   const std::filesystem::path file = stem.string() + ".avs", faces = stem.string() + ".faces.avs";
   WrittenFiles written;
-  write_output_text(file, [&](OutputText& out) { write_tetrahedra(out, mesh); });
+  const bool is_volume = mesh.count(3) > 0;
+  write_output_text(file,
+                    [&](OutputText& out) { is_volume ? write_tetrahedra(out, mesh) : write_faces(out, mesh, false); });
   written.add(file);
-  if (mesh.count(2) > 0) {
-    write_output_text(faces, [&](OutputText& out) { write_faces(out, mesh); });
+  if (is_volume && mesh.count(2) > 0) {
+    write_output_text(faces, [&](OutputText& out) { write_faces(out, mesh, true); });
     written.add(faces);
   }
   std::vector<SidecarGroup> sidecar;
@@ -72,6 +76,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format avs_format() { return {"avs", {".avs"}, "AVS UCD (LaGriT)", {.names = false}, write, nullptr}; }
+Format avs_format() {
+  return {"avs", {".avs"}, "AVS UCD (LaGriT)", {.names = false, .triangles_alone = true}, write, nullptr};
+}
 
 }  // namespace geomesh::geomodel

@@ -77,8 +77,13 @@ Format med_format() {
 }
 
 Format xdmf_format() {
-  return {"xdmf",      {".xdmf"}, "XDMF and HDF5 (dolfinx)", {.second_order = true, .curves = true, .names = false},
-          write<xdmf>, nullptr,   write_dolfinx_starter};
+  return {"xdmf",
+          {".xdmf"},
+          "XDMF and HDF5 (dolfinx)",
+          {.second_order = true, .curves = true, .names = false, .triangles_alone = true},
+          write<xdmf>,
+          nullptr,
+          write_dolfinx_starter};
 }
 
 Format seissol_format() { return {"seissol", {".puml"}, "SeisSol (PUML)", {.names = false}, write<seissol>, nullptr}; }

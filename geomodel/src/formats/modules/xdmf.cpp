@@ -3,6 +3,7 @@
 // with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. Numbers are in
 // an .h5 of the same name. One grid a file, because meshio reads no more.
 #include <algorithm>
+#include <array>
 
 #include "formats/modules/format_module.hpp"
 #include "geomesh/geomodel/writers.hpp"
@@ -26,12 +27,20 @@ struct TaggedCells {
   std::vector<std::pair<const CellBlock*, std::int32_t>> blocks;  ///< with the number
 };
 
-/// XDMF orders the midpoints of a tetrahedron as VTK does.
+/// Cells, facets and edges by how many dimensions they have less than the mesh, which is of triangles where fractures
+/// are alone. XDMF orders the midpoints of a tetrahedron as VTK does.
 TaggedCells cells_of(const SolverMesh& mesh, int dimension) {
   const bool second = mesh.second_order();
-  TaggedCells cells = dimension == 3   ? TaggedCells{second ? "Tetrahedron_10" : "Tetrahedron", "region", 0, 0, {}}
-                      : dimension == 2 ? TaggedCells{second ? "Triangle_6" : "Triangle", "facet_tags", 0, 0, {}}
-                                       : TaggedCells{second ? "Edge_3" : "PolyLine", "edge_tags", 0, 0, {}};
+  const std::array names{"region", "facet_tags", "edge_tags"};
+  const int of_mesh = mesh.count(3) > 0 ? 3 : 2;
+  TaggedCells cells{dimension == 3   ? second ? "Tetrahedron_10" : "Tetrahedron"
+                    : dimension == 2 ? second ? "Triangle_6" : "Triangle"
+                    : second         ? "Edge_3"
+                                     : "PolyLine",
+                    names[static_cast<std::size_t>(of_mesh - std::min(of_mesh, dimension))],
+                    0,
+                    0,
+                    {}};
   const std::size_t widths[2][4] = {{1, 2, 3, 4}, {1, 3, 6, 10}};
   cells.width = widths[second ? 1 : 0][dimension];
   for (const CellGroup& label : mesh.labels) {

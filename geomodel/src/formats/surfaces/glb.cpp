@@ -157,6 +157,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format glb_format() { return {"glb", {".glb"}, "glTF of the surfaces", {}, write, nullptr}; }
+Format glb_format() { return {"glb", {".glb"}, "glTF of the surfaces", {.triangles_alone = true}, write, nullptr}; }
 
 }  // namespace geomesh::geomodel

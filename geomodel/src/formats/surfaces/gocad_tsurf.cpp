@@ -68,7 +68,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 }  // namespace
 
 Format gocad_tsurf_format() {
-  return {"tsurf", {".ts"}, "GOCAD TSurf of the surfaces", {.overlapping = true}, write, nullptr};
+  return {"tsurf", {".ts"}, "GOCAD TSurf of the surfaces", {.overlapping = true, .triangles_alone = true},
+          write,   nullptr};
 }
 
 }  // namespace geomesh::geomodel

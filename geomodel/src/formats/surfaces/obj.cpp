@@ -67,6 +67,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format obj_format() { return {"obj", {".obj"}, "Wavefront OBJ of the surfaces", {}, write, nullptr}; }
+Format obj_format() {
+  return {"obj", {".obj"}, "Wavefront OBJ of the surfaces", {.triangles_alone = true}, write, nullptr};
+}
 
 }  // namespace geomesh::geomodel

@@ -52,6 +52,6 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
 
 }  // namespace
 
-Format stl_format() { return {"stl", {".stl"}, "STL of the surfaces", {}, write, nullptr}; }
+Format stl_format() { return {"stl", {".stl"}, "STL of the surfaces", {.triangles_alone = true}, write, nullptr}; }
 
 }  // namespace geomesh::geomodel

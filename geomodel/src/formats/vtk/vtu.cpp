@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // NAME.vtu: tetrahedra of named regions; with one grid for all also faces, curves and points; in parts NAME.pvtu.
+// Fractures alone are the cells of the one grid.
 #include "formats/format_list.hpp"
 #include "formats/given_part.hpp"
 #include "formats/vtk/pvtu.hpp"
@@ -42,8 +43,10 @@ void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std:
   written.add(write_sidecar(mesh, groups_of(mesh), file));
 }
 
-std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& options,
+std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions& given,
                                          const std::filesystem::path& stem) {
+  WriteOptions options = given;
+  options.single_grid |= options.fractures_only;
   WrittenFiles written;
   const bool in_parts = options.partitions > 1;
   const std::filesystem::path file = stem.string() + (in_parts ? ".pvtu" : ".vtu");
@@ -72,7 +75,12 @@ Format vtu_format() {
   return {"vtu",
           {".vtu", ".pvtu"},
           "VTK (ParaView, PyVista, meshio, GEOS)",
-          {.second_order = true, .prisms = true, .curves = true, .overlapping = true, .partitions = true},
+          {.second_order = true,
+           .prisms = true,
+           .curves = true,
+           .overlapping = true,
+           .partitions = true,
+           .triangles_alone = true},
           write,
           read_vtu_mesh};
 }

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The triangles of faults and fractures without the tetrahedra around them, for solvers of fracture networks
+/// (`output.fractures_only`).
+#pragma once
+
+#include <string>
+
+#include "geomesh/geomodel/formats.hpp"
+
+namespace geomesh::geomodel {
+
+/// A mesh without tetrahedra and regions: the faces on surfaces of kind fault, the nodes of these faces, and the curves
+/// and named points on them. Surfaces and curves keep their ids, names and order, and nodes their order, so that
+/// fractures that cross share nodes as they do in the whole mesh. Arrays of cells are dropped; those of points stay.
+/// Precondition: no midpoints. Throws Error{usage} where no face is on a fault. O(points + faces + curves).
+ModelMesh fractures_alone(const ModelMesh& mesh);
+
+/// Why a file of this format and these options cannot hold fractures alone, in words; empty where it can.
+std::string against_fractures_alone(const Format& format, const WriteOptions& options);
+
+}  // namespace geomesh::geomodel
