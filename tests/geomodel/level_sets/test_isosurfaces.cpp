@@ -145,10 +145,22 @@ TEST_CASE("a trilinear field's isosurface is proven near, and is near the trilin
   }
 }
 
-TEST_CASE("vertices of an isosurface are roots of the field to rounding", "[level-sets]") {
-  const FieldSurfaces found = of_function(fold, {-30, 12.5}, 1);
+TEST_CASE("vertices of an isosurface of a linear field are roots of it to rounding", "[level-sets]") {
+  const Function inclined = [](const Vec3& p) { return 0.3 * p.x - 0.2 * p.y + p.z; };
+  const FieldSurfaces found = of_function(inclined, {-30, 12.5}, 1);
   for (std::size_t v = 0; v < 2; ++v)
-    for (const Vec3& p : found.surfaces[v].points) CHECK(std::abs(fold(p) - (v == 0 ? -30 : 12.5)) < 1e-10);
+    for (const Vec3& p : found.surfaces[v].points) CHECK(std::abs(inclined(p) - (v == 0 ? -30 : 12.5)) < 1e-10);
+}
+
+TEST_CASE("isosurfaces enclose the volumes of balls, not those of polyhedra inside of them", "[level-sets]") {
+  const std::vector<double> radii{150, 300, 301};
+  for (const double distance : {0.5, 2.0}) {
+    const FieldSurfaces found = of_function([](const Vec3& p) { return length_of(p); }, radii, distance);
+    for (std::size_t v = 0; v < radii.size(); ++v) {
+      const double off = enclosed(found.surfaces[v]) - 4.0 / 3 * std::numbers::pi * std::pow(radii[v], 3);
+      CHECK(std::abs(off) < 0.1 * distance * 4 * std::numbers::pi * radii[v] * radii[v]);
+    }
+  }
 }
 
 TEST_CASE("isosurfaces of one field never cross, however near their values", "[level-sets]") {

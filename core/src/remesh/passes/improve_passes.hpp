@@ -35,11 +35,12 @@ struct RaisedBefore {
 void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
                 double poor = 1);
 
-/// Moves the vertices of free borders (edges with one face) across the border, so that each surface encloses the area
-/// that its input does there. Vertices that lie on a convex border have all chords on its inside, and the surface would
-/// lose two thirds of the chords' height all around. Surfaces remain within the tolerance, and the worst shape of
-/// the mesh does not fall. Does nothing where surfaces are kept. O(n) and a search for each sample.
-void balance_borders(Toolbox& tools, const RunContext& context);
+/// Moves vertices of surfaces along the normal, so that as much volume lies between faces and input on one side as on
+/// the other. Vertices that lie on a convex surface have all faces on its inside. Before that, vertices of free borders
+/// (edges with one face) move across the border, so that each surface encloses the area of its input. Surfaces remain
+/// within the tolerance, and the worst shape of the mesh does not fall. Does nothing where surfaces are kept. On all
+/// cores, with the same result whatever their number. O(n) and a search for each sample.
+void balance_surfaces(Toolbox& tools, const RunContext& context);
 
 /// Runs the schedule of the level. Cooperates with the time budget and the cancel token. Cells that `judge` finds in
 /// the end, if given, are worth a longer search.

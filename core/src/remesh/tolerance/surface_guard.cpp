@@ -122,6 +122,8 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
           search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, search::RecentPlaces(n_recent_places)}),
       allowed_(std::move(tolerance)),
       reach_(allowed_.greatest()) {
+  for (const Vec3& p : plc.points)
+    for (std::size_t i = 0; i < 3; ++i) rounding_ = std::max(rounding_, rounding_share * std::abs(p[i]));
   if (exact()) {
     find_planes(mesh, plc);
     return;
@@ -153,8 +155,6 @@ double SurfaceGuard::share_about(std::span<const Vec3> points) const {
 /// Finds planes of patches with several facets, weighted by area, so that none of their points is off the plane by more
 /// than rounding.
 void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
-  for (const Vec3& p : plc.points)
-    for (std::size_t i = 0; i < 3; ++i) rounding_ = std::max(rounding_, rounding_share * std::abs(p[i]));
   planes_.resize(mesh.n_patches());
   std::vector<Index> count(mesh.n_patches(), 0);
   std::vector<double> weight(mesh.n_patches(), 0);

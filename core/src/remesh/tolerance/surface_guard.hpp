@@ -64,6 +64,8 @@ class SurfaceGuard {
                LocalTolerance tolerance, const Hold& hold = {});
 
   bool exact() const { return honour_ == Honour::exact; }
+  /// A distance that rounding alone makes.
+  double rounding() const { return rounding_; }
 
   /// Direction in which a vertex on a patch may not move: normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
@@ -125,7 +127,7 @@ class SurfaceGuard {
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;
-  double rounding_ = 0;   // a distance that rounding alone makes, for exact
+  double rounding_ = 0;   // a distance that rounding alone makes
   double tolerance_ = 0;  // what samples are held to, outside of zones
   std::vector<TightZone> zones_;
   search::ClosestPointTrees zone_boxes_;  // as line pieces from corner to corner

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "common/parallel.hpp"
-#include "level_sets/mesh/edge_roots.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -15,6 +14,14 @@ std::pair<VertexIndex, VertexIndex> ends(const CrossedEdges::Edge& e) {
 }
 
 }  // namespace
+
+MovedVertices::MovedVertices(const BackgroundMesh& mesh, std::vector<double> shift_of_values)
+    : shift(std::move(shift_of_values)), is_moved(mesh.n_points(), 0) {
+  for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
+    points.push_back(mesh.point(v));
+    values.push_back(mesh.value(v) - shift[v]);
+  }
+}
 
 CrossedEdges::CrossedEdges(const BackgroundMesh& mesh, const MovedVertices& vertices, const ScalarField* field,
                            const std::vector<double>& values, const CrossedEdges* known) {
@@ -51,6 +58,19 @@ bool CrossedEdges::is_known(const Edge& edge, const MovedVertices& vertices) con
 
 /// Each root is looked for above that of the value before, so that they have the order of the values even where the
 /// field does not rise along the whole edge.
+Bracket CrossedEdges::bracket(std::size_t v, std::size_t e, const MovedVertices& vertices,
+                              const std::vector<double>& values) const {
+  const auto [below, above] = edges_[e];
+  Bracket b{vertices.points[below], vertices.points[above], vertices.values[below], vertices.values[above], values[v],
+            vertices.shift[below],  vertices.shift[above]};
+  if (v == 0 || !crosses(edges_[e], values[v - 1], vertices)) return b;
+  const double share = length_of(roots_[v - 1][e] - b.below) / length_of(b.above - b.below);
+  b.shift_below += share * (b.shift_above - b.shift_below);
+  b.below = roots_[v - 1][e];
+  b.value_below = values[v - 1];
+  return b;
+}
+
 void CrossedEdges::solve(std::size_t v, const MovedVertices& vertices, const ScalarField* field,
                          const std::vector<double>& values, const CrossedEdges* known) {
   std::vector<Bracket> brackets;
@@ -63,10 +83,7 @@ void CrossedEdges::solve(std::size_t v, const MovedVertices& vertices, const Sca
     } else if (known && is_known(edge, vertices)) {
       roots_[v][e] = known->root(v, known->row(edge.below, edge.above));
     } else {
-      const bool is_above_other = v > 0 && crosses(edge, values[v - 1], vertices);
-      brackets.push_back({is_above_other ? roots_[v - 1][e] : vertices.points[edge.below], vertices.points[edge.above],
-                          is_above_other ? values[v - 1] : vertices.values[edge.below], vertices.values[edge.above],
-                          values[v]});
+      brackets.push_back(bracket(v, e, vertices, values));
       rows.push_back(e);
     }
   }

@@ -7,13 +7,17 @@
 #include <vector>
 
 #include "level_sets/mesh/background_mesh.hpp"
+#include "level_sets/mesh/edge_roots.hpp"
 
 namespace geomesh::geomodel {
 
-/// Corners and values of a background mesh whose vertices may have been moved onto isosurfaces.
+/// Corners of a background mesh whose vertices may have been moved onto isosurfaces, and values there. These are the
+/// field's own less `shift`, a function that is linear in cells.
 struct MovedVertices {
+  MovedVertices(const BackgroundMesh& mesh, std::vector<double> shift);
+
   std::vector<Vec3> points;
-  std::vector<double> values;
+  std::vector<double> values, shift;
   std::vector<char> is_moved;
 };
 
@@ -41,6 +45,9 @@ class CrossedEdges {
   void solve(std::size_t row_of_value, const MovedVertices& vertices, const ScalarField* field,
              const std::vector<double>& values, const CrossedEdges* known);
   bool is_known(const Edge& edge, const MovedVertices& vertices) const;
+  /// In which the root of the value lies, above that of the value before.
+  Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
+                  const std::vector<double>& values) const;
 
   std::vector<Edge> edges_;               ///< by their ends
   std::vector<std::vector<Vec3>> roots_;  ///< per value and edge; meaningless where it is not crossed

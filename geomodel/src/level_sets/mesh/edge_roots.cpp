@@ -86,7 +86,10 @@ std::vector<Vec3> find_roots(const ScalarField& field, std::vector<Bracket> brac
     }
     values.resize(places.size());
     field.values(places, values);
-    for (std::size_t i = 0; i < open.size(); ++i) open[i].take(shares[i], values[i] - brackets[open[i].row].value);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Bracket& b = brackets[open[i].row];
+      open[i].take(shares[i], values[i] - (b.value + b.shift_below + shares[i] * (b.shift_above - b.shift_below)));
+    }
   }
   for (const Search& s : open) roots[s.row] = place_at(brackets[s.row], s.high);
   return roots;

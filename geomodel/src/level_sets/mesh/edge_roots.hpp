@@ -9,11 +9,13 @@
 
 namespace geomesh::geomodel {
 
-/// A segment from where the field is below `value` to where it is at or above it.
+/// A segment from where the field is below `value` to where it is at or above it. The field less a shift that is linear
+/// along the segment is meant.
 struct Bracket {
   Vec3 below, above;
   double value_below, value_above;
   double value;
+  double shift_below = 0, shift_above = 0;
 };
 
 /// A root in each bracket, by the method of Illinois (a secant that halves the value kept too long), then bisection.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "level_sets/mesh/adapt.hpp"
+#include "level_sets/mesh/balancing_shift.hpp"
 #include "level_sets/mesh/crossed_edges.hpp"
 #include "level_sets/mesh/move_vertices.hpp"
 
@@ -137,16 +138,9 @@ class Marcher {
   Vec3 gradient_;
 };
 
-}  // namespace
-
-std::vector<Isosurface> extract_isosurfaces(const BackgroundMesh& mesh, const ScalarField* field,
-                                            const std::vector<double>& values) {
-  MovedVertices vertices;
-  for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
-    vertices.points.push_back(mesh.point(v));
-    vertices.values.push_back(mesh.value(v));
-  }
-  vertices.is_moved.assign(mesh.n_points(), 0);
+std::vector<Isosurface> extract(const BackgroundMesh& mesh, const ScalarField* field, const std::vector<double>& values,
+                                const std::vector<double>& shift) {
+  MovedVertices vertices(mesh, shift);
   const CrossedEdges before(mesh, vertices, field, values, nullptr);
   if (field) move_vertices(mesh, before, values, vertices);
   const CrossedEdges edges(mesh, vertices, field, values, &before);
@@ -154,6 +148,15 @@ std::vector<Isosurface> extract_isosurfaces(const BackgroundMesh& mesh, const Sc
   for (std::size_t v = 0; v < values.size(); ++v)
     surfaces.push_back(Marcher(mesh, vertices, edges, values[v], v).march());
   return surfaces;
+}
+
+}  // namespace
+
+std::vector<Isosurface> extract_isosurfaces(const BackgroundMesh& mesh, const ScalarField* field,
+                                            const std::vector<double>& values) {
+  const std::vector<double> none(mesh.n_points(), 0);
+  const std::vector<Isosurface> surfaces = extract(mesh, field, values, none);
+  return field ? extract(mesh, field, values, balancing_shift(mesh, *field, surfaces, values)) : surfaces;
 }
 
 }  // namespace geomesh::geomodel

@@ -18,8 +18,10 @@ struct Isosurface {
   std::vector<Vec3> gradient;       ///< per triangle: of the linear function in the cell
 };
 
-/// One isosurface for each of `values` (rising), by marching tetrahedra with two changes:
+/// One isosurface for each of `values` (rising), by marching tetrahedra with three changes:
 /// - vertices are the field's own roots on the edges of the mesh, to rounding, not those of the linear function;
+/// - the field is shifted a little before (balancing_shift), so that the mean of its values over the triangles is right
+///   rather than the value at their corners: these would all lie inside of a convex surface;
 /// - a vertex of the mesh that is very near to a root on one of its edges is moved there first, so that no triangles
 ///   much smaller than the cell come out (isosurface stuffing, Labelle and Shewchuk 2007).
 ///

@@ -16,7 +16,7 @@ constexpr double least_volume_share = 0.1;
 struct Target {
   double distance2 = std::numeric_limits<double>::infinity();
   Vec3 place;
-  double value = 0;
+  double value = 0, shift = 0;
 };
 
 double volume(const std::vector<Vec3>& points, const BackgroundMesh::Cell& cell) {
@@ -24,10 +24,8 @@ double volume(const std::vector<Vec3>& points, const BackgroundMesh::Cell& cell)
   return dot(cross(points[cell.v[1]] - o, points[cell.v[2]] - o), points[cell.v[3]] - o);
 }
 
-void offer(Target& target, const Vec3& from, const Vec3& root, double edge2, double value) {
-  const Vec3 way = root - from;
-  const double distance2 = dot(way, way);
-  if (distance2 <= reach * reach * edge2 && distance2 < target.distance2) target = {distance2, root, value};
+void offer(Target& target, double edge2, const Target& root) {
+  if (root.distance2 <= reach * reach * edge2 && root.distance2 < target.distance2) target = root;
 }
 
 /// Calls visit(vertex, other end, root, value) for both ends of each edge at each of its roots.
@@ -49,8 +47,10 @@ std::vector<Target> find_targets(const BackgroundMesh& mesh, const CrossedEdges&
   std::vector<Target> targets(mesh.n_points());
   for_each_root(edges, values, vertices, [&](VertexIndex from, VertexIndex to, const Vec3& root, double value) {
     if ((mesh.sides(from) & ~mesh.sides(to)) != 0) return;
-    const Vec3 edge = mesh.point(to) - mesh.point(from);
-    offer(targets[from], mesh.point(from), root, dot(edge, edge), value);
+    const Vec3 edge = mesh.point(to) - mesh.point(from), way = root - mesh.point(from);
+    const double edge2 = dot(edge, edge), distance2 = dot(way, way), share = std::sqrt(distance2 / edge2);
+    const double shift = vertices.shift[from] + share * (vertices.shift[to] - vertices.shift[from]);
+    offer(targets[from], edge2, {distance2, root, value, shift});
   });
   // A vertex between two sheets of one isosurface is left there: on one of them, it would join both.
   for_each_root(edges, values, vertices, [&](VertexIndex from, VertexIndex, const Vec3& root, double value) {
@@ -90,6 +90,7 @@ void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const 
       continue;
     }
     vertices.values[v] = targets[v].value;
+    vertices.shift[v] = targets[v].shift;
     vertices.is_moved[v] = 1;
   }
 }
