@@ -140,7 +140,7 @@ class ExtremeNumbers(ProgramTest):
         text = "".join("%s: %s\n" % (key, extreme_numbers.written(part)) for key, part in {"name": "m", **base}.items())
         status, _, printed = extreme_numbers.run({"project.yaml": text}, self.folder, PROGRAM, extreme_numbers.SECONDS_TO_MESH * SLOWNESS, MEMORY)
         self.assertEqual(status, 0, printed)
-        self.assertIn("no room left between its horizons", printed)
+        self.assertIn("units of the column have regions", printed)
 
     def test_a_size_for_too_many_elements_is_refused_at_once_with_their_number(self):
         """Counting stopped soon after the limit before, after a minute of building, and its number was told: 100,000,102."""
