@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// False for horizons with throw by rule, which know blocks of their own, and where a horizon truncates faults.
-bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules);
+/// False where a horizon truncates faults.
+bool can_be_settled_in_blocks(const BuiltSurfaces& built, const ModelRules& rules);
 
 /// In each block the horizons with their continuations beyond its walls are settled by themselves, as settle_stack does
 /// it over the map. What lies beyond the walls is a part of its own (BuiltRows::part_of_triangle), which is removed

@@ -8,7 +8,6 @@
 #include "geomesh/geomodel/stack.hpp"
 #include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
-#include "stack/throw/fault_strips.hpp"
 
 namespace geomesh::geomodel {
 
@@ -18,8 +17,7 @@ struct SettledFrom {
   const std::vector<ThinArea>& areas;
   MapBounds bounds;  ///< of the maps of thickness
   const SheetOptions& options;
-  const FaultStrips& strips;  ///< in which moves are not measured: there the sheets are the mean of both sides
-  bool has_topography;        ///< the first horizon: what lies over it is cut off, which is no move
+  bool has_topography;                        ///< the first horizon: what lies over it is cut off, which is no move
   std::function<bool(const Vec3&)> counts{};  ///< whether a place of the frame counts; empty: all do
 };
 

@@ -215,8 +215,8 @@ TEST_CASE("A horizon that truncates faults divides blocks, which know on which s
   built.rows.truncations = {{1, 0}};
   const BlockFramework framework(built, rules_of_box());
   require_blocks(framework, [](const Vec3& p) { return p.z > 7 ? 0 : p.x < 5 ? 1 : 2; });
-  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 9}), 0) == 1);
-  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 3}), 0) == -1);
-  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 0) == -1);
-  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 1) == 0);
+  CHECK(framework.side_of(framework.block_at({2, 5, 9}), 0) == 1);
+  CHECK(framework.side_of(framework.block_at({2, 5, 3}), 0) == -1);
+  CHECK(framework.side_of(framework.block_at({8, 5, 3}), 0) == -1);
+  CHECK(framework.side_of(framework.block_at({8, 5, 3}), 1) == 0);
 }

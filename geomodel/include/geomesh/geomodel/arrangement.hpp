@@ -98,8 +98,10 @@ struct ArrangementOptions {
   /// The part of each triangle, by surface; a surface without an entry, or with an empty one, is one part. Parts of one
   /// surface may be removed later, one without the other, so a facet that stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
-  /// By surface: rows of the walls at which its parts beyond the first end, ascending. What the walls cut off from part
-  /// 0 is removed before anything is merged. Surfaces without an entry, or with an empty one, lose nothing.
+  /// By surface: how many of its parts, the first ones, were given; the others continue them. No entry: one.
+  std::vector<Index> n_given_parts;
+  /// By surface: rows of the walls at which its continuations end, ascending. What the walls cut off from what was
+  /// given is removed before anything is merged. Surfaces without an entry, or with an empty one, lose nothing.
   std::vector<std::vector<Index>> ends_at;
   /// Most bytes of memory, or 0: three quarters of the machine's. Counted by step from measured sizes; if more is
   /// needed, arrange() throws Error{cannot_mesh} with the place.

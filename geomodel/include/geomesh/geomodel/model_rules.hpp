@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -107,6 +108,7 @@ enum class ThinLayers {
 struct ContinuationRules {
   double within_of_horizons = 0;           ///< m; 0: borders stay as they are
   double within_of_faults = 0;             ///< m
+  double within_by_size = 0;               ///< m; of horizons where nobody asks for another one
   Box3 bounds;                             ///< of the model volume
   std::vector<TriangulatedSurface> sides;  ///< of the model volume
 };
@@ -140,25 +142,28 @@ struct ModelRules {
   }
 };
 
+struct HorizonBlocks;
+
 /// Which triangles are whose, per input surface.
 struct BuiltRows {
   std::vector<Index> n_given_triangles;  ///< from this row on triangles were made by rule
-  std::vector<std::vector<Index>>
-      block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
-  /// Per surface: rows of the faults that part it into blocks, those of throw_at that it does not run on across.
+  /// Per surface with a list of faults under throw_at: the block of each triangle, or of_every_block; the field (row of
+  /// SurfaceRules::field_parts) where fields hold on certain sides of faults. Empty for others.
+  std::vector<std::vector<Index>> block_of_triangle;
+  /// Per surface and block of throw_blocks: the field that holds there, or no_index. Empty for surfaces without fields
+  /// that hold on certain sides of faults.
+  std::vector<std::vector<Index>> field_of_block;
+  /// Per surface: the blocks of these faults alone, as if each went on through the model; null for others.
+  std::vector<std::shared_ptr<const HorizonBlocks>> throw_blocks;
+  /// The blocks of all faults; null while no horizon needs them.
+  std::shared_ptr<const HorizonBlocks> blocks_of_faults;
+  /// Per surface: rows of the faults that part it into these blocks, ascending.
   std::vector<std::vector<Index>> parted_at;
-  /// Per surface and block: whether it lies above each fault of parted_at; empty for surfaces without blocks.
-  std::vector<std::vector<std::vector<bool>>> sides_of_block;
-  /// Per surface and block: faults of parted_at on both sides of which the block's field holds. Empty for surfaces
-  /// without fields that hold on certain sides of faults.
-  std::vector<std::vector<std::vector<bool>>> on_both_sides;
-  /// Whether the block holds on both sides of the k-th fault of parted_at.
-  bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
-    return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
-  }
   /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
   /// none was.
   std::vector<Index> first_only_parting;
+  /// Per surface: triangles from this row on are those of add_steps; no_index where it has none.
+  std::vector<Index> first_step;
 
   /// Per surface that was continued to what bounds it: 0 for triangles given or filled in, k for those that continue
   /// its k-th run of border. Empty for others.
@@ -178,14 +183,7 @@ struct BuiltRows {
                        [](const auto& part) { return !part.empty(); });
   }
 
-  static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw
-  static constexpr Index of_no_block = no_index - 1;  ///< given, but at a fault that ends inside: made anew there
-  static Index n_blocks(const std::vector<Index>& block_of) {
-    Index n = 0;
-    for (const Index block : block_of)
-      if (block < of_no_block) n = std::max(n, block + 1);
-    return n;
-  }
+  static constexpr Index of_every_block = no_index;  ///< not cut off at the faults between blocks
 };
 
 /// A surface that was continued to what bounds it, for the report and the page.
@@ -235,6 +233,12 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
 /// Cost: surfaces times the logarithm of the truncations.
 std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                                         const ModelRules& rules);
+
+/// Beyond the end of a fault that ends inside, what continues it to part blocks is removed again, and the blocks of a
+/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon that has blocks
+/// or parts the triangles by which such faults were continued. trim_soup gives those of their parts to the horizon that
+/// lie between its blocks. Called after the arrangement. Sets BuiltRows::first_step.
+void add_steps(std::vector<TriangulatedSurface>& surfaces, BuiltRows& built);
 
 struct TrimmedSoup {
   PolygonSoup soup;

@@ -41,9 +41,6 @@ struct SettledHorizon {
   double largest_move = 0, mean_move = 0;  ///< where it was moved
   Vec3 place;                              ///< of the largest move
   double largest_off = 0;                  ///< elsewhere: distance from the input's points
-  double area_at_faults = 0;               ///< in strips along faults with throw, made anew from both sides
-  double largest_move_at_faults = 0;       ///< of what comes from one side, to bring it into order there
-  Vec3 place_at_faults;
 };
 
 /// One unit between two horizons of the stack.

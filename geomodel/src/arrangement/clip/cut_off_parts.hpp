@@ -25,7 +25,7 @@ struct FacetsWithOrigins {
 /// Facet, row of the surface and its triangle, for each part of a facet that was found to be cut off.
 using LostParts = std::set<std::array<Index, 3>>;
 
-/// A surface in parts: part 0 is what was given, each other one continues it. A part shares the points (by row) where
+/// A surface in parts: the first were given, each other one continues them. A part shares the points (by row) where
 /// it begins with what it continues; sheets of several blocks may have equal points that are none of these.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
@@ -33,6 +33,7 @@ struct SurfaceInParts {
   const std::vector<Index>& part;   ///< per triangle
   const std::vector<Index>& walls;  ///< rows of the surfaces at which the parts end, ascending
   const LostParts& lost;            ///< of walls: nothing ends there
+  Index n_given = 1;                ///< parts below this one were given
 };
 
 /// Facets, each with a triangle of the surface for which it stands, that walls cut off from what was given; ascending.

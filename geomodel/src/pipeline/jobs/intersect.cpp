@@ -119,20 +119,32 @@ void drop_spots_of_blocks(PreparedModel& model) {
   });
 }
 
-/// Blocks of horizons with throw, and what continues faults only to part them.
-std::vector<std::vector<Index>> parts_that_may_go(const PreparedModel& model) {
-  std::vector<std::vector<Index>> parts = model.built_rows.block_of_triangle;
-  for (std::size_t s = 0; s < parts.size() && s < model.built_rows.part_of_triangle.size(); ++s)
-    if (parts[s].empty()) parts[s] = model.built_rows.part_of_triangle[s];
-  const std::vector<Index>& first_only_parting = model.built_rows.first_only_parting;
+/// What was given of each block of a horizon with throw, what continues surfaces, and what continues faults only to
+/// part blocks.
+void set_parts(const PreparedModel& model, ArrangementOptions& options) {
+  const BuiltRows& rows = model.built_rows;
+  std::vector<std::vector<Index>>& parts = options.parts = rows.part_of_triangle;
   parts.resize(model.surfaces.size());
-  for (std::size_t s = 0; s < first_only_parting.size() && s < parts.size(); ++s) {
-    const std::size_t n = model.surfaces[s].triangles.size(), first = first_only_parting[s];
+  options.n_given_parts.assign(parts.size(), 1);
+  for (std::size_t s = 0; s < rows.block_of_triangle.size(); ++s) {
+    const std::vector<Index>& block = rows.block_of_triangle[s];
+    if (block.empty()) continue;
+    Index& n_given = options.n_given_parts[s];
+    for (const Index b : block)
+      if (b != BuiltRows::of_every_block) n_given = std::max(n_given, b + 2);
+    parts[s].resize(block.size(), 0);
+    for (std::size_t t = 0; t < block.size(); ++t)
+      if (parts[s][t] > 0)
+        parts[s][t] += n_given - 1;
+      else if (block[t] != BuiltRows::of_every_block)
+        parts[s][t] = block[t] + 1;
+  }
+  for (std::size_t s = 0; s < rows.first_only_parting.size(); ++s) {
+    const std::size_t n = model.surfaces[s].triangles.size(), first = rows.first_only_parting[s];
     if (!parts[s].empty() || first >= n) continue;
     parts[s].assign(n, 0);
     std::fill(parts[s].begin() + static_cast<std::ptrdiff_t>(first), parts[s].end(), Index{1});
   }
-  return parts;
 }
 
 /// The walls at which continued surfaces end that are whole in the arrangement: faults that overshoot the ones on which
@@ -208,7 +220,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
                const RunContext& context) {
   StageScope stage(context, "intersect");
   ArrangementOptions with_parts = options;
-  with_parts.parts = parts_that_may_go(model);
+  set_parts(model, with_parts);
   with_parts.ends_at = walls_of_continuations(model);
   model.arrangement = arrange_merging_near(model, wells, with_parts, context);
   drop_spots_of_blocks(model);
@@ -218,6 +230,7 @@ void intersect(PreparedModel& model, const std::vector<Polyline>& wells, const A
   warn_of_absent_surfaces(model, context);
   for (const TriangulatedSurface& side : model.arrangement.box_sides) model.surfaces.push_back(side);
   note_findings(model, context);
+  add_steps(model.surfaces, model.built_rows);
   if (model.rules.trims() || model.built_rows.any_continued()) {
     TrimmedSoup trimmed = trim_soup(model.arrangement.soup, model.surfaces, model.built_rows, model.rules);
     model.arrangement.soup = std::move(trimmed.soup);

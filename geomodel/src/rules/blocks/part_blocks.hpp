@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons with throw in the arranged soup: blocks and their continuations end at the faults between them.
+/// Horizons with throw in the arranged soup: blocks end at the faults between them, and steps join them beyond the ends
+/// of these.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,18 +21,16 @@ struct Parting {
   std::vector<double>& removed;  ///< area, per surface
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
-  /// Whether two places lie in one fault block.
-  std::function<bool(const Vec3&, const Vec3&)> in_one_block;
 };
 
-/// Of each block's sheets and their continuation, what its faults part off goes. It stays where most of what was given
-/// of it lies on the block's own side of each fault. Triangles of every block stay where one block keeps them. Nothing
-/// happens to a horizon without blocks. Blocks that are fields are kept in their domains alone; Error{invalid_input}
-/// where a field has nothing there.
+/// Of each block's triangles those pieces are removed that lie, for most of their area, in another block of
+/// BuiltRows::throw_blocks; of the triangles of a field, those in blocks in which it does not hold. Nothing happens to
+/// a horizon without blocks. Throws Error{invalid_input} where a field has nothing in its domain.
 void part_blocks(const Parting& parting, Index horizon);
 
-/// Continuations of faults that only served to part blocks go, once all horizons are parted. Where blocks do not meet
-/// across them, a warning tells the length and the place.
+/// Continuations of faults that only served to part blocks are removed, once all horizons are parted. Where the blocks
+/// of a horizon do not meet at one, what of it lies between them becomes a step of the horizon (add_steps). That is
+/// told, with a warning where the throw does not die out, or where no such step closes the horizon.
 void remove_continuations(const Parting& parting);
 
 }  // namespace geomesh::geomodel

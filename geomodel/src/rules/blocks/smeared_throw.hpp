@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "rules/blocks/throw_blocks.hpp"
+#include "rules/extend/extend.hpp"
+#include "rules/throw/fault_crossings.hpp"
 
 namespace geomesh::geomodel {
 
@@ -17,10 +18,9 @@ struct RampFault {
 
 /// What became of a horizon whose throw was restored.
 struct RestoredThrow {
-  std::vector<Index> sheet;      ///< per triangle: those of one number are one sheet, those of
-                                 ///< BuiltRows::of_every_block go round a fault's end; empty: nothing was done
-  Index n_given = 0;             ///< triangles that stayed, which come first
-  std::vector<Triangle> before;  ///< all that were given
+  std::vector<Index> sheet;  ///< per triangle: those of one number are one sheet, those of
+                             ///< BuiltRows::of_every_block go round a fault's end; empty: nothing was done
+  Index n_given = 0;         ///< triangles that stayed, which come first
 };
 
 /// Takes the ramps out of the horizon and carries what lies beside them across in their place. Each side comes on by

@@ -25,6 +25,7 @@ struct HorizonInBlocks {
   double within;
   const HorizonDivision& division;
   bool fills_blocks, has_margin;
+  double slopes_within;
 };
 
 /// Places of the border of one sheet, then those of a grid over its block, with the heights of the border continued.

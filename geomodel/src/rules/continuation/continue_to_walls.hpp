@@ -16,6 +16,14 @@ namespace geomesh::geomodel {
 /// model farther from everything keeps its tip.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
+/// A horizon sorted into the blocks of the faults across which it has throw (BuiltRows::throw_blocks): it fills each of
+/// those in which it has data. Sets the blocks of what it adds.
+void fill_throw_blocks(BuiltSurfaces& built, Index row, const ModelRules& rules, const BuildLog& log);
+
+/// How far from its data a horizon with a list of faults keeps its slope, m: as SurfaceRules::extend says, else within
+/// the distance.
+double reach_of_slope(const ModelRules& rules, Index row, double within);
+
 /// How far a horizon looks for walls, m: one that fills its blocks through all of the model.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 
@@ -24,5 +32,8 @@ double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 /// blocks, where it needed any.
 std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
                                                const std::vector<Index>& fill_blocks, const BuildLog& log);
+
+/// The blocks of all faults and bodies, for horizons that were continued by lists of faults alone.
+HorizonBlocks blocks_of_model(const BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -23,19 +23,10 @@ struct BuildLog {
 /// made in the map, for faults and bodies in the mean plane.
 void fill_holes(TriangulatedSurface& surface, double longest_border, const BuildLog& log);
 
-/// Points that a continuation gets beside those of the border.
-struct ContinuationPoints {
-  Index rim =
-      0;  ///< surfaces that are continued over the same area with different numbers have no border edge in common
-  bool inside = true;  ///< on a grid between the border and the rim; else what lies between two borders is bridged by
-                       ///< straight lines
-};
-
 /// Continues the surface from its outer border to beyond the box, in the frame of fill_holes. What lies between sheets
 /// of one surface (a horizon given block by block) is filled as well. Holes stay. False where its border crosses itself
 /// in the frame, which a warning tells: the surface stays as it is.
-bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
-                   const ContinuationPoints& added = {});
+bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log);
 
 /// Closes every border loop of a body: a loop that reaches into the box is first drawn out beyond the box's nearest
 /// side.

@@ -20,9 +20,6 @@ struct ThrowFault {
   Index first_made;
 };
 
-/// Whether the fault has a continuation in the box. It has none there where it ends on the sides, but for rounding.
-bool ends_inside(const ThrowFault& fault, const Box3& box);
-
 /// What a triangle crosses: nothing, a fault as it is, or the continuation of one (which wins over the fault itself:
 /// the fault ends in that triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };
