@@ -29,7 +29,7 @@ class Largest {
 /// Decides which parts of sheets count.
 class Sorting {
  public:
-  Sorting(const SheetParts& parts, const SortingSetting& setting) : parts_(parts) {
+  Sorting(const SheetParts& parts, const SortingSetting& setting) : parts_(parts), sides_(setting.sides) {
     const SheetParts::Areas areas = parts_.areas(setting.framework);
     find_those_that_count(areas);
     if (std::ranges::all_of(areas, [&](const auto& entry) { return counts_.contains(entry.first); })) return;
@@ -45,18 +45,27 @@ class Sorting {
       if (blocks.size() == 1) sorted.block[t] = *blocks.begin();
       if (blocks.empty() && !parts_.is_outside(t)) sorted.overshoots[t] = true;
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (blocks.size() > 1 && parts_.touches(t, f)) sorted.runs_across[f] = true;
+        if (parts_.touches(t, f) && are_on_both_sides(blocks, f)) sorted.runs_across[f] = true;
     }
     sort_outside(sorted);
     for_each_pair_at_fault([&](Index t, Index other) {
+      std::set<Index> blocks = blocks_of(t);
+      blocks.merge(blocks_of(other));
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (!blocks_of(t).empty() && !blocks_of(other).empty() && parts_.touches(t, f) && parts_.touches(other, f))
+        if (parts_.touches(t, f) && parts_.touches(other, f) && are_on_both_sides(blocks, f))
           sorted.runs_across[f] = true;
     });
     return sorted;
   }
 
  private:
+  bool are_on_both_sides(const std::set<Index>& blocks, std::size_t fault) const {
+    const auto is_on = [&](int side) {
+      return std::ranges::any_of(blocks, [&](Index b) { return b != no_index && sides_[fault][b] == side; });
+    };
+    return is_on(1) && is_on(-1);
+  }
+
   /// The blocks in which the parts of a triangle count.
   std::set<Index> blocks_of(Index t) const {
     std::set<Index> blocks;
@@ -168,6 +177,7 @@ class Sorting {
   }
 
   const SheetParts& parts_;
+  const std::vector<std::vector<int>>& sides_;
   std::set<Index> counts_;  ///< parts
 };
 
