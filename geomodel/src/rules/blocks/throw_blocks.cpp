@@ -26,6 +26,14 @@ class Largest {
   std::map<At, std::pair<Index, double>> largest_;
 };
 
+/// `sides`: per block, as BlockFramework::sides_of gives them.
+bool are_on_both_sides(const std::set<Index>& blocks, const std::vector<int>& sides) {
+  const auto is_on = [&](int side) {
+    return std::ranges::any_of(blocks, [&](Index b) { return b != no_index && sides[b] == side; });
+  };
+  return is_on(1) && is_on(-1);
+}
+
 /// Decides which parts of sheets count.
 class Sorting {
  public:
@@ -45,27 +53,20 @@ class Sorting {
       if (blocks.size() == 1) sorted.block[t] = *blocks.begin();
       if (blocks.empty() && !parts_.is_outside(t)) sorted.overshoots[t] = true;
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (parts_.touches(t, f) && are_on_both_sides(blocks, f)) sorted.runs_across[f] = true;
+        if (parts_.touches(t, f) && are_on_both_sides(blocks, sides_[f])) sorted.runs_across[f] = true;
     }
     sort_outside(sorted);
     for_each_pair_at_fault([&](Index t, Index other) {
       std::set<Index> blocks = blocks_of(t);
       blocks.merge(blocks_of(other));
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (parts_.touches(t, f) && parts_.touches(other, f) && are_on_both_sides(blocks, f))
+        if (parts_.touches(t, f) && parts_.touches(other, f) && are_on_both_sides(blocks, sides_[f]))
           sorted.runs_across[f] = true;
     });
     return sorted;
   }
 
  private:
-  bool are_on_both_sides(const std::set<Index>& blocks, std::size_t fault) const {
-    const auto is_on = [&](int side) {
-      return std::ranges::any_of(blocks, [&](Index b) { return b != no_index && sides_[fault][b] == side; });
-    };
-    return is_on(1) && is_on(-1);
-  }
-
   /// The blocks in which the parts of a triangle count.
   std::set<Index> blocks_of(Index t) const {
     std::set<Index> blocks;
