@@ -70,12 +70,9 @@ const BlockFramework& framework_of_faults(BuiltSurfaces& built, const ModelRules
 /// Sets the blocks of the horizon's triangles and removes what overshoots its faults. Says so.
 void sort_triangles(BuiltSurfaces& built, std::size_t row, const PartingFaults& parting, const RestoredThrow& restored,
                     const ModelRules& rules, const BuildLog& log) {
-  const BlockFramework& framework = built.rows.throw_blocks[row]->framework;
-  std::vector<std::vector<int>> sides;
-  for (const Index fault : parting.rows) sides.push_back(framework.sides_of(fault));
   const SortedTriangles sorted =
       sort_into_blocks(built.surfaces[row], restored.sheet,
-                       {parting.faults, sides, framework, *rules.box,
+                       {parting.faults, built.rows.throw_blocks[row]->framework, *rules.box,
                         [&]() -> const BlockFramework& { return framework_of_faults(built, rules, row); }});
   TriangulatedSurface& horizon = built.surfaces[row];
   std::vector<Index>& block = built.rows.block_of_triangle[row];

@@ -26,18 +26,10 @@ class Largest {
   std::map<At, std::pair<Index, double>> largest_;
 };
 
-/// `sides`: per block, as BlockFramework::sides_of gives them.
-bool are_on_both_sides(const std::set<Index>& blocks, const std::vector<int>& sides) {
-  const auto is_on = [&](int side) {
-    return std::ranges::any_of(blocks, [&](Index b) { return b != no_index && sides[b] == side; });
-  };
-  return is_on(1) && is_on(-1);
-}
-
 /// Decides which parts of sheets count.
 class Sorting {
  public:
-  Sorting(const SheetParts& parts, const SortingSetting& setting) : parts_(parts), sides_(setting.sides) {
+  Sorting(const SheetParts& parts, const SortingSetting& setting) : parts_(parts) {
     const SheetParts::Areas areas = parts_.areas(setting.framework);
     find_those_that_count(areas);
     if (std::ranges::all_of(areas, [&](const auto& entry) { return counts_.contains(entry.first); })) return;
@@ -53,14 +45,12 @@ class Sorting {
       if (blocks.size() == 1) sorted.block[t] = *blocks.begin();
       if (blocks.empty() && !parts_.is_outside(t)) sorted.overshoots[t] = true;
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (parts_.touches(t, f) && are_on_both_sides(blocks, sides_[f])) sorted.runs_across[f] = true;
+        if (blocks.size() > 1 && parts_.touches(t, f)) sorted.runs_across[f] = true;
     }
     sort_outside(sorted);
     for_each_pair_at_fault([&](Index t, Index other) {
-      std::set<Index> blocks = blocks_of(t);
-      blocks.merge(blocks_of(other));
       for (std::size_t f = 0; f < n_faults; ++f)
-        if (parts_.touches(t, f) && parts_.touches(other, f) && are_on_both_sides(blocks, sides_[f]))
+        if (!blocks_of(t).empty() && !blocks_of(other).empty() && parts_.touches(t, f) && parts_.touches(other, f))
           sorted.runs_across[f] = true;
     });
     return sorted;
@@ -178,7 +168,6 @@ class Sorting {
   }
 
   const SheetParts& parts_;
-  const std::vector<std::vector<int>>& sides_;
   std::set<Index> counts_;  ///< parts
 };
 

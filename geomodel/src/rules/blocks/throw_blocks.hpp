@@ -21,15 +21,13 @@ std::shared_ptr<const HorizonBlocks> blocks_between(const BuiltSurfaces& built, 
 struct SortedTriangles {
   std::vector<Index> block;       ///< per triangle, or BuiltRows::of_every_block
   std::vector<bool> overshoots;   ///< per triangle: wholly beyond a fault at which it should have ended
-  std::vector<bool> runs_across;  ///< per fault: a triangle crosses it that is of blocks on both of its sides
+  std::vector<bool> runs_across;  ///< per fault: a triangle crosses it that is of the blocks on both sides
 };
 
-/// The faults in the order of the result, on which side of each the blocks between them lie (BlockFramework::sides_of),
-/// these blocks, the box in which sheets go round the ends of faults, and what gives the blocks between all faults of
-/// the model, as if each went on through it.
+/// The faults in the order of the result, the blocks between them, the box in which sheets go round their ends, and
+/// what gives the blocks between all faults of the model, as if each went on through it.
 struct SortingSetting {
   const std::vector<ThrowFault>& faults;
-  const std::vector<std::vector<int>>& sides;
   const BlockFramework& framework;
   const Box3& box;
   std::function<const BlockFramework&()> framework_of_all;
