@@ -89,7 +89,6 @@ struct ImproveSchedule {
   double least_rise = 1.03;              ///< factor of the worst shape, > 1, that is worth a vertex's move
   double progress = 0.9;                 ///< factor of the fewest poor cells so far that the next round must reach
   double progress_angle = 16;            ///< progress is measured on the cells below this too
-  double enough_visits = 1.5;            ///< poor cells visited, by the number of all, before a lack of progress counts
   unsigned idle_rounds = 2;              ///< without a change, that end the repair
   unsigned first_round_with_points = 2;  ///< flips and moves alone in the first, contraction too in the second
 

@@ -76,11 +76,8 @@ class RepairRounds {
     const auto falls = [&](std::size_t now, std::size_t fewest) {
       return static_cast<double>(now) <= schedule_.progress * static_cast<double>(fewest);
     };
-    const bool is_costly =
-        static_cast<double>(repair_.n_visited()) > schedule_.enough_visits * static_cast<double>(mesh_.n_cells());
     const bool was_all_tried = k > (may_add_points_ ? schedule_.first_round_with_points : 0);
-    return (is_costly || !may_add_points_) && was_all_tried && !falls(n_poor, fewest_) &&
-           !falls(n_worst, fewest_worst_);
+    return was_all_tried && !falls(n_poor, fewest_) && !falls(n_worst, fewest_worst_);
   }
   RepairBy operations_of(unsigned k) const {
     if (k == 0) return RepairBy::flips_and_moves;

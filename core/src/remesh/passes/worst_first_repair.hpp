@@ -28,8 +28,6 @@ class WorstFirstRepair {
 
   /// New points may succeed where others failed before, as in less room.
   void forget_failed_points();
-  /// Cells over all runs.
-  std::size_t n_visited() const { return n_visited_; }
 
  private:
   RepairBy tried_at(CellIndex c) const;
