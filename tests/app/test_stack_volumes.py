@@ -48,7 +48,8 @@ class StackVolumes(ProgramTest):
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def test_units_of_grids_with_undefined_nodes_have_the_volumes_that_the_grids_have_by_the_rules(self):
-        self.assert_volumes("blank-grids")
+        """The sand is 11 m thick in the mean: settling alone makes it 0.5 % thicker, 6 cm at a tolerance of 8 m."""
+        self.assert_volumes("blank-grids", 0.006)
 
     def test_holes_and_rims_of_grids_need_no_keys(self):
         """By default, with surfaces alone. Straight lines across holes of up to 840 m change the coal, 10 m thick, by a fortieth."""

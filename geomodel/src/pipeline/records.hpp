@@ -38,6 +38,7 @@ struct Inputs {
   Vec3 origin{0, 0, 0};
   std::string system = "local", unit = "m";  ///< of the mesh, for the report
   double z_scale = 1;                        ///< by which z is multiplied from after `build` until the mesh is named
+  bool curved_faces = false;                 ///< the output has second order: corners of faces stay on the surfaces
   std::string description;                   ///< for the report, a JSON object in text
   std::vector<std::string> doubted;          ///< inputs that a warning was about: not warned of for the same again
 };

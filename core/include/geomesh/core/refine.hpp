@@ -70,6 +70,9 @@ struct RefineOptions {
   /// surfaces where the worst elements need them. For surfaces full of short edges that are to be kept with few
   /// elements.
   bool size_surfaces = true;
+  /// Honour::tolerance: moves vertices off the input at the end, so that the faces between them enclose its volume and
+  /// area. False for faces that will be curved onto the input, which must have their corners on it.
+  bool balance_surfaces = true;
   bool refine = true;  ///< false: improve only, no points for size
   /// A start for parts that are refined on their own (refine_part.hpp). Surfaces get `sparse_surfaces` times the sizes
   /// asked, within the same tolerance. Sizes inside grow from there by this a unit of distance, up to `sparse_ratio`

@@ -145,7 +145,7 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
                      const FreeCellJudge& judge, Attempt& attempt) {
   const StageScope stage(context, "improve");
   improve_mesh(tools, options, context, &judge);
-  balance_surfaces(tools, context);
+  if (options.balance_surfaces) balance_surfaces(tools, context);
   Deviations found = hold_to_tolerance(tools, context);
   attempt.result.statistics.deviation_result_to_input = found.result_to_input;
   attempt.result.statistics.deviation_input_to_result = found.input_to_result;

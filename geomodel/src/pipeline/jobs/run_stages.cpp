@@ -199,6 +199,7 @@ JobResult run_stages(const OutputPlan& asked, StageRecorder& recorder, const std
   try {
     Inputs inputs = read(journal);
     zones.rules = take_zone_rules(inputs.naming, zones.zones);
+    inputs.curved_faces = plan.options.order == ElementOrder::second;
     records.inputs = std::move(inputs);
     records.built = records.inputs->has_rules ? build_model(*records.inputs, journal) : built_as_given(*records.inputs);
     records.arranged = intersect(*records.inputs, *records.built, journal);

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <map>
 
+#include "fractures/plane_polygons.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
@@ -33,7 +34,8 @@ const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   return ". Are its coordinates in the same system and unit as those of the box?";
 }
 
-/// Faults that end inside, with the length of their tips: as given, or for want of an extent.
+/// Faults that end inside, with the length of their tips: as given, or for want of an extent. Fractures end inside by
+/// their nature.
 void note_tips(const ModelPlc& model, Journal& journal) {
   struct Tip {
     double length = 0, longest = -1;
@@ -244,7 +246,7 @@ Arranged intersect(const Inputs& inputs, const Built& built, Journal& journal) {
   note_findings(found.spots, arranged.surfaces, journal);
   trim(built, arranged, journal);
   arranged.plc = make_plc(found.soup, arranged.surfaces, built.wells);
-  note_tips(arranged.plc, journal);
+  if (!is_fracture_network(built.surfaces, built.rules)) note_tips(arranged.plc, journal);
   journal.context().note(LogLevel::info, std::to_string(found.n_crossing_pairs) + " pairs of triangles cross; " +
                                              std::to_string(found.soup.facets.size()) + " facets");
   if (inputs.closed_are_bodies)

@@ -273,6 +273,7 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.tolerance = settings.tolerance.left();
   options.tolerance_share = settings.tolerance.left_share();
   options.size_surfaces = settings.sizes_on_surfaces;
+  options.balance_surfaces = !model.inputs.curved_faces;
   options.quality = settings.quality;
   options.quality_measure = settings.quality_measure;
   options.time_budget = settings.time_budget;
