@@ -114,6 +114,7 @@ class Benchmarks(ProgramTest):
         stem = os.path.join(os.path.dirname(project), "out", name)
         report = self.report(stem + ".report.json")
         areas = {s["name"]: s["area"] for s in report["surfaces"]}
+        self.assertFalse([n for n in report["notes"] if "along a tip" in n])  # fractures end inside by their nature
         for i, corners in enumerate(fractures):
             self.assertAlmostEqual(areas["fracture_%d" % (i + 1)] / area(corners), 1, delta=1e-9, msg=str(i + 1))
         return report, stem

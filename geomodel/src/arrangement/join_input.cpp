@@ -61,7 +61,8 @@ InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warni
   return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
 }
 
-/// Points keep to the sides of a box by its planes; the sides of another volume are fixed.
+/// From this surface on nothing merges: points keep to the sides of a box by its planes, and the sides of another
+/// volume are fixed.
 Index InputJoiner::first_fixed() const { return options_.box ? no_index : static_cast<Index>(surfaces_.given.size()); }
 
 JoinRule InputJoiner::join_rule(const Contacts& contacts) const {

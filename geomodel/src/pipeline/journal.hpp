@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What a run tells its user.
+/// The notes and warnings of a run.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ class Journal {
   /// The caller's context: log, progress, cancellation, threads.
   const RunContext& context() const { return context_; }
 
-  /// What was found before meshing, and what rules changed.
+  /// Findings before meshing, and changes by rules.
   void note(std::string text) {
     context_.note(LogLevel::info, text);
     notes_.push_back(std::move(text));

@@ -19,7 +19,7 @@
 
 namespace geomesh::geomodel {
 
-/// What was asked and what the files hold, in the frame of the output (its origin subtracted).
+/// The request and the content of the files, in the frame of the output (its origin subtracted).
 struct Inputs {
   std::string command, name;
   std::vector<TriangulatedSurface> surfaces;
@@ -67,7 +67,7 @@ struct Arranged {
   RefinementSettings refinement;  ///< with what merging used of the tolerance
 };
 
-/// What stages read from the mesh on; all outlive it.
+/// The records that stages from meshing on read. They outlive it.
 struct ModelRecords {
   const Inputs& inputs;
   const Built& built;

@@ -20,7 +20,7 @@ constexpr unsigned n_sweeps = 2;
 
 /// Share of its shape that a bad cell keeps in a move. Between sheets that are much nearer to each other than their
 /// faces are long, all cells are bad, and the sheets can only move one after the other. Without this loss the layer
-/// between two spheres 1 m apart is 12 % too thick, with it 1 % (tests/app/test_fields_and_fractures.py).
+/// between two spheres 1 m apart is much too thick (python/tests/test_fields.py).
 constexpr double kept_of_bad = 0.8;
 
 /// Moves vertices to places that surfaces allow, that make no good cell bad, and no cell worse than the worst of the

@@ -26,7 +26,7 @@ struct RecordsSoFar {
   std::optional<Arranged> arranged;
 };
 
-/// What is asked of groups and attributes of zones, which are there once the mesh is made.
+/// Fault zones, with the groups and attributes that name them. They are opened once the mesh is made.
 struct Zones {
   std::vector<FaultZone> zones;
   NamingRules rules;
@@ -61,8 +61,8 @@ std::string described_with_size(const Inputs& inputs, const RefinementSettings& 
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// What of the stage `verify` is done once the mesh has been named and verified, and once its shapes have been
-/// measured.
+/// Shares of the stage `verify` that are done once the mesh has been named and verified, and once its shapes have been
+/// measured. They steer the progress that is shown.
 constexpr double verified_share = 0.65, measured_share = 0.9;
 
 /// Stage verify: the named mesh, and what is measured of it for the report.
@@ -116,7 +116,7 @@ JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const 
   result.mesh = verify(model, meshed, zones, plan.options, report, journal);
   report.mesh = &result.mesh;
   report.tops = measure_tops(inputs.tops, result.mesh);
-  report.model_verdict = judge_model(model, meshed, result.mesh, journal);
+  report.model_verdict = judge_model(model, result.mesh, journal);
   Summary summary = summarise(report, meshed.used);
   result.summary = std::move(summary.lines);
   result.details = std::move(summary.details);
@@ -136,8 +136,8 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   return items;
 }
 
-/// Where meshing has failed at a place that can be looked at: with `--stop-after recover` it is written, else the
-/// message tells how to get it.
+/// The error told by surfaces and triangles of the model. With `--stop-after recover` the place of the failure is
+/// written for viewing; else the message tells how to get it.
 [[noreturn]] void fail_in_terms_of_model(const Error& error, const Arranged& arranged, const OutputPlan& plan,
                                          const std::string& stop_after) {
   std::string message = error.what();

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// (InternalError) or an error is thrown.
 JobResult run_stages(const OutputPlan& plan, StageRecorder& recorder, const std::function<Inputs(Journal&)>& read);
 
-/// What was meshed, named and verified, and is not written. `refined.mesh` has the tetrahedra of `mesh`, in the
+/// A mesh that was named and verified, and is not written. `refined.mesh` has the tetrahedra of `mesh`, in the
 /// same order. `description` is that of the inputs, with the size that was used.
 struct VerifiedModel {
   RefineResult refined;

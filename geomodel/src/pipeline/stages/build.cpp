@@ -45,7 +45,7 @@ void scale_z(Built& model) {
   }
 }
 
-/// What no rule has changed.
+/// The part of the record that no rule changes: all but the surfaces.
 Built with_settings_of(const Inputs& inputs) {
   Built built;
   built.wells = inputs.wells;

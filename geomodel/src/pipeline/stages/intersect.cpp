@@ -20,7 +20,7 @@ bool looks_geographic(const Box3& extent) {
   return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
 }
 
-/// What a geologist would look at first where a surface lies elsewhere than the model.
+/// Advice for a surface that lies elsewhere than the model: its coordinates, its unit, or depths for heights.
 const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   if (!model) return "";
   if (looks_geographic(extent) && !looks_geographic(*model))
@@ -93,7 +93,7 @@ void warn_of_clipped_wells(const Inputs& inputs, const std::vector<Spot>& spots,
   }
 }
 
-/// What crosses, has gaps and dangles, but for what was warned of.
+/// Notes crossings, gaps and dangling edges, but for those that were warned of.
 void note_findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces, Journal& journal) {
   constexpr std::size_t most = 100;
   std::size_t n = 0;
@@ -163,7 +163,7 @@ void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   });
 }
 
-/// What rules take from the soup: what crosses, and the ends of continuations.
+/// Takes from the soup the parts beyond crossings that rules cut off, and the ends of continuations.
 void trim(const Built& built, Arranged& arranged, Journal& journal) {
   if (!built.rules.trims() && !built.rows.any_continued()) return;
   ArrangementResult& found = arranged.arrangement;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is measured of a verified mesh, declared in pipeline/stages/stages.hpp.
+// Measurements and verdicts of a verified mesh, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 
 #include "pipeline/stages/stages.hpp"
@@ -75,7 +75,7 @@ std::vector<FittedTop> measure_tops(std::vector<FittedTop> tops, const ModelMesh
   return tops;
 }
 
-std::string judge_model(const ModelRecords& model, const Meshed& meshed, const ModelMesh& mesh, Journal& journal) {
+std::string judge_model(const ModelRecords& model, const ModelMesh& mesh, Journal& journal) {
   if (model.inputs.command != "project") return "";
   const NamingRules& naming = model.built.naming;
   const std::vector<std::string> column = column_inside(naming);

@@ -20,7 +20,7 @@ constexpr unsigned most_tries = 3, most_tries_asked = 5;
 constexpr unsigned most_rounds =
     4;  ///< of a try: what has no end then has none later, and each takes as long as the first
 
-/// What merging, and mending at places too thin for any rounding, moved.
+/// How far merging moved surfaces, and mending at places too thin for any rounding.
 ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   ToleranceUse use{"merging", merging.displacement.largest};
   use.moved = use.taken;
@@ -28,7 +28,7 @@ ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   return use;
 }
 
-/// What stood against merging within a distance.
+/// The reason for which surfaces were not merged within a distance.
 struct Obstacle {
   std::string text;
   void keep_first(std::string other) {
@@ -84,7 +84,7 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// What was merged is told as a finding: nothing is wrong with it.
+  /// Merging is told as a finding, because nothing is wrong with it.
   void tell(ArrangementResult& found, double distance) const {
     for (const Spot& spot : found.spots)
       if (spot.what == "merged") std::erase(found.warnings, describe(spot, built_.surfaces));

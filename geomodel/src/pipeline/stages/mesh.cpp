@@ -99,7 +99,7 @@ Meshed mesh_to_size(const ModelRecords& model, const SparseMeshing& sparse, Jour
   return {std::move(refined.result), std::move(refined.used), std::move(naming), std::move(volumes_of_input)};
 }
 
-/// What remeshing moved: proven to be within what was left for it, so that nothing is taken.
+/// How far remeshing moved surfaces. That is proven to be within the tolerance left, so that nothing is taken of it.
 ToleranceUse use_of(const RefineStatistics& statistics) {
   ToleranceUse use{"remeshing"};
   use.moved = std::max(statistics.deviation_result_to_input, statistics.deviation_input_to_result);

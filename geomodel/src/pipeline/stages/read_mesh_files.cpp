@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `geomesh mesh` asks and what its files hold, declared in pipeline/stages/stages.hpp.
+// The stage read of `geomesh mesh`, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a project asks and what its files hold, declared in pipeline/stages/stages.hpp.
+// The stage read of a project, declared in pipeline/stages/stages.hpp.
 #include <nlohmann/json.hpp>
 
 #include "common/thread_limit.hpp"
@@ -65,7 +65,7 @@ void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) 
     r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});
 }
 
-/// What was not asked for and yet steers the mesh.
+/// Tells the size and the tolerance that steer the mesh without having been asked for.
 void tell_sizes(const Inputs& model, Journal& journal) {
   const RefinementSettings& r = model.refinement;
   if (r.derive_size)
@@ -143,7 +143,7 @@ std::vector<std::string> doubt_inputs(const Project& project, const ProjectInput
   return doubted;
 }
 
-/// What the rules need to know of the data: which faults offset which horizon, and how far surfaces are continued.
+/// Completes the rules by the data: which faults offset which horizon, and how far surfaces are continued.
 void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal) {
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);

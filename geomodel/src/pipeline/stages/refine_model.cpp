@@ -168,7 +168,7 @@ std::string words_of_kept(const ModelRecords& model, const RefineResult& result)
   return {};
 }
 
-/// What is refused of facets is told of their surfaces.
+/// Errors that name facets are told with the surfaces of these.
 RefineResult refine_naming_surfaces(const ModelRecords& model, ConstrainedTetrahedralization mesh,
                                     const RefineOptions& options, const RunContext& context) {
   try {

@@ -28,7 +28,8 @@ Built built_as_given(const Inputs& inputs);
 /// Stage intersect. Rules on crossings (erosion, onlap, ends of continuations) are applied to the soup.
 Arranged intersect(const Inputs& inputs, const Built& built, Journal& journal);
 
-/// Surfaces that are to be meshed coarsely, and what the tetrahedra between them may be (RefineOptions).
+/// How coarse a start for ranks is: RefineOptions::sparse_growth, sparse_ratio, sparse_surfaces. As it stands: not at
+/// all.
 struct SparseMeshing {
   double growth = 0, ratio = 10, surfaces = 1;
 };
@@ -52,12 +53,12 @@ void require_valid(const ModelMesh& mesh, const ZScale& scale, unsigned threads)
 
 /// Shapes, sizes and causes of poor elements. The tetrahedra of `mesh` are those of `meshed`, in the same order.
 QualityReport judge_quality(const ModelRecords& model, const Meshed& meshed, const ModelMesh& mesh, unsigned threads);
-/// What solvers bear. Tetrahedra of fault zones come last in `mesh`.
+/// Whether solvers bear the elements, and which not. Tetrahedra of fault zones come last in `mesh`.
 SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigned threads);
 /// How far the mesh's horizons are off the tops of wells.
 std::vector<FittedTop> measure_tops(std::vector<FittedTop> tops, const ModelMesh& mesh);
 /// Units without a region are warned of; the verdict counts all warnings. Empty where no project says what is wanted.
-std::string judge_model(const ModelRecords& model, const Meshed& meshed, const ModelMesh& mesh, Journal& journal);
+std::string judge_model(const ModelRecords& model, const ModelMesh& mesh, Journal& journal);
 
 /// Makes names unique by a suffix `_2`, `_3` ... in order; names of box sides are reserved.
 void make_names_unique(std::vector<TriangulatedSurface>& surfaces);
