@@ -18,10 +18,11 @@ namespace {
 
 constexpr Vec3 corner{432117.25, 6512408.5, -1533.75};
 
-/// |normal . y| < width, for each of three normals, about a corner at coordinates of a map grid.
+/// |normal . (y - middle)| < width, for each of three normals; y is relative to a corner at coordinates of a map grid.
 struct Slab {
   std::array<Vec3, 3> normals;
   std::array<double, 3> widths;
+  Vec3 middle{};
 
   WidePolyhedron polyhedron() const {
     WidePolyhedron out;
@@ -30,16 +31,21 @@ struct Slab {
     for (std::size_t k = 0; k < 3; ++k)
       for (const double sign : {1.0, -1.0}) {
         WidePlane plane{{}, {widths[k]}};
-        for (std::size_t i = 0; i < 3; ++i) plane.normal[i] = TwoDouble{sign * normals[k][i]};
+        for (std::size_t i = 0; i < 3; ++i) {
+          plane.normal[i] = TwoDouble{sign * normals[k][i]};
+          plane.at = plane.at - plane.normal[i] * TwoDouble{middle[i]};
+        }
         out.planes.push_back(plane);
       }
+    for (std::size_t i = 0; i < 3; ++i) out.inside[i] = TwoDouble{middle[i]};
     return out;
   }
   bool holds(const Vec3& p) const {
     for (std::size_t k = 0; k < 3; ++k) {
       LongExpansion along;
       for (std::size_t i = 0; i < 3; ++i)
-        along = along + (LongExpansion(p[i]) - LongExpansion(corner[i])) * LongExpansion(normals[k][i]);
+        along = along + (LongExpansion(p[i]) - LongExpansion(corner[i]) - LongExpansion(middle[i])) *
+                            LongExpansion(normals[k][i]);
       for (const double sign : {1.0, -1.0})
         if ((LongExpansion(widths[k]) + along * sign).sign() != Sign::positive) return false;
     }
@@ -69,6 +75,18 @@ TEST_CASE("a slab of a thousandth of an ulp holds doubles, and so does a needle"
     CHECK(Slab{frame, {1e-15, 1, 100}}.is_found());
     CHECK(Slab{frame, {1e-10, 1e-10, 1000}}.is_found());
     CHECK(Slab{frame, {1, 1, 1}}.is_found());
+  }
+}
+
+TEST_CASE("a slab far longer than thick holds doubles, also where its middle is far from the corner", "[recover]") {
+  std::mt19937 random(11);
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const std::array<Vec3, 3> frame = random_frame(random);
+    const Vec3 middle = 200 * frame[1] + 30 * frame[2];
+    INFO(seed);
+    CHECK(Slab{frame, {1e-15, 250, 40}, middle}.is_found());
+    CHECK(Slab{frame, {1e-16, 250, 250}, middle}.is_found());
+    CHECK(Slab{frame, {1e-13, 1e-8, 250}, 200 * frame[2]}.is_found());
   }
 }
 

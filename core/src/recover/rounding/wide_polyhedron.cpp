@@ -18,7 +18,8 @@ namespace {
 using Row = std::array<double, 3>;
 using Steps = std::array<std::int64_t, 3>;  ///< in units of the spacing
 
-constexpr double too_many_steps = 0x1p52;  ///< more are no longer exact in doubles
+constexpr double too_many_steps = 0x1p60;    ///< sums of a few products of them are whole numbers of 64 bits
+constexpr double too_great_number = 0x1p52;  ///< greater ones are not exact in doubles
 
 TwoDouble dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -47,9 +48,11 @@ struct Triangular {
       for (Row& r : rows) r[k] /= at[k][k];
     }
   }
-  bool is_regular() const {
-    return std::all_of(at.begin(), at.end(), [](const Row& r) { return std::isfinite(dot(r, r)); }) && at[0][0] > 0 &&
-           at[1][1] > 0 && at[2][2] > 0;
+  /// Whether the first `n` columns are independent, as far as doubles tell.
+  bool is_regular(std::size_t n = 3) const {
+    for (std::size_t k = 0; k < n; ++k)
+      if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
+    return true;
   }
   /// The x for which the triangle times x is b.
   Row solve(const Row& b) const {
@@ -187,19 +190,24 @@ class ShapedLattice {
 
   /// The point so many vectors of the basis from that one.
   Vec3 point(const Row& steps) const {
+    Steps there = near_;
+    for (std::size_t j = 0; j < 3; ++j)
+      if (!add(there, steps[j], basis_[j])) return polyhedron_.origin;
     Vec3 out;
-    for (std::size_t i = 0; i < 3; ++i) {
-      double k = static_cast<double>(near_[i]);
-      for (std::size_t j = 0; j < 3; ++j) k += steps[j] * static_cast<double>(basis_[j][i]);
-      out[i] = polyhedron_.origin[i] + k * polyhedron_.spacing[i];
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+      out[i] = polyhedron_.origin[i] + static_cast<double>(there[i]) * polyhedron_.spacing[i];
     return out;
   }
 
  private:
+  /// Exact: vectors of the basis may be longer than the polyhedron, and a double has too few digits for them.
   WidePoint place_of(const Steps& steps) const {
     WidePoint out;
-    for (std::size_t i = 0; i < 3; ++i) out[i] = TwoDouble{static_cast<double>(steps[i]) * polyhedron_.spacing[i]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto most = static_cast<double>(steps[i]);
+      const auto rest = static_cast<double>(steps[i] - static_cast<std::int64_t>(most));
+      out[i] = {most * polyhedron_.spacing[i], rest * polyhedron_.spacing[i]};
+    }
     return out;
   }
   void find_rows() {
@@ -227,7 +235,7 @@ class ShapedLattice {
       find_rows();
       std::vector<Row> scratch = rows_;
       const Triangular r(scratch);
-      if (!r.is_regular()) return false;
+      if (!r.is_regular(k)) return false;  // the others may look dependent until these are reduced
       third_height_ = r.at[2][2];
       if (k == 3) return true;
       bool changed = false;
@@ -296,7 +304,7 @@ struct Interval {
     std::vector<double> out;
     if (!is_bounded()) return out;
     const double middle = std::round((low + high) / 2);
-    if (!(std::fabs(middle) < too_many_steps)) return out;
+    if (!(std::fabs(middle) < too_great_number)) return out;
     for (std::size_t k = 0; out.size() < most && static_cast<double>(k) <= high - low + 1; ++k)
       for (const double x : {middle + static_cast<double>(k), middle - static_cast<double>(k)})
         if (x > low && x < high && (out.empty() || x != out.back())) out.push_back(x);
