@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <numeric>
-#include <optional>
 
 #include "quality/causes.hpp"
 #include "remesh/domain/domain_io.hpp"
@@ -28,18 +27,24 @@ class Judge {
     creases_ = find_creases(plc, judging_);
   }
 
-  std::vector<CellIndex> find(const DomainMesh& mesh, std::optional<std::uint64_t> since) const {
+  std::vector<CellIndex> find(const DomainMesh& mesh) const {
     std::vector<CellIndex> cells, free;
     std::vector<Index> bad;
     for (const CellIndex c : mesh.live_cells()) {
-      if ((!since || changed_since(mesh, mesh.vertices(c), *since)) && is_bad(mesh, c))
-        bad.push_back(static_cast<Index>(cells.size()));
+      if (is_bad(mesh, c)) bad.push_back(static_cast<Index>(cells.size()));
       cells.push_back(c);
     }
     if (bad.empty()) return {};  // most meshes, for which no copy is made
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
     for (const Index row : unforced_bad_elements(exported, judging_, creases_, bad)) free.push_back(cells[row]);
     return free;
+  }
+
+  std::vector<CellIndex> find_since(const DomainMesh& mesh, std::uint64_t tick) {
+    std::vector<CellIndex> bad;
+    for (const CellIndex c : mesh.live_cells())
+      if (changed_since(mesh, mesh.vertices(c), tick) && is_bad(mesh, c)) bad.push_back(c);
+    return bad.empty() ? bad : find_among(mesh, bad);
   }
 
   std::vector<CellIndex> find_among(const DomainMesh& mesh, std::span<const CellIndex> cells) {
@@ -68,7 +73,8 @@ class Judge {
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                               const RefineOptions& options, const RefineResult& result) {
   const auto judge = std::make_shared<Judge>(plc, input, options, result);
-  return {[judge](const DomainMesh& mesh, std::optional<std::uint64_t> since) { return judge->find(mesh, since); },
+  return {[judge](const DomainMesh& mesh) { return judge->find(mesh); },
+          [judge](const DomainMesh& mesh, std::uint64_t tick) { return judge->find_since(mesh, tick); },
           [judge](const DomainMesh& mesh, std::span<const CellIndex> cells) { return judge->find_among(mesh, cells); }};
 }
 

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,8 +60,10 @@ struct Tally {
 
 /// Finds the bad cells that the input does not impose. The search for better cells needs them.
 struct FreeCellJudge {
-  /// Among all cells, or those of which a vertex has changed since that time of the mesh.
-  std::function<std::vector<CellIndex>(const DomainMesh&, std::optional<std::uint64_t> since)> find;
+  /// Among all cells.
+  std::function<std::vector<CellIndex>(const DomainMesh&)> find;
+  /// Among those of which a vertex has changed since that time of the mesh, decided as by find_among.
+  std::function<std::vector<CellIndex>(const DomainMesh&, std::uint64_t since)> find_since;
   /// Returns those cells, the worst first, decided by their surroundings alone: fast, and in doubt a cell is one of
   /// them.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;

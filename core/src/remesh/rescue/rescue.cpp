@@ -230,7 +230,7 @@ class Searcher {
 
 std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& judge) {
   std::vector<BadCell> bad;
-  for (const CellIndex c : judge.find(mesh, std::nullopt)) bad.push_back(bad_cell(mesh, c));
+  for (const CellIndex c : judge.find(mesh)) bad.push_back(bad_cell(mesh, c));
   return bad;
 }
 
@@ -240,7 +240,7 @@ std::vector<BadCell> free_cells_after(const DomainMesh& mesh, const FreeCellJudg
   std::vector<BadCell> bad;
   for (const BadCell& b : before)
     if (is_left(mesh, b) && !changed_since(mesh, b, sweep)) bad.push_back(b);
-  for (const CellIndex c : judge.find(mesh, sweep)) bad.push_back(bad_cell(mesh, c));
+  for (const CellIndex c : judge.find_since(mesh, sweep)) bad.push_back(bad_cell(mesh, c));
   std::ranges::stable_sort(bad, {}, &BadCell::shape);
   return bad;
 }

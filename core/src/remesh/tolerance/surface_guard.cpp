@@ -42,12 +42,6 @@ std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const Vert
   return 3;
 }
 
-/// The coordinate along which the plane is seen widest.
-int dropped_axis(const Vec3& normal) {
-  const Vec3 n{std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)};
-  return n.x >= n.y && n.x >= n.z ? 0 : n.y >= n.z ? 1 : 2;
-}
-
 /// Faces of one patch.
 class FaceSet {
  public:
@@ -132,6 +126,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     planes_.push_back({unit(loop_normal(plc.points, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
   given_ = surface_items(given, mesh);
   oriented_ = patches_oriented_alike(given);
+  flat_ = FlatPatches(given_, static_cast<Index>(given.n_patches()), rounding_);
   std::vector<search::ClosestPointTrees::Item> boxes;
   for (const TightZone& zone : zones_)
     boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
@@ -304,18 +299,7 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
 
 bool SurfaceGuard::keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const {
   const auto leans = [&](Index patch) { return patch < planes_.size() && planes_[patch].axis == 3; };
-  const auto seen = [&](const SurfaceFace& f) {
-    const Vec3& n = planes_[f.patch].normal;
-    const int drop = dropped_axis(n);
-    const auto at = [&](std::size_t k) {
-      const Vec3& p = f.corners[k];
-      return drop == 0 ? Vec2{p.y, p.z} : drop == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
-    };
-    return std::array{at(0), at(1), at(2)};
-  };
-  const auto area = [](const std::array<Vec2, 3>& t) {
-    return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
-  };
+  const auto seen = [&](const SurfaceFace& f) { return seen_along(planes_[f.patch].normal, f.corners); };
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     if (!leans(f.patch)) return true;
     double sum = 0;
@@ -323,7 +307,7 @@ bool SurfaceGuard::keeps_sides(const std::vector<SurfaceFace>& before, const std
     for (const SurfaceFace& g : before)
       if (g.patch == f.patch) {
         const auto t = seen(g);
-        sum += area(t);
+        sum += signed_area(t);
         was_flat = was_flat || orient2d(t[0], t[1], t[2]) == Sign::zero;
       }
     const auto t = seen(f);
@@ -336,6 +320,7 @@ bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
                           const std::vector<SurfaceFace>& around) const {
   if (before.faces.empty() && before.curves.empty()) return true;
   if (exact()) return corners_on(before.faces, after.faces) && keeps_sides(before.faces, after.faces);
+  if (flat_.cover_the_same(before, after)) return true;
   if (!curves_near(before.curves, after.curves)) return false;
   std::vector<Index> over(after.faces.size(), no_index);
   for (std::size_t k = 0; k < over.size(); ++k)

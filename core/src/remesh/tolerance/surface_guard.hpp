@@ -7,7 +7,8 @@
 /// plane in doubles, so a place must be on the removed faces as well.
 ///
 /// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its
-/// patch (search/proven_distance.hpp); otherwise the change is refused. In the other direction nothing is required if
+/// patch (search/proven_distance.hpp); otherwise the change is refused. Within a flat patch it covers what the removed
+/// faces did (flat_patches.hpp). In the other direction nothing is required if
 /// the original is a smooth sheet around the change. Elsewhere samples of the original patch near the removed faces
 /// must be within 0.7 of the tolerance of the new ones or their neighbours. They are at most eight tolerances apart if
 /// a triangle is not longer than a hundred. Curves are kept within 0.7 of it at samples both ways. Deviations do not
@@ -25,27 +26,12 @@
 
 #include "geomesh/core/refine.hpp"
 #include "remesh/tolerance/cavity.hpp"
+#include "remesh/tolerance/flat_patches.hpp"
 #include "remesh/tolerance/local_tolerance.hpp"
 #include "remesh/tolerance/verify_surfaces.hpp"
 #include "search/proven_distance.hpp"
 
 namespace geomesh::remesh {
-
-/// A constrained face by its corners and its patch. Those of one operation and one patch, before and after, are all
-/// oriented alike.
-struct SurfaceFace {
-  std::array<Vec3, 3> corners;
-  Index patch;
-};
-struct CurvePiece {
-  Vec3 a, b;
-  Index curve;
-};
-/// The part that an operation removes, or puts in its place.
-struct SurfacePart {
-  std::vector<SurfaceFace> faces;
-  std::vector<CurvePiece> curves;
-};
 
 /// How surfaces are kept within the tolerance.
 struct Hold {
@@ -144,6 +130,7 @@ class SurfaceGuard {
   std::vector<Plane> planes_;   // by patch in exact mode, else by facet
   std::vector<bool> oriented_;  // by patch: whether its faces in the reference are oriented alike
   SurfaceItems given_;
+  FlatPatches flat_;  // of it
 };
 
 /// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.
