@@ -120,39 +120,6 @@ TEST_CASE("Where two cells share an angle of one, the bound for half of it holds
   }
 }
 
-TEST_CASE("The worths of three cells about one edge sum to no more than their measure says", "[quality]") {
-  for (const QualityMeasure measure : all_measures) {
-    const CellQuality quality(measure);
-    CAPTURE(name_of(measure));
-    std::mt19937 random(17);
-    std::uniform_real_distribution<double> turn(0.2, 1), far(0.3, 1.5), along(-0.6, 0.6);
-    double most = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-      const std::array<double, 3> share{turn(random), turn(random), turn(random)};
-      if (2 * std::max({share[0], share[1], share[2]}) >= share[0] + share[1] + share[2]) continue;  // half a turn
-      const double whole = 2 * std::numbers::pi / (share[0] + share[1] + share[2]);
-      std::array<Vec3, 3> ring;
-      double angle = 0;
-      for (unsigned k = 0; k < 3; ++k) {
-        const double r = far(random);
-        ring[k] = {r * std::cos(angle), r * std::sin(angle), along(random)};
-        angle += whole * share[k];
-      }
-      double sum = 0;
-      for (unsigned k = 0; k < 3; ++k) {
-        const Vec3 &x = ring[k], &y = ring[(k + 1) % 3], top{0, 0, 1}, bottom{0, 0, -1};
-        if (orient3d(x, y, top, bottom) == Sign::positive)
-          sum += quality.worth(quality.shape(x, y, top, bottom));
-        else
-          sum += quality.worth(quality.shape(y, x, top, bottom));
-      }
-      most = std::max(most, sum);
-    }
-    CHECK(most <= quality.most_of_three());
-    CHECK(most > 0.7 * quality.most_of_three());
-  }
-}
-
 TEST_CASE("Limits given as angles rise with the angle and mean the same sliver to every measure", "[quality]") {
   for (const QualityMeasure measure : all_measures) {
     const CellQuality quality(measure);

@@ -102,7 +102,7 @@ TEST_CASE("Inner points too near to others go again where no shape falls below a
   REQUIRE(n_added > 10);
   const double crowded = worst();
   REQUIRE(crowded < 0.5 * given);
-  const std::size_t n_cells = bench.mesh.n_cells(), n_gone = thin_out(tools, ShortEdges::inside, given, {});
+  const std::size_t n_cells = bench.mesh.n_cells(), n_gone = thin_out(tools, ShortEdges::inside, given, 0, {});
   CHECK(n_gone > n_added / 2);
   CHECK(n_gone <= n_added);
   CHECK(bench.mesh.validate() == "");

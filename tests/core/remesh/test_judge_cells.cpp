@@ -25,7 +25,7 @@ TEST_CASE("Free cells told by what is near to them are those of the whole mesh",
       result.kept_patch =
           patches_of_facets(bench.model.plc, bench.options, merge_pieces(bench.model.plc, bench.options.facet_parent));
       const FreeCellJudge judge = free_cell_judge(bench.model.plc, bench.model.mesh, bench.options, result);
-      const std::vector<CellIndex> free = judge.find(bench.mesh, std::nullopt);
+      const std::vector<CellIndex> free = judge.find(bench.mesh);
       std::vector<CellIndex> bad;
       for (CellIndex c = 0; c < bench.mesh.n_slots(); ++c)
         if (bench.mesh.is_live(c) && bench.mesh.shape_of(c) < DihedralMeasure::of_angle(8)) bad.push_back(c);
@@ -43,7 +43,7 @@ TEST_CASE("Free cells told by what is near to them are those of the whole mesh",
       const std::uint64_t since = bench.mesh.changed_at(bench.mesh.vertices(bad.front())[0]) / 2;
       for (const CellIndex c : free)
         if (changed_since(bench.mesh, bench.mesh.vertices(c), since)) touched.push_back(c);
-      CHECK(judge.find(bench.mesh, since) == touched);
+      CHECK(judge.find_since(bench.mesh, since) == touched);
     }
   }
   CHECK(n_free > 10);

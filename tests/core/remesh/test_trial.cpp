@@ -37,7 +37,7 @@ Index operate(Bench& b, std::mt19937& random) {
       case 3:
         return remove_edge(b.tools, c, u, v);
       case 4:
-        return remove_face_for_mean(b.tools, c, random() % 4, {0, 0.3});
+        return remove_face_above(b.tools, c, random() % 4, 0.1);
       case 5:
         return smooth_vertex(b.tools, u, {});
       case 6:
@@ -135,9 +135,9 @@ std::vector<CellIndex> first_of(const DomainMesh&, std::span<const CellIndex> ce
   return {cells.begin(), cells.begin() + (cells.empty() ? 0 : 1)};
 }
 /// To them one is free, none is, or there are always several.
-const FreeCellJudge one_is_free{{}, first_of},
-    none_is_free{{}, [](const DomainMesh&, auto) { return std::vector<CellIndex>(); }},
-    several_are_free{{}, [](const DomainMesh&, std::span<const CellIndex> cells) {
+const FreeCellJudge one_is_free{{}, {}, first_of},
+    none_is_free{{}, {}, [](const DomainMesh&, auto) { return std::vector<CellIndex>(); }},
+    several_are_free{{}, {}, [](const DomainMesh&, std::span<const CellIndex> cells) {
                        return std::vector<CellIndex>(2 * cells.size(), cells.empty() ? no_cell : cells[0]);
                      }};
 

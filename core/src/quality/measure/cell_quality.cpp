@@ -36,8 +36,7 @@ constexpr auto gradients_by() {
 template <class Measure>
 struct CellQuality::RulesOf {
   static constexpr Rules entry{shape_by<Measure>,        gradients_by<Measure>(), Measure::of_angle,
-                               Measure::most_with_angle, Measure::poor,           Measure::largest,
-                               Measure::most_of_three};
+                               Measure::most_with_angle, Measure::poor,           Measure::largest};
 };
 
 const std::array<CellQuality::Rules, n_quality_measures> CellQuality::rules =
@@ -49,7 +48,6 @@ CellQuality::CellQuality(QualityMeasure measure)
       kernels_(&link_kernels(measure)),
       poor_(rules_->poor),
       bad_(rules_->of_angle(bad_angle)),
-      largest_(rules_->largest),
-      most_of_three_(rules_->most_of_three) {}
+      largest_(rules_->largest) {}
 
 }  // namespace geomesh::remesh

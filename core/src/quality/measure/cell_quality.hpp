@@ -51,8 +51,6 @@ class CellQuality {
 
   /// The shape of the regular tetrahedron, or a little more. No cell is better.
   double largest() const { return largest_; }
-  /// More than the sum of the worths of three cells at one edge.
-  double most_of_three() const { return most_of_three_; }
   /// Upper bound of the shape of the worse of two cells that share the dihedral angle that cell (a, b, x, y) has at its
   /// edge (x, y); also of half of the sum of their worths. NaN if a face has no area.
   double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
@@ -71,7 +69,7 @@ class CellQuality {
     void (*append_gradients)(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out);
     double (*of_angle)(double degrees);
     double (*most_with_angle)(double sine, double cosine);
-    double poor, largest, most_of_three;
+    double poor, largest;
   };
   template <class Measure>
   struct RulesOf;
@@ -80,7 +78,7 @@ class CellQuality {
   QualityMeasure measure_;
   const Rules* rules_;
   const LinkKernels* kernels_;
-  double poor_, bad_, largest_, most_of_three_;
+  double poor_, bad_, largest_;
 };
 
 }  // namespace geomesh::remesh

@@ -23,9 +23,6 @@ struct DihedralMeasure {
   static constexpr double largest = 0.94281;        ///< of the regular tetrahedron, and a little for rounding
   static constexpr double poor = 0.2079;            ///< sin 12 degrees; see CellQuality::worth
   static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
-  /// Upper bound of the sum over three cells at one edge: angles of 90, 135 and 135 degrees there, and no cell above
-  /// `largest`.
-  static constexpr double most_of_three = 1.9792;
 
   /// Value for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }

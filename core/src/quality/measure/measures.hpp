@@ -23,8 +23,6 @@ struct MeanRatioMeasure {
   static constexpr QualityMeasure id = QualityMeasure::mean_ratio;
   static constexpr double largest = 1 + 1e-9;  ///< of the regular tetrahedron, and a little for rounding
   static constexpr double poor = 0.1925;       ///< of the sliver of 12 degrees; see CellQuality::worth
-  static constexpr double most_of_three =
-      2.0996;  ///< three cells about one edge: three times most_with_angle(120 degrees)
 
   static double of_angle(double degrees) { return value_of_sliver<MeanRatioMeasure>(degrees); }
 
@@ -62,7 +60,6 @@ struct RadiusRatioMeasure {
   static constexpr QualityMeasure id = QualityMeasure::radius_ratio;
   static constexpr double largest = 1 + 1e-9;
   static constexpr double poor = 0.2211;
-  static constexpr double most_of_three = 2.5098;
 
   static double of_angle(double degrees) { return value_of_sliver<RadiusRatioMeasure>(degrees); }
 

@@ -106,14 +106,16 @@ ElementEstimate ElementEstimator::by_cause(const RefineOptions& options, std::si
   const double by_volume = count(SizeField({}, global));
   const double by_name = count(remesh::sizes_asked_by_name(basis_->sizes, domain, without_thin));
   const double with_thin = n_thin > 0 ? count(remesh::sizes_asked_by_name(basis_->sizes, domain, options)) : by_name;
-  const double total = known_total ? *known_total : this->total(options);
   const bool has_gaps = options.size.gap_layers > 0 || !options.size.component_layers.empty();
-  const auto without_gaps = [&] {
+  std::optional<double> with_bends, total = known_total;
+  if (has_gaps || !total) {
     const remesh::LocalTolerance tolerance = remesh::allowed_tolerance(basis_->plc, domain, options);
-    return count(remesh::build_size_field(basis_->sizes, domain, options, tolerance).without_gaps);
-  };
-  const double with_bends = has_gaps ? without_gaps() : total;
-  return {by_volume, by_name - by_volume, with_thin - by_name, with_bends - with_thin, total - with_bends};
+    const auto sizes = remesh::build_size_field(basis_->sizes, domain, options, tolerance);
+    if (!total) total = count(sizes.all);
+    if (has_gaps) with_bends = count(sizes.without_gaps);
+  }
+  if (!with_bends) with_bends = total;
+  return {by_volume, by_name - by_volume, with_thin - by_name, *with_bends - with_thin, *total - *with_bends};
 }
 
 double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,

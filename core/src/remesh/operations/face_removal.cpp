@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Removal of a face by an edge across it, declared in remesh/operations/improve.hpp.
 #include <algorithm>
-#include <optional>
 
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/improve.hpp"
@@ -23,10 +22,9 @@ class FaceRemoval {
 
   double shape_before(std::size_t k) const { return mesh_.shape_of(removed_[k]); }
 
-  /// Makes the flip if all new shapes are above `least` and their worths sum to more than `needed`.
-  bool attempt(double least, double needed = -std::numeric_limits<double>::infinity()) {
-    const auto sum = worth_of_new(least);
-    if (!sum || !(*sum > needed)) return false;
+  /// Makes the flip if all new shapes are above `least`.
+  bool attempt(double least) {
+    if (!are_all_above(least)) return false;
     auto& added = tools_.work.added;
     added.clear();
     for (unsigned k = 0; k < 3; ++k)
@@ -37,18 +35,15 @@ class FaceRemoval {
   }
 
  private:
-  /// Sum of the worths of the three new cells; nothing where one is not above `needed` or not positive.
-  std::optional<double> worth_of_new(double needed) const {
+  /// Whether the three new cells are positive and their shapes above `needed`.
+  bool are_all_above(double needed) const {
     const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
-    if (needed >= 0 && !may_all_be_positive(p, q)) return std::nullopt;
-    double sum = 0;
+    if (needed >= 0 && !may_all_be_positive(p, q)) return false;
     for (unsigned k = 0; k < 3; ++k) {
       const Tetrahedron t{face_[k], face_[(k + 1) % 3], bottom_, top_};
-      const double s = mesh_.shape(t);
-      if (!(s > needed) || !mesh_.is_positive(t)) return std::nullopt;
-      sum += mesh_.measure().worth(s);
+      if (!(mesh_.shape(t) > needed) || !mesh_.is_positive(t)) return false;
     }
-    return sum;
+    return true;
   }
 
   /// The volumes that shapes are made of, before the first shape: mostly the edge passes beside the face.
@@ -74,14 +69,6 @@ bool remove_face(Toolbox& tools, CellIndex c, unsigned i) {
 }
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor) {
   return !tools.mesh.tag(c, i).constrained() && FaceRemoval(tools, c, i).attempt(floor);
-}
-bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal) {
-  if (tools.mesh.tag(c, i).constrained()) return false;
-  FaceRemoval removal(tools, c, i);
-  const double s = removal.shape_before(0), t = removal.shape_before(1);
-  const CellQuality& measure = tools.mesh.measure();
-  const double needed = measure.worth(s) + measure.worth(t) + goal.mean + MeanGoal::least_gain;
-  return needed <= measure.most_of_three() && removal.attempt(goal.least_after(std::min(s, t)), needed);
 }
 
 }  // namespace geomesh::remesh

@@ -75,7 +75,6 @@ bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
-bool remove_face_for_mean(Toolbox& tools, CellIndex c, unsigned i, const MeanGoal& goal);
 
 /// A new point keeps this share of the target size from the vertices around it. With less room, points only crowd.
 inline constexpr double usual_room = 0.5;

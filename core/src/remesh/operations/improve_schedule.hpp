@@ -65,15 +65,14 @@ struct RescueLimits {
   std::size_t most_vain = 60'000;
   std::size_t least_vain_free = 10'000;  ///< the same for cells that nothing forces
   std::size_t most_vain_poor = 10'000;   ///< the same for cells that are poor and no more: a second or two
-  std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
+  std::size_t cells_a_trial = 50;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
 };
 inline constexpr RescueLimits rescue_limits{};
 
 /// Settings of a level of quality, pass by pass; by default those of the standard level.
 struct ImproveSchedule {
   // Passes that raise the mean.
-  unsigned mean_rounds = 2;        ///< before the repair: it sees the worst cells alone
-  unsigned poor_mean_factor = 4;   ///< times as many rounds after a repair that left many poor cells
+  unsigned mean_rounds = 2;  ///< before the repair, which sees the worst cells alone, and after one that left many poor
   double mean_floor_angle = 30;    ///< no cell falls below this for the mean
   double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
   double much_gained = 3;          ///< of the least gain worth a move: vertices that gained more are examined again
@@ -81,15 +80,16 @@ struct ImproveSchedule {
 
   // Repair, the worst cell first.
   unsigned repair_rounds = 8;
-  double target_angle = 32;              ///< cells below are repaired
-  unsigned poor_classes = 0;             ///< of shape, the worst class first; 0: the worst cell first
-  double insertion_angle = 26;           ///< below this also by new points
-  double good_above_target = 4;          ///< degrees above the target from which a vertex is not moved further
-  unsigned smoothing_steps = 12;         ///< of one vertex
-  double least_rise = 1.03;              ///< factor of the worst shape, > 1, that is worth a vertex's move
-  double progress = 0.9;                 ///< factor of the fewest poor cells so far that the next round must reach
-  double progress_angle = 16;            ///< progress is measured on the cells below this too
-  unsigned idle_rounds = 2;              ///< without a change, that end the repair
+  double target_angle = 32;       ///< cells below are repaired
+  unsigned poor_classes = 8;      ///< of shape, the worst class first, each in the mesh's order, which is that of
+                                  ///< memory; 0: the worst cell first
+  double insertion_angle = 26;    ///< below this also by new points
+  double good_above_target = 4;   ///< degrees above the target from which a vertex is not moved further
+  unsigned smoothing_steps = 12;  ///< of one vertex
+  double least_rise = 1.03;       ///< factor of the worst shape, > 1, that is worth a vertex's move
+  double progress = 0.9;          ///< factor of the fewest poor cells so far that the next round must reach
+  double progress_angle = 16;     ///< progress is measured on the cells below this too
+  unsigned idle_rounds = 2;       ///< without a change, that end the repair
   unsigned first_round_with_points = 2;  ///< flips and moves alone in the first, contraction too in the second
 
   // Slivers, with points closer to others than sizes ask.
@@ -112,9 +112,9 @@ constexpr ImproveSchedule schedule_of(QualityLevel level) {
   if (level == QualityLevel::fast) {  // about as long as refinement
     s.mean_rounds = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
     s.target_angle = 20, s.insertion_angle = 0;
-    s.smoothing_steps = 6, s.least_rise = 1.05, s.much_gained = 6, s.poor_classes = 8;
+    s.smoothing_steps = 6, s.least_rise = 1.05, s.much_gained = 6;
   } else if (level == QualityLevel::best) {  // until nothing improves
-    s.repair_rounds = 60, s.sliver_rounds = 20;
+    s.repair_rounds = 60, s.sliver_rounds = 20, s.poor_classes = 0;
     s.target_angle = 36, s.insertion_angle = 30, s.aim_angle = 25;
     s.smoothing_steps = 20, s.least_rise = 1.0005, s.progress = 1.02;
   }

@@ -105,11 +105,18 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
-/// One step of a pass that removes points: inside, then on surfaces that may be remeshed. Done when none was removed.
+/// The times of the mesh when short edges of each kind were looked at last; 0: not yet.
+using LastLook = std::array<std::uint64_t, 2>;
+
+/// One step of a pass that removes points: inside, then on surfaces that may be remeshed. An edge about which nothing
+/// has changed since the last step is left. Done when none was removed.
 template <class Thin>
-Next thin_points(const Toolbox& tools, const Thin& thin) {
-  std::size_t n = thin(ShortEdges::inside);
-  if (!tools.guard.exact()) n += thin(ShortEdges::on_surfaces);
+Next thin_points(const Toolbox& tools, LastLook& last, const Thin& thin) {
+  const auto thin_changed = [&](ShortEdges which) {
+    return thin(which, std::exchange(last[static_cast<std::size_t>(which)], tools.mesh.tick()));
+  };
+  std::size_t n = thin_changed(ShortEdges::inside);
+  if (!tools.guard.exact()) n += thin_changed(ShortEdges::on_surfaces);
   return n == 0 ? Next::done : Next::again;
 }
 
@@ -142,9 +149,12 @@ void mend_what_is_left(const Mending& mending) {
   const bool rescues_bad = mends_bad_cells(tools, schedule);
   const double thinning_floor = std::max(measure.of_angle(schedule.sliver_angle),
                                          shape_at_percentile(mesh, schedule.floor_percentile, context.threads));
-  const auto thin_unneeded = [&](ShortEdges which) { return thin_out(tools, which, thinning_floor, context); };
+  const auto thin_unneeded = [&](ShortEdges which, std::uint64_t since) {
+    return thin_out(tools, which, thinning_floor, since, context);
+  };
+  LastLook look_at_unneeded, look_at_mended;
   passes.run({.name = "points taken out that were not needed",
-              .round = [&](unsigned) { return thin_points(tools, thin_unneeded); },
+              .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
   // Almost no attempt succeeds where the input forces many cells. Those that nothing forces are searched at the end.
@@ -163,13 +173,11 @@ void mend_what_is_left(const Mending& mending) {
       "the last poor cells mended by looking ahead",
       [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
       rescues_bad && share(count_below(mesh, aim_rescue.bad_shape), mesh) <= schedule.few_below_aim);
-  std::array<std::uint64_t, 2> looked_at{};  // on surfaces, inside
-  const auto thin_mending = [&](ShortEdges which) {
-    const std::uint64_t since = std::exchange(looked_at[static_cast<std::size_t>(which)], mesh.tick());
+  const auto thin_mending = [&](ShortEdges which, std::uint64_t since) {
     return thin_out_mending(tools, which, aim_rescue, since, context);
   };
   passes.run({.name = "points too near to others taken out, and what is about them mended",
-              .round = [&](unsigned) { return thin_points(tools, thin_mending); },
+              .round = [&](unsigned) { return thin_points(tools, look_at_mended, thin_mending); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
 }
@@ -215,7 +223,7 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
               .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },
-              .most_rounds = schedule.poor_mean_factor * schedule.mean_rounds,
+              .most_rounds = schedule.mean_rounds,
               .applies = poor_share > schedule.many_poor});
   passes.once(
       "bad cells searched that nothing forces",

@@ -27,12 +27,12 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
 
 /// Collapses edges that are shorter than RefineRatios::thin_out_edge inside, thin_out_surface_edge on surfaces (within
 /// the tolerance): points that turn out not to be needed. The worst shape does not fall below the lesser of what it was
-/// and `floor`. O(n log n).
-std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context);
+/// and `floor`. Only those about whose ends the mesh has changed after the moment `since` (DomainMesh::tick); all where
+/// it is 0. O(n log n).
+std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, std::uint64_t since, const RunContext& context);
 
 /// Collapses those below RefineRatios::promised_edge at any cost for the cells about, as long as these can be mended
-/// (collapse_mending). Only those about whose ends the mesh has changed after the moment `since` (DomainMesh::tick);
-/// all where it is 0.
+/// (collapse_mending). `since`: as in thin_out.
 std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, std::uint64_t since,
                              const RunContext& context);
 

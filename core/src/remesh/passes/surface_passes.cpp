@@ -116,8 +116,10 @@ class EdgeSplitter {
   std::vector<VertexIndex> ring_;
 };
 
-/// Edges shorter than `ratio` of their size, the shortest first. On all cores.
-std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio, const RunContext& context) {
+/// Edges shorter than `ratio` of their size, the shortest first, about which something has changed since that time of
+/// the mesh. On all cores.
+std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio, std::uint64_t since,
+                                      const RunContext& context) {
   constexpr std::size_t chunk = 16384;
   const DomainMesh& mesh = tools.mesh;
   tools.know_sizes(context.threads);
@@ -131,6 +133,7 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
         const VertexIndex a = std::min(t[e[0]], t[e[1]]), b = std::max(t[e[0]], t[e[1]]);
         const bool is_inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
         if (is_inside != (which == ShortEdges::inside)) continue;
+        if (since > 0 && std::max(mesh.changed_at(a), mesh.changed_at(b)) <= since) continue;
         const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
         if (squared < ratio * ratio * size * size) found[k].push_back({std::sqrt(squared) / size, a, b});
       }
@@ -175,27 +178,24 @@ std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_ce
 }
 
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context) {
-  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge, context);
+  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.collapse_edge, 0, context);
   return collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
     return try_collapse(tools, u, v, CollapseRule::coarsen, refine_ratios.collapse_floor);
   });
 }
 
-std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, const RunContext& context) {
+std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, std::uint64_t since, const RunContext& context) {
   const bool is_inside = which == ShortEdges::inside;
   const double ratio = is_inside ? refine_ratios.thin_out_edge : refine_ratios.thin_out_surface_edge;
-  return collapse_edges(tools, short_edges(tools, which, ratio, context), context, [&](VertexIndex u, VertexIndex v) {
+  const std::vector<MeasuredEdge> edges = short_edges(tools, which, ratio, since, context);
+  return collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
     return try_collapse(tools, u, v, CollapseRule::thin_out, floor);
   });
 }
 
 std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, std::uint64_t since,
                              const RunContext& context) {
-  std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.promised_edge, context);
-  const DomainMesh& mesh = tools.mesh;
-  std::erase_if(edges, [&](const MeasuredEdge& e) {
-    return since > 0 && std::max(mesh.changed_at(e.a), mesh.changed_at(e.b)) <= since;
-  });
+  const std::vector<MeasuredEdge> edges = short_edges(tools, which, refine_ratios.promised_edge, since, context);
   const std::size_t n = collapse_edges(
       tools, edges, context, [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
   return n + collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {

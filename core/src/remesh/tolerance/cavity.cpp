@@ -16,13 +16,12 @@ void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index fa
 /// neighbour.
 void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
   if (mesh.kind(v) > VertexKind::curve) return;
+  auto& asked = cavity.neighbours_asked;  // each is a corner of some five cells
   for (const CellIndex c : cavity.cells)
     for (const VertexIndex x : mesh.vertices(c)) {
-      if (x == v) continue;
-      const Index curve = mesh.curve_of(v, x);
-      if (curve == no_index) continue;
-      if (std::none_of(cavity.curves.begin(), cavity.curves.end(), [x](const CurveSpoke& s) { return s.a == x; }))
-        cavity.curves.push_back({x, curve});
+      if (x == v || mesh.kind(x) > VertexKind::curve || std::ranges::find(asked, x) != asked.end()) continue;
+      asked.push_back(x);
+      if (const Index curve = mesh.curve_of(v, x); curve != no_index) cavity.curves.push_back({x, curve});
     }
 }
 

@@ -45,11 +45,13 @@ struct StarCavity {
   std::vector<LinkFace> link;
   std::vector<Spoke> spokes;
   std::vector<CurveSpoke> curves;
+  std::vector<VertexIndex> neighbours_asked;  ///< scratch of gather_star
   void clear() {
     cells.clear();
     link.clear();
     spokes.clear();
     curves.clear();
+    neighbours_asked.clear();
   }
 };
 

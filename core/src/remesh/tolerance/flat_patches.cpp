@@ -72,16 +72,22 @@ bool FlatPatches::is_in_plane(const SurfaceFace& f) const {
                              [&](const Vec3& p) { return std::abs(dot(p - plane.point, plane.normal)) <= rounding_; });
 }
 
+Vec3 FlatPatches::project(Index patch, const Vec3& p) const {
+  const Plane& plane = planes_[patch];
+  Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (std::abs(plane.normal[i]) == 1) q[i] = plane.point[i];
+  return q;
+}
+
 bool FlatPatches::cover_the_same(const SurfacePart& before, const SurfacePart& after) const {
   return faces_cover_the_same(before.faces, after.faces) && are_straight_between_ends(before.curves, after.curves);
 }
 
 bool FlatPatches::faces_cover_the_same(const std::vector<SurfaceFace>& before,
                                        const std::vector<SurfaceFace>& after) const {
-  const auto is_flat = [&](const SurfaceFace& f) {
-    return f.patch < planes_.size() && !(planes_[f.patch].normal == Vec3{}) && is_in_plane(f);
-  };
-  if (!std::ranges::all_of(before, is_flat) || !std::ranges::all_of(after, is_flat)) return false;
+  const auto lies_flat = [&](const SurfaceFace& f) { return is_flat(f.patch) && is_in_plane(f); };
+  if (!std::ranges::all_of(before, lies_flat) || !std::ranges::all_of(after, lies_flat)) return false;
   return std::ranges::all_of(after, [&](const SurfaceFace& f) {
     const Vec3& normal = planes_[f.patch].normal;
     double sum = 0;
