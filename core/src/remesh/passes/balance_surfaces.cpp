@@ -124,13 +124,14 @@ class BorderBalancer {
   StarCavity cavity_;
 };
 
-/// Vertices inside of patches move along the normal.
+/// Vertices inside of patches move along the normal, except in flat ones, whose faces cut nothing off.
 class VolumeBalancer {
  public:
   VolumeBalancer(Toolbox& tools, unsigned threads)
       : tools_(tools), mesh_(tools.mesh), mover_(tools), threads_(threads) {
     mesh_.for_each_facet_face([&](FaceRef f) {
       const Triangle t = mesh_.facet_face(f);
+      if (tools_.guard.is_flat(mesh_.patch_of(mesh_.tag(f)))) return;
       if (std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return mesh_.kind(v) == VertexKind::surface; }))
         faces_.push_back({t, mesh_.patch_of(mesh_.tag(f))});
     });
