@@ -258,8 +258,8 @@ std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keep
 }
 
 /// Applies the rules of each pair of horizons in the order of deposition: each horizon is cut by the older ones that
-/// are kept, then cuts the others, starting with the oldest. Parts
-/// that were eroded before a horizon was deposited do not cut that horizon.
+/// are kept, then cuts the others, starting with the oldest. Parts that were eroded before a horizon was deposited do
+/// not cut that horizon.
 void order_horizons(Trimming& work) {
   std::vector<Index> rows;  // youngest first
   for (std::size_t i = 1; i < work.rules.column.size(); i += 2) rows.push_back(work.row_of(work.rules.column[i]));
