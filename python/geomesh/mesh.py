@@ -287,8 +287,7 @@ class Mesh:
         ``points``.
 
         ``mesh`` is an UnstructuredGrid of the tetrahedra with cell data ``region``, attributes of units and cell
-        arrays, and field data ``region_ids`` and ``region_names``. ``surfaces`` and ``curves`` are MultiBlocks with
-        a
+        arrays, and field data ``region_ids`` and ``region_names``. ``surfaces`` and ``curves`` are MultiBlocks with a
         PolyData under each name; ``mesh_point`` and ``mesh_face`` are rows of this mesh.
         """
         return handover.to_pyvista(self)

@@ -31,7 +31,7 @@ std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Ite
 enum class Over : std::uint8_t {
   nothing,  ///< it is not over F
   part,     ///< the part over F satisfies all conditions
-  border,   ///< an open edge, too steep, or farther than the limit
+  border,   ///< it has an open edge, is too steep, or is farther than the limit
 };
 
 /// The proof for one triangle F.
@@ -52,7 +52,7 @@ class SheetProof {
     std::array<double, 3> inside;
     double height;
   };
-  static constexpr std::size_t most_corners = 8;  ///< of what is left of a triangle between three sides
+  static constexpr std::size_t most_corners = 8;  ///< number of corners of the rest of a triangle between three sides
   /// Returns whether all of the triangle is beyond one side of F. Otherwise also returns the distances of its corners
   /// from all sides.
   bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;
