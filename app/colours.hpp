@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Colours on a terminal: errors red, warnings yellow, a good verdict green.
+/// Colours on a terminal: errors are red, warnings yellow, a positive verdict green.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace geomesh::app {
 class Colours {
  public:
   Colours() = default;  ///< none
-  /// Colours for output to this file descriptor. There are none if it is no terminal or a dumb one, or if the variable
-  /// NO_COLOR is set and not empty (no-color.org).
+  /// Returns the colours for output to this file descriptor. There are none if it is not a terminal or a dumb one, or
+  /// if the variable NO_COLOR is set and not empty (no-color.org).
   static Colours of(int descriptor);
 
   std::string error(std::string_view text) const { return painted("31;1", text); }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int status_faults_found = 3;
 
-/// "out/salt.vtu, .faces.vtp, .report.json": files of one stem are one line.
+/// Lists written files; those with the same stem are on one line: "out/salt.vtu, .faces.vtp, .report.json".
 std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& files) {
   std::vector<std::string> lines;
   std::string stem;
@@ -39,7 +39,7 @@ std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& fi
   return lines;
 }
 
-/// The two verdicts: green where nothing is wrong, else yellow. Other lines stay as they are.
+/// Colours the two verdicts: green if nothing is wrong, else yellow. Other lines are unchanged.
 std::string verdict_painted(const std::string& text) {
   const Colours colours = Colours::of(STDOUT_FILENO);
   if (text.find(" about the model") != std::string::npos) {
@@ -51,7 +51,7 @@ std::string verdict_painted(const std::string& text) {
                                                                                : colours.good(text);
 }
 
-/// How to look at what was made: the page in a browser, else a picture.
+/// Prints how to view the result: the page in a browser, else a picture.
 void tell_how_to_look(const std::vector<std::filesystem::path>& files) {
   const auto named = [&](const char* end) {
     return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.string().ends_with(end); });
@@ -75,7 +75,7 @@ void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
   tell_how_to_look(result.files);
 }
 
-/// What the commands that only read leave behind.
+/// Writes the report of the commands that only read.
 void write_report(const std::optional<std::filesystem::path>& file, const std::string& text) {
   if (!file) return;
   const SignalsHeldBack held;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One function a command: calls the library and prints its outcome. Each returns the exit status.
+/// One function per command: calls the library and prints the result. Each returns the exit status.
 #pragma once
 
 #include "geomesh/core/run_context.hpp"

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says in a user's words which package is missing.
+/// Prints which package is missing in words that a user understands.
 const char* const start = R"(import sys
 try:
     from geomesh import _geomodel
@@ -29,7 +29,7 @@ fs::path this_program() {
   return fs::read_symlink("/proc/self/exe", error);
 }
 
-/// The package of the build folder that this program is in comes first; an installed one is found by itself.
+/// Puts the package of the build folder that contains this program first; an installed one is found without help.
 void set_python_path(const fs::path& program) {
   const fs::path built = program.parent_path().parent_path() / "python";
   std::error_code error;
@@ -39,7 +39,8 @@ void set_python_path(const fs::path& program) {
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 
-/// GEOMESH_PYTHON, else that of the system, which has the distribution's packages, else the first on the path.
+/// Returns GEOMESH_PYTHON, else the system's Python, which has the distribution's packages, else the first one on the
+/// path.
 std::string python() {
   const char* const given = std::getenv("GEOMESH_PYTHON");
   if (given && *given) return given;
@@ -51,7 +52,7 @@ std::string python() {
 void run_ensemble(const EnsembleCommand& command) {
   const fs::path program = this_program();
   set_python_path(program);
-  setenv("GEOMESH_PROGRAM", program.c_str(), 1);  // what scripts of a batch system are to call
+  setenv("GEOMESH_PROGRAM", program.c_str(), 1);  // program that scripts of a batch system call
   std::vector<std::string> words{python(), "-c", start};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
   std::vector<char*> arguments;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names of files as a browser and a shell take them.
+/// Formats names of files for a browser and for a shell.
 #pragma once
 
 #include <filesystem>
@@ -8,10 +8,12 @@
 
 namespace geomesh::app {
 
-/// "file:///home/me/out/dome.html": absolute, with what an address may not hold written as %XX (RFC 3986).
+/// Returns an address such as "file:///home/me/out/dome.html": absolute, with characters that an address must not
+/// contain written as %XX (RFC 3986).
 std::string file_address(const std::filesystem::path& file);
 
-/// The name as it is typed in a shell: in single quotes where it holds more than letters, digits and ._-/+=:,@%.
+/// Returns the name as it is typed in a shell: in single quotes if it contains more than letters, digits and
+/// ._-/+=:,@%.
 std::string shell_word(const std::filesystem::path& file);
 
 }  // namespace geomesh::app

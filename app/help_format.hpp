@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Help in plain words. CLI11 would print its own: "ENUM:value in {cut->1,elements->2} OR {1,2}".
+/// Help in plain words. CLI11's own would be: "ENUM:value in {cut->1,elements->2} OR {1,2}".
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@
 
 namespace geomesh::app {
 
-/// "a|b|c" where CLI11 says "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}"; "N" and "X" for numbers, nothing
+/// Returns "a|b|c" for CLI11's "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}"; "N" and "X" for numbers, nothing
 /// for words.
 inline std::string plain_type(const std::string& type) {
   constexpr std::size_t longest = 60;

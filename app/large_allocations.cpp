@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Memory of the program: large blocks ask the kernel for huge pages, and go back to it once they are freed.
+// Memory of the program: large blocks request huge pages from the kernel, and are returned to it when they are freed.
 //
 // A mesh of a million elements has arrays of ten to a hundred megabytes. With pages of 4 KiB a run takes a page fault
-// for each, and walks about a vertex miss the table of pages. The standard lets a program replace these functions
+// for each, and walks around a vertex miss the translation cache of pages. The standard lets a program replace these
+// functions
 // ([new.delete.single]); all other forms call them. Builds with sanitizers keep those of the sanitizer.
 //
-// By default glibc takes blocks of up to 32 MiB from its heap once such blocks were freed. What is freed there stays
-// with the process wherever something behind it is in use. docs/decisions/refine.md has what each setting gains.
+// By default glibc takes blocks of up to 32 MiB from its heap once such blocks were freed. Memory freed there stays
+// with the process if something behind it is in use. docs/decisions/refine.md lists the gain of each setting.
 #include <cstdint>
 #include <cstdlib>
 #include <new>
@@ -25,7 +26,7 @@ namespace {
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 
 #ifdef __GLIBC__
-/// Blocks of a huge page or more are mapped on their own. The heap of small ones is not trimmed again and again.
+/// Blocks of at least a huge page are mapped separately. The heap of small blocks is not trimmed repeatedly.
 [[maybe_unused]] const bool is_set = [] {
   constexpr int least_mapped = huge_page, heap_step = 4 << 20, heap_kept = 64 << 20;
   mallopt(M_MMAP_THRESHOLD, least_mapped);
@@ -35,12 +36,12 @@ constexpr std::size_t huge_page = std::size_t{1} << 21;
 }();
 #endif
 
-/// Null where there is no memory. What free() takes.
+/// Returns null if there is no memory. The result is passed to free().
 void* allocate(std::size_t bytes) {
   if (bytes < huge_page) return std::malloc(bytes);
   void* block = nullptr;
   if (posix_memalign(&block, huge_page, bytes) != 0) return nullptr;
-  madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);  // advice: where it fails pages stay small
+  madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);  // only advice: if it fails, pages are small
   return block;
 }
 

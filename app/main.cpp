@@ -21,7 +21,7 @@ int report_error(const std::string& kind, const char* text, int status) {
   return status;
 }
 
-/// Where the caller closed a standard stream, the next file opened would take its number, and messages would go into
+/// If the caller closed a standard stream, the next opened file would get its number, and messages would be written to
 /// that file.
 void occupy_standard_streams() {
   for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0; descriptor = dup(descriptor)) {
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
                         static_cast<int>(ErrorKind::cannot_mesh));
   } catch (const std::filesystem::filesystem_error& error) {
     return report_error("error", error.what(), static_cast<int>(ErrorKind::usage));
-  } catch (const std::system_error& error) {  // no further thread, no further open file
+  } catch (const std::system_error& error) {  // no more threads or open files available
     return report_error(
         "error", (std::string("the system refuses what the run needs: ") + error.what() + "; try --threads 1").c_str(),
         static_cast<int>(ErrorKind::cannot_mesh));

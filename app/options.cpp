@@ -115,7 +115,7 @@ void check_stage(const std::string& stage) {
               joined(names));
 }
 
-/// Refuses the first word that looks like an option and is none of the command's.
+/// Rejects the first word that looks like an option and is not one of the command's.
 void check_option_names(const CLI::App& app) {
   for (const std::string& word : app.remaining()) {
     if (word.size() < 2 || word[0] != '-') continue;
@@ -128,7 +128,8 @@ void check_option_names(const CLI::App& app) {
   }
 }
 
-/// Runs CLI11 and turns its exceptions into ours; true where help was asked for (its text is then in `help`).
+/// Runs CLI11 and converts its exceptions to those of geomesh; returns true if help was requested (its text is then in
+/// `help`).
 bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) {
   use_plain_help(app);
   try {
@@ -138,7 +139,8 @@ bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) 
     help = app.help();
     return true;
   } catch (const CLI::ParseError& error) {
-    check_option_names(app);  // first: a misspelt option's value was taken for a file, or what it gives is missing
+    // Called first: the value of a misspelt option would be taken for a file, or a required value would be missing.
+    check_option_names(app);
     usage_error(std::string(error.what()) + "\nSee " + app.get_name() + " --help");
   }
 }
@@ -207,7 +209,7 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
     return line;
   }
   check_stage(stop_after);
-  geomodel::format_name_of(output);  // refuses an unknown extension
+  geomodel::format_name_of(output);  // rejects an unknown extension
   for (const std::string& input : inputs) {
     check_file_exists(input);
     request.inputs.emplace_back(input);
@@ -252,7 +254,7 @@ CommandLine parse_delaunay(int argc, const char* const* argv) {
     return line;
   }
   check_file_exists(points);
-  geomodel::format_name_of(output);  // refuses an unknown extension
+  geomodel::format_name_of(output);  // rejects an unknown extension
   geomodel::DelaunayRequest request;
   request.points = points;
   request.output = output;
@@ -427,7 +429,7 @@ CommandLine parse_ensemble(int argc, const char* const* argv) {
 
 using Commands = std::map<std::string, std::function<CommandLine(int, const char* const*)>>;
 
-/// The first word is a project, unless it is nearly a command and no file.
+/// The first word is a project, unless it resembles a command and is not a file.
 void check_is_no_misspelt_command(const std::string& word, const Commands& commands) {
   std::vector<std::string_view> names;
   for (const auto& [name, parse] : commands) names.push_back(name);

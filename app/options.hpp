@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The command line as understood. Parsing throws Error{usage}; `--help` gives a Help command whose text is to be
-/// printed.
+/// The parsed command line. Parsing throws Error{usage}; `--help` gives a Help command with the text to print.
 #pragma once
 
 #include <filesystem>
@@ -29,15 +28,15 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false, solver = false;
-  double within = -1;        ///< negative: what the project says
-  double displacement = -1;  ///< by rounding; negative: what the checker computes
+  double within = -1;        ///< negative: the value of the project
+  double displacement = -1;  ///< displacement by rounding; negative: the value that the checker computes
   std::optional<std::filesystem::path> report;
 };
 struct ConvertCommand {
   std::filesystem::path mesh, output;
   std::string format;
   geomodel::WriteOptions options;
-  bool keep_order = false;  ///< elements are of the mesh's order, where the format holds that
+  bool keep_order = false;  ///< whether elements keep the order of the mesh, if the format supports it
 };
 struct InfoCommand {
   std::filesystem::path file;
@@ -48,13 +47,13 @@ struct InitCommand {
   std::string template_name;
 };
 
-/// Everything but the input goes to the drawing program as it is; without input its help is asked for.
+/// Everything except the input is passed to the drawing program unchanged; without input its help is requested.
 struct PictureCommand {
   std::filesystem::path input;
   std::vector<std::string> arguments;
 };
 
-/// A study of many realisations; the words are checked, and handed on as they are.
+/// A study of many realisations; the arguments are checked, and passed on unchanged.
 struct EnsembleCommand {
   std::vector<std::string> arguments;
 };
@@ -65,7 +64,7 @@ struct CommandLine {
       command;
   unsigned threads = 0;
   Verbosity verbosity = Verbosity::normal;
-  bool json_progress = false;  ///< progress as JSON, one object a line
+  bool json_progress = false;  ///< whether progress is printed as JSON, one object per line
 };
 
 CommandLine parse_command_line(int argc, const char* const* argv);

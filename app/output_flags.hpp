@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Options that say what a mesh file should hold, as `output:` of a project does.
+/// Options for the content of a mesh file, like `output:` of a project.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ class OutputFlags {
   void add_to(CLI::App& app);
   geomodel::WriteOptions options() const;
   bool tells_order() const { return order_ != 0; }
-  /// The format asked for, else that of the output's extension.
+  /// Returns the requested format, else that of the output's extension.
   std::string format_of(const std::filesystem::path& output) const;
 
  private:

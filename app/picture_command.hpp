@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh picture`: has the program geomesh-picture beside this one draw a mesh, on a virtual display where there is
+/// `geomesh picture`: runs the program geomesh-picture beside this one to draw a mesh, on a virtual display if there is
 /// none.
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace geomesh::app {
 
-/// Returns the drawing program's exit status. Throws Error{usage} where that program or a display is missing, and as
-/// the readers do where the mesh is damaged.
+/// Returns the drawing program's exit status. Throws Error{usage} if that program or a display is missing, and as the
+/// readers do if the mesh is damaged.
 int draw_picture(const PictureCommand& command, const RunContext& context);
 
 }  // namespace geomesh::app

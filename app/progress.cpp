@@ -10,7 +10,7 @@
 namespace geomesh::app {
 namespace {
 
-constexpr double seconds_until_rate = 1;  ///< rates and times left are told from then on
+constexpr double seconds_until_rate = 1;  ///< time after which rates and remaining times are displayed
 constexpr auto redraw_interval = std::chrono::milliseconds(200);
 constexpr auto tick_interval = std::chrono::seconds(1);
 
@@ -31,7 +31,7 @@ std::string json_string(std::string_view text) {
   return quoted + "\"";
 }
 
-/// Name of the step that a geologist knows this stage as part of. Empty: the stage is a step of its own.
+/// Returns the name of the step to which a stage belongs for a geologist. Empty: the stage is a step of its own.
 std::string_view step_of(std::string_view stage) {
   return stage == "delaunay" || stage == "recover" || stage == "classify" ? "mesh" : "";
 }
@@ -67,7 +67,7 @@ std::string count_words(std::size_t n) {
 Progress::~Progress() {
   stop_ticker();
   finish_line();
-  tell_warnings();  // where an error has ended the run
+  tell_warnings();  // when an error has ended the run
 }
 
 void Progress::stop_ticker() {
@@ -87,11 +87,12 @@ void Progress::attach(RunContext& context) {
   if (verbosity_ == Verbosity::quiet || style_ == ProgressStyle::lines) return;
   try {
     ticker_ = std::thread([this] { tick(); });
-  } catch (const std::system_error&) {  // no further thread, as in a browser: stages themselves tell of their progress
+    // No thread available, as in a browser: only the stages themselves report their progress.
+  } catch (const std::system_error&) {
   }
 }
 
-/// Stages that say nothing for a while are seen to run.
+/// Redraws, so that stages which report nothing for a while are seen to run.
 void Progress::tick() {
   std::unique_lock lock(mutex_);
   while (!ends_.wait_for(lock, tick_interval, [&] { return ended_; }))
@@ -104,7 +105,7 @@ void Progress::clear_line() const {
 
 double Progress::seconds_spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Negative where it is not known.
+/// Returns a negative number if it is not known.
 double Progress::seconds_left() const {
   const double spent = std::chrono::duration<double>(Clock::now() - counted_since_).count();
   if (total_ == 0 || done_ > total_ || done_ <= first_done_ || spent < seconds_until_rate) return -1;
@@ -125,7 +126,7 @@ void Progress::on_stage(std::string_view name, bool begins) {
   if (verbosity_ == Verbosity::verbose || step_of(name).empty()) finish_line();
 }
 
-/// A stage of the same step goes on with its line.
+/// Begins a line of progress, unless the stage belongs to the same step as the one before, whose line it continues.
 void Progress::begin_stage(std::string_view name) {
   const bool goes_on = is_held_ && !step_of(name).empty() && style_ != ProgressStyle::json;
   if (!goes_on) finish_line();
@@ -167,7 +168,7 @@ void Progress::on_progress(std::size_t done, std::size_t total) {
   if (Clock::now() - last_drawn_ >= redraw_interval) draw();
 }
 
-/// One unit for all stages: percent. Rounds of a few are no share of the time, so they are not shown.
+/// The unit is percent for all stages. Progress in few rounds does not measure time and is not displayed.
 void Progress::draw() {
   constexpr std::size_t few = 20;
   last_drawn_ = Clock::now();

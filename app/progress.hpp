@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Draws what a job says while it runs: one line a stage, with its share, time and time left. The stages delaunay,
-/// recover and classify are one line, `mesh`, unless all is printed. On a terminal the running stage's line is redrawn
-/// in place, every second even where the stage says nothing; elsewhere only finished lines are printed. For programs:
-/// one JSON object a line (docs/command-line.md).
+/// Displays the progress of a job: one line per stage, with its share, time and remaining time. The stages delaunay,
+/// recover and classify share one line, `mesh`, unless everything is printed. On a terminal the line of the running
+/// stage is redrawn in place, every second even if the stage reports nothing; elsewhere only finished lines are
+/// printed. For programs, one JSON object per line is printed (docs/command-line.md).
 #pragma once
 
 #include <chrono>
@@ -23,11 +23,11 @@ namespace geomesh::app {
 enum class Verbosity { quiet, normal, verbose };
 enum class ProgressStyle {
   lines,     ///< finished stages alone
-  terminal,  ///< the running one too, in place
+  terminal,  ///< also the running line, in place
   json,      ///< objects with `event`: stage, progress, log
 };
 
-/// Prints to standard error. Keep it alive as long as the context made by `attach` is used.
+/// Prints to standard error. Must exist as long as the context made by `attach` is used.
 class Progress {
  public:
   Progress(Verbosity verbosity, ProgressStyle style, Colours colours)
@@ -36,9 +36,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void attach(RunContext& context);
-  /// Prints the warnings that came, with their count, by their causes: the first of each of the first ten. Called once
-  /// the result has been printed, so that they stand last; at the end of an object's life they are printed too, where
-  /// an error has ended the run. With --verbose, and for programs, warnings are printed as they come.
+  /// Prints the collected warnings with their number, grouped by causes: the first of each of the first ten. It is
+  /// called after the result has been printed, so that they come last; if an error has ended the run, they are printed
+  /// when the object is destroyed. With --verbose, and for programs, warnings are printed immediately.
   void tell_warnings();
 
  private:
@@ -61,26 +61,26 @@ class Progress {
   Verbosity verbosity_;
   ProgressStyle style_;
   Colours colours_;
-  std::mutex mutex_;  ///< of all below, and of the standard error
+  std::mutex mutex_;  ///< protects all members below, and standard error
   std::condition_variable ends_;
   bool ended_ = false;
-  std::string stage_, note_;   ///< the note: what the stage has counted
-  std::string remark_;         ///< the last one about a surface: shown where it is the only one
-  std::size_t n_remarks_ = 0;  ///< of the stage so far
-  bool is_held_ = false;       ///< the stage has ended, its line waits for others that belong to it
-  int percent_ = -1;           ///< shown of the stage so far: never less
+  std::string stage_, note_;   ///< the note contains what the stage has counted
+  std::string remark_;         ///< the last remark about a surface, which is shown if it is the only one
+  std::size_t n_remarks_ = 0;  ///< number of remarks of the stage so far
+  bool is_held_ = false;       ///< whether the stage has ended and its line waits for others of the same step
+  int percent_ = -1;           ///< shown percentage of the stage, which never decreases
   std::size_t done_ = 0, total_ = 0;
-  std::size_t first_done_ = 0;  ///< of this total, at `counted_since_`: rate and time left are told from there
+  std::size_t first_done_ = 0;  ///< count at the time `counted_since_`, from which rate and remaining time are computed
   struct Kind {
     std::string cause, first;  ///< warning
     std::size_t count = 0;
   };
-  std::vector<Kind> warnings_;  ///< not printed yet, in the order of the first of each cause
+  std::vector<Kind> warnings_;  ///< warnings not printed yet, in the order of the first of each cause
   Clock::time_point start_, last_drawn_, counted_since_;
   std::thread ticker_;
 };
 
-/// "0.42 s", "75 s", "12 min".
+/// Formats a time: "0.42 s", "75 s", "12 min".
 std::string seconds_words(double seconds);
 
 /// "1,234,567".

@@ -11,11 +11,11 @@ namespace {
 std::atomic<bool> cancelled{false}, at_once{false};
 std::atomic<int> received{0};
 
-/// The shell's convention for a program that a signal ended.
+/// Returns the exit status that shells use for a program ended by a signal.
 int status_of(int number) { return 128 + number; }
 
-/// Some steps look at the token less often: libraries, and loops over one large surface. A user who has asked for an
-/// end does not wait for them.
+/// Some steps check the token rarely: libraries, and loops over one large surface. A user who has requested an end does
+/// not wait longer than this.
 constexpr unsigned seconds_to_end = 1;
 
 extern "C" void on_signal(int number) {
@@ -27,7 +27,7 @@ extern "C" void on_signal(int number) {
   alarm(seconds_to_end);
 }
 
-/// Files that are complete have their names already; what was being written is removed.
+/// Complete files already have their names; only the file being written is removed.
 extern "C" void on_alarm(int) {
   geomodel::remove_files_being_written();
   constexpr char text[] = "\ninterrupted: nothing more was written\n";
@@ -44,7 +44,7 @@ void install_signal_handlers() {
   sigaction(SIGTERM, &action, nullptr);
   action.sa_handler = on_alarm;
   sigaction(SIGALRM, &action, nullptr);
-  // A file that outgrows the allowed size is a failed write like any other, to be tidied up and reported.
+  // A file that exceeds the allowed size is treated as a failed write, so that it is removed and reported.
   action.sa_handler = SIG_IGN;
   sigaction(SIGXFSZ, &action, nullptr);
 }

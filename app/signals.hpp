@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// SIGINT and SIGTERM. The first one sets the cancel token, and the job ends at its next look at it; where that does
-/// not come within a second the program ends all the same. A second signal ends the program at once. Commands that only
-/// read (check, info) are not asked to look: there the first signal ends the program.
+/// Handles SIGINT and SIGTERM. The first signal sets the cancel token, and the job ends when it next checks it; if that
+/// does not happen within a second, the program ends anyway. A second signal ends the program at once. Commands that
+/// only read (check, info) do not check the token: the first signal ends them.
 #pragma once
 
 #include <atomic>
@@ -18,10 +18,10 @@ const std::atomic<bool>& cancel_token();
 /// From now on the first signal ends the program.
 void leave_at_once_when_signalled();
 
-/// 130 or 143, after a signal was received.
+/// Returns 130 or 143 after a signal was received.
 int status_of_signal();
 
-/// Holds signals back while alive: for writing a file that must be complete or absent.
+/// Blocks signals while it exists, for writing a file that must be complete or absent.
 class SignalsHeldBack {
  public:
   SignalsHeldBack();

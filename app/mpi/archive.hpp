@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Plain data as bytes and back, between ranks of one kind of machine. `pass(archive, value)` lists the members once
-/// for both directions.
+/// Converts plain data to bytes and back, between ranks on the same kind of machine. `pass(archive, value)` lists the
+/// members once for both directions.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,7 @@ class Packer {
   Bytes bytes_;
 };
 
-/// Throws InternalError where bytes are missing.
+/// Throws InternalError if bytes are missing.
 class Unpacker {
  public:
   static constexpr bool is_reading = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Faces, edges and places as keys.
+/// Faces, edges and places used as keys of maps.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,12 @@ inline Corners sorted_corners(const Triangle& t) {
 using Edge = std::array<VertexIndex, 2>;
 inline Edge sorted_edge(VertexIndex a, VertexIndex b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
-/// Opposite vertex i, counter-clockwise seen from the tetrahedron.
+/// Returns the face opposite vertex i, counter-clockwise as seen from the tetrahedron.
 inline Triangle face_at(const Tetrahedron& t, unsigned i) {
   return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
 }
 
-/// Points are the same where they are in the same place, bit by bit but for the sign of zero.
+/// Points are the same if their coordinates are equal, bit by bit except for the sign of zero.
 struct PlaceHash {
   std::size_t operator()(const Vec3& p) const {
     std::uint64_t h = 0;
@@ -45,7 +45,7 @@ struct PlaceHash {
 template <class T>
 using ByPlace = std::unordered_map<Vec3, T, PlaceHash>;
 
-/// An order of places.
+/// Orders places by their coordinates.
 inline bool is_before(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which rank has which part of the sparse mesh.
+/// Assigns parts of the sparse mesh to ranks.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace geomesh::app {
 
-/// By tetrahedron its rank. Parts come to about equally many elements; surfaces are cut rather than the inside, since
-/// triangles on surfaces are there on both sides already. Throws as geomodel::parts_by_metis.
+/// Returns the rank of each tetrahedron. Parts have about equally many elements; cuts follow surfaces where possible,
+/// since triangles on surfaces exist on both sides anyway. Throws as geomodel::parts_by_metis.
 std::vector<std::int32_t> divide(const SparseModel& model, int n_ranks);
 
 }  // namespace geomesh::app

@@ -13,7 +13,7 @@ namespace geomesh::app {
 
 namespace {
 
-/// The middles of a list of edges, as new points.
+/// The midpoints of a list of edges, as new points.
 class Middles {
  public:
   Middles(std::vector<Vec3>& points, std::vector<Edge> edges) : first_(static_cast<VertexIndex>(points.size())) {
@@ -33,9 +33,11 @@ class Middles {
   std::vector<Edge> edges_;
 };
 
-/// The octahedron between the middles, about its shortest diagonal. Middles by edge in the order of pairs below.
+/// The octahedron between the midpoints is divided around its shortest diagonal. Midpoints are listed by edge in the
+/// order of the pairs below.
 constexpr std::array<std::array<unsigned, 2>, 6> pairs{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-/// Of each diagonal (from the middle of one edge to that of the opposite edge) the ring about it.
+/// A diagonal of the octahedron (from the midpoint of one edge to that of the opposite edge), and the ring of midpoints
+/// around it.
 struct Diagonal {
   unsigned from, to;
   std::array<unsigned, 4> ring;
@@ -47,7 +49,7 @@ double squared_length(const std::vector<Vec3>& points, VertexIndex a, VertexInde
   return dot(d, d);
 }
 
-/// Positive, or the error.
+/// Returns the tetrahedron if it is positive, else throws the error.
 Tetrahedron oriented(const std::vector<Vec3>& points, Tetrahedron t) {
   const Sign sign = orient3d(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (sign == Sign::negative) std::swap(t[0], t[1]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Every edge cut in two: a triangle becomes four, a tetrahedron eight. Points are at the middles of edges, which do
-/// not depend on who asks. So parts on different ranks, and the model's surfaces, are cut alike.
+/// Divides every edge in two: a triangle becomes four, a tetrahedron eight. New points are midpoints of edges, which do
+/// not depend on the rank, so that parts on different ranks and the model's surfaces are divided in the same way.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace geomesh::app {
 
-/// O(n log n). Throws Error{cannot_mesh} where a tetrahedron is so flat that rounding turns a piece over.
+/// O(n log n). Throws Error{cannot_mesh} if a tetrahedron is so flat that rounding inverts a piece.
 void halve_tetrahedra(std::vector<Vec3>& points, std::vector<Tetrahedron>& tetrahedra, std::vector<Index>& component);
 
-/// Faces and edges of curves; tetrahedra stay as they are. Points are added behind those that are there.
+/// Divides faces and edges of curves; tetrahedra are not changed. Points are appended.
 void halve_surfaces(geomodel::ModelMesh& mesh);
 
 }  // namespace geomesh::app

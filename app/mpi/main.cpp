@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// geomesh-mpi: one mesh on the ranks of an MPI run. A rank that fails ends all of them, with its message.
+// geomesh-mpi: makes one mesh on the ranks of an MPI run. If a rank fails, all of them end, with its message.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -22,7 +22,7 @@ constexpr int status_bug = 1;
   Ranks::abort(status);
 }
 
-/// Stages of rank 0, and how far the slowest to be told of is.
+/// Logs the stages of rank 0, and the progress of the slowest rank.
 void attach_log(geomesh::RunContext& context, const Ranks& ranks, bool is_quiet) {
   if (ranks.rank() != 0 || is_quiet) return;
   context.log = [](geomesh::LogLevel level, std::string_view text) {

@@ -12,7 +12,7 @@ namespace {
 
 Triangle face_of(const RankMesh& mesh, Index code) { return face_at(mesh.tetrahedra[code / 4], code % 4); }
 
-/// Whether the corners in ascending order run as the triangle does.
+/// Returns whether the corners in ascending order have the orientation of the triangle.
 bool is_even(const Triangle& t, const Corners& s) {
   for (unsigned i = 0; i < 3; ++i)
     if (t[i] == s[0]) return t[(i + 1) % 3] == s[1];

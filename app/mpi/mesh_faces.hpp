@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The faces of a part: those of two of its tetrahedra, and those of one.
+/// The faces of a part, by whether two of its tetrahedra share them or only one has them.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace geomesh::app {
 
-/// Faces of one tetrahedron of this rank alone.
+/// A face that only one tetrahedron of this rank has.
 struct OpenFace {
   Index cell;
-  unsigned opposite;  ///< vertex of the cell
-  Triangle vertices;  ///< counter-clockwise seen from the cell
+  unsigned opposite;  ///< vertex of the cell opposite the face
+  Triangle vertices;  ///< counter-clockwise as seen from the cell
 };
 
 struct InnerFace {
@@ -21,16 +21,17 @@ struct InnerFace {
   std::array<Index, 2> cells;
 };
 
-/// O(n log n). Throws InternalError where a face has three tetrahedra, or two on one side.
+/// O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
 struct MeshFaces {
   enum class Which { all, at_border };
-  /// `at_border`: those alone whose corners all may be outside, where the mesh tells; all open ones are among them.
+  /// `at_border` restricts the search to faces whose corners may all be on the outside, if the mesh has this
+  /// information; all open faces are among them.
   explicit MeshFaces(const RankMesh& mesh, Which which = Which::all);
   std::vector<OpenFace> open;  ///< by cell
 
-  /// Corners of open faces, ascending.
+  /// Returns the corners of open faces, ascending.
   std::vector<VertexIndex> open_corners() const;
-  /// visit(InnerFace) for each, in the order of their corners.
+  /// Calls visit(InnerFace) for each inner face, in the order of their corners.
   template <class Visit>
   void for_each_inner(const Visit& visit) const {
     for (const Use& use : uses_)
@@ -38,18 +39,18 @@ struct MeshFaces {
   }
 
  private:
-  /// Two of it are a face.
+  /// One use of a face by a tetrahedron; two uses make an inner face.
   struct Use {
     std::uint64_t low;  ///< the two smallest corners
     VertexIndex high;
-    Index code;  ///< four times the cell, and the face
+    Index code;  ///< four times the cell, plus the face
     Index other = no_index;
     Index cell() const { return code / 4; }
     Corners corners() const {
       return {static_cast<VertexIndex>(low >> 32), static_cast<VertexIndex>(low & 0xFFFFFFFFu), high};
     }
   };
-  std::vector<Use> uses_;  // of inner faces, one each
+  std::vector<Use> uses_;  // uses of inner faces, one for each
 };
 
 }  // namespace geomesh::app

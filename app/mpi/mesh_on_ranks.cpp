@@ -23,12 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of all ranks come into a folder of their own first, beside their place.
+/// Files of all ranks are first written into a separate folder beside their destination.
 class StagedFiles {
  public:
   StagedFiles(fs::path stem, const Ranks& ranks)
       : stem_(std::move(stem)), folder_(stem_.parent_path() / ("." + stem_.filename().string() + ".unfinished")) {
-    ranks.wait_for_all();  // nothing is there before all have something to write
+    ranks.wait_for_all();  // nothing is created before all ranks have something to write
     if (ranks.rank() == 0) {
       fs::create_directories(stem_.parent_path());
       fs::remove_all(folder_);
@@ -41,8 +41,8 @@ class StagedFiles {
 
   fs::path stem() const { return folder_ / stem_.filename(); }
   void add(const std::vector<fs::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Once all ranks have written: the files get their names. Where one has failed none does: nothing is left, and it
-  /// throws what it has failed by, which ends the others.
+  /// Gives the files their names after all ranks have written. If one has failed, no file is kept, and the rank that
+  /// failed throws its error, which ends the others.
   std::vector<fs::path> finish(const std::exception_ptr& failure, const Ranks& ranks) {
     const std::vector<char> failed = ranks.gather_all(static_cast<char>(failure != nullptr));
     const bool has_failed = std::find(failed.begin(), failed.end(), 1) != failed.end();
@@ -56,7 +56,7 @@ class StagedFiles {
     if (ranks.rank() == 0) fs::remove_all(folder_);
     ranks.wait_for_all();
     if (failure) std::rethrow_exception(failure);
-    if (has_failed) ranks.wait_for_all();  // until all are ended
+    if (has_failed) ranks.wait_for_all();  // waits until all are ended
     return named;
   }
 
@@ -73,7 +73,7 @@ RefineOptions options_of(const geomodel::Project& project) {
   return options;
 }
 
-/// Processor seconds since the last look.
+/// Measures processor seconds since the last call.
 class Watch {
  public:
   double lap() {
@@ -101,14 +101,14 @@ std::vector<std::string> names_on_all(const std::vector<fs::path>& own, const Ra
   return all;
 }
 
-/// Tests make a rank fail at a place.
+/// Lets a rank fail at a given point, for tests.
 void fail_if_asked(const Ranks& ranks) {
   const char* const asked = std::getenv("GEOMESH_MPI_FAIL_ON_RANK");
   if (asked && std::to_string(ranks.rank()) == asked)
     throw Error(ErrorKind::cannot_mesh, "this rank fails, as GEOMESH_MPI_FAIL_ON_RANK asks");
 }
 
-/// What all ranks begin with: made by rank 0, with the rank of each tetrahedron.
+/// Data with which all ranks start, made by rank 0, with the rank of each tetrahedron.
 struct Start {
   SparseModel sparse;
   std::vector<std::int32_t> rank_of;
@@ -135,7 +135,7 @@ Start start_on_all(const geomodel::Project& project, const fs::path& stem, const
   return start;
 }
 
-/// Returns what has failed, if anything: others are told before it is thrown.
+/// Returns the error, if any, so that the other ranks can be informed before it is thrown.
 std::exception_ptr write_part(const geomodel::Project& project, NumberedPart& numbered, const Ranks& ranks,
                               StagedFiles& files) {
   try {
@@ -153,7 +153,7 @@ std::exception_ptr write_part(const geomodel::Project& project, NumberedPart& nu
 }  // namespace
 
 std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context) {
-  if (ranks.rank() != 0) ranks.wait_for_all();  // mistakes of the project are told once, by rank 0
+  if (ranks.rank() != 0) ranks.wait_for_all();  // mistakes in the project are reported once, by rank 0
   geomodel::Project project = geomodel::read_project(request.project);
   const std::vector<std::string> left_out = leave_out_page(project);
   refuse_what_ranks_lack(project);

@@ -27,7 +27,7 @@ struct GhostCell {
   std::array<std::int64_t, 4> points{};
 };
 
-/// From one rank to another.
+/// Ghost points and tetrahedra that one rank sends to another.
 struct GhostMessage {
   std::vector<GhostCell> cells;
   std::vector<GhostPoint> points;
@@ -37,7 +37,7 @@ void pass(A& archive, GhostMessage& m) {
   archive(m.cells, m.points);
 }
 
-/// Of the points and tetrahedra of a rank.
+/// Global numbers of the points and tetrahedra of a rank.
 struct GlobalNumbers {
   std::vector<std::int64_t> of_point, of_cell;
   std::uint64_t n_points = 0, n_cells = 0;  ///< of all ranks
@@ -115,7 +115,7 @@ GlobalNumbers find_numbers(const RankModel& model, const RankMesh& mesh, const M
   return numbers;
 }
 
-/// What all parts have of the model.
+/// Returns the mesh data that all parts share.
 geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& numbers) {
   geomodel::ModelMesh out;
   const geomodel::ModelMesh& in = model.sparse.mesh;
@@ -146,7 +146,7 @@ geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& n
   return out;
 }
 
-/// To each rank the tetrahedra of this one that touch it, in the order of their numbers.
+/// Returns for each rank the tetrahedra of this one that touch it, in the order of their numbers.
 std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mesh, const GlobalNumbers& numbers,
                                      const std::vector<Index>& order, const Ranks& ranks) {
   std::vector<GhostMessage> out(static_cast<std::size_t>(ranks.size()));
@@ -181,7 +181,7 @@ std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mes
   return bytes;
 }
 
-/// Puts points and tetrahedra behind the model's, in the order of their numbers.
+/// Appends points and tetrahedra to those of the model, in the order of their numbers.
 class PartBuilder {
  public:
   PartBuilder(const RankModel& model, const RankMesh& mesh, GlobalNumbers numbers, const Ranks& ranks)
@@ -212,7 +212,7 @@ class PartBuilder {
  private:
   bool is_model(std::int64_t number) const { return static_cast<std::size_t>(number) < model_.points.size(); }
 
-  /// The row of a point of this number; new where it is not one of the model.
+  /// Returns the row of the point with this number; a new row if it is not a point of the model.
   VertexIndex row_of(const GhostPoint& p) {
     constexpr std::uint8_t inside = 4;
     geomodel::ModelMesh& out = result_.mesh;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The part of a rank as files have it: with global numbers, ghosts, and what of the model it is.
+/// The part of a rank in the form needed for files: with global numbers, ghosts, and its relation to the model.
 #pragma once
 
 #include "part.hpp"
@@ -10,16 +10,16 @@
 
 namespace geomesh::app {
 
-/// A part with ghosts. `mesh`: points of the model first, all of them, then its own and those of ghosts; its own
-/// tetrahedra, then ghosts. Regions, faces, curves are those of the whole model.
+/// A part with ghosts. `mesh` contains all points of the model first, followed by the part's own and those of ghosts;
+/// its own tetrahedra, followed by ghosts. Regions, faces and curves are those of the whole model.
 struct NumberedPart {
   geomodel::ModelMesh mesh;
   geomodel::GivenPart part;
   std::size_t n_own = 0;
 };
 
-/// Numbers: points of the model in their order, then those of rank 0, 1 ... which own what they share with higher
-/// ranks. Tetrahedra by region, and within one by rank.
+/// Assigns numbers: points of the model in their order, followed by those of rank 0, 1 ... which own the points that
+/// they share with higher ranks; tetrahedra by region, and within one by rank.
 NumberedPart number_part(const RankModel& model, const RankMesh& mesh, const MeshFaces& faces, const Ranks& ranks);
 
 }  // namespace geomesh::app

@@ -16,16 +16,17 @@ namespace geomesh::app {
 
 namespace {
 
-/// Edges longer than this share of the size asked at their middle are halved: halves are not shorter than its inverse.
+/// Edges longer than this multiple of the target size at their midpoint are halved; halves are then not shorter than
+/// its inverse.
 constexpr double longest_share = 1.4;
 
-/// Halves edges of the border of a part.
+/// Halves edges on the border of a part.
 class BorderHalver {
  public:
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
       : mesh_(mesh), size_(size), stays_(std::move(stays)), cells_at_(mesh.points.size()) {}
 
-  /// `border`: triangles between parts. `kept`: edges that stay, in order.
+  /// `border` contains triangles between parts; `kept` are sorted edges that are not halved.
   void run(const std::vector<OpenFace>& border, const std::vector<Edge>& kept) {
     kept_ = &kept;
     std::vector<bool> at_border(mesh_.points.size(), false);
@@ -48,13 +49,13 @@ class BorderHalver {
                     "a tetrahedron between two ranks is too flat to be divided; take another number of ranks");
     }
   }
-  /// Tetrahedra that were divided.
+  /// Returns the tetrahedra that were divided.
   const std::set<Index>& touched() const { return touched_; }
 
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // places of its ends
+    Vec3 low, high;  // positions of its ends
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;
@@ -122,9 +123,9 @@ class BorderHalver {
 
   RankMesh& mesh_;
   const SizeField& size_;
-  std::vector<bool> stays_;  // by point: it is one of the model
+  std::vector<bool> stays_;  // for each point: whether it is a point of the model
   const std::vector<Edge>* kept_ = nullptr;
-  std::vector<std::vector<Index>> cells_at_;  // of points of the border
+  std::vector<std::vector<Index>> cells_at_;  // cells at points of the border
   struct BorderTriangle {
     Triangle corners;
     Index component;
@@ -215,12 +216,11 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
   return mesh;
 }
 
-/// Rank 0 has mended poor tetrahedra while surfaces could still be moved: they and those about them are not refined
-/// where they are as small as asked, or have no other points than the model's. `divided` ones are no longer what it
-/// has made.
+/// Rank 0 has repaired poor tetrahedra while surfaces could still be moved. These and their neighbours are not refined
+/// again if they are as small as requested, or have only points of the model. Those in `divided` have changed since.
 void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
-  constexpr double poor = 30;       // degrees: nearly what the serial program repairs
-  constexpr double as_asked = 1.6;  // times the size, the longest edge
+  constexpr double poor = 30;       // angle in degrees, close to that which the serial program repairs
+  constexpr double as_asked = 1.6;  // largest edge, as a multiple of the target size
   std::vector<bool> is_about(mesh.points.size(), false);
   const auto corners = [&](const Tetrahedron& t) {
     return std::array{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};

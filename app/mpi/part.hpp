@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The part of one rank, from the sparse mesh to a part that can be refined on its own.
+/// Prepares the part of one rank: from the sparse mesh to a part that can be refined on its own.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace geomesh::app {
 
-/// Points on surfaces and curves, and named ones: they have the same place in the sparse mesh and in the fine one.
+/// Points on surfaces and curves, and named ones, which have the same positions in the sparse mesh and in the fine one.
 class ModelPoints {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
 
   explicit ModelPoints(const geomodel::ModelMesh& mesh);
   std::size_t size() const { return rows_.size(); }
-  /// Rows of the sparse mesh, ascending.
+  /// Returns their rows in the sparse mesh, ascending.
   const std::vector<VertexIndex>& rows() const { return rows_; }
-  /// The number of the point at a place; none where there is none.
+  /// Returns the number of the point at a place; no number if there is none.
   std::uint32_t number_at(const Vec3& place) const {
     const auto found = number_.find(place);
     return found == number_.end() ? none : found->second;
@@ -40,39 +40,41 @@ struct ModelSimplices {
     bool operator<(const Face& other) const { return corners < other.corners; }
   };
   std::vector<Face> faces;                          ///< in order
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< of curves, in order, each once
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of curves, sorted and distinct
 
   ModelSimplices(const geomodel::ModelMesh& mesh, const ModelPoints& points);
-  /// no_index where there is none.
+  /// Returns no_index if there is no such face.
   Index face_of(const Corners& corners) const;
 };
 
-/// The sparse model with what is looked up in it.
+/// The sparse model together with search structures.
 struct RankModel {
   explicit RankModel(SparseModel given);
-  SparseModel sparse;  ///< its surfaces halved as often as SparseModel::halvings says, its tetrahedra as they were
+  /// The sparse model, with surfaces halved SparseModel::halvings times and its original tetrahedra.
+  SparseModel sparse;
   ModelPoints points;
   ModelSimplices simplices;
   std::vector<std::int32_t> region_of_component;
 };
 
-/// The tetrahedra of a part of the fine mesh; points have no number yet.
+/// The tetrahedra of a part of the fine mesh; points have no numbers yet.
 struct RankMesh {
   std::vector<Vec3> points;
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;
-  std::vector<std::uint8_t> may_be_outside;  ///< by point: 0 where all tetrahedra about it are here; empty: not known
-  std::vector<std::uint8_t> is_settled;      ///< TetrahedraPart
+  /// For each point: 0 if all tetrahedra around it are on this rank; empty: unknown.
+  std::vector<std::uint8_t> may_be_outside;
+  std::vector<std::uint8_t> is_settled;  ///< TetrahedraPart
 };
 
-/// Tetrahedra of the sparse mesh that a rank has. Edges between it and others that are longer than asked are halved,
-/// the longest first; ties by places. Which edges are halved, and so where points are, follows from each triangle
-/// alone. So the ranks on both sides make the same triangles without a word. O(n log n) in the triangles.
-///
-/// Throws Error{cannot_mesh} where a tetrahedron at the border does not bear that.
+/// Returns the tetrahedra of the sparse mesh that belong to a rank. Edges on the border to other ranks that are longer
+/// than the target size are halved, the longest first; ties are decided by position. Which edges are halved, and
+/// therefore where points are, follows from each triangle alone, so that the ranks on both sides make the same
+/// triangles without communication. O(n log n) in the triangles. Throws Error{cannot_mesh} if a tetrahedron at the
+/// border becomes too flat.
 RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& rank_of, std::int32_t rank);
 
-/// With what of the model stays in it.
+/// Adds the parts of the model that lie in the mesh.
 TetrahedraPart with_model(RankMesh mesh, const RankModel& model);
 RankMesh without_model(TetrahedraPart part);
 

@@ -25,7 +25,8 @@ double first_percentile(const PartShapes& shapes) {
   return 0;
 }
 
-/// Of all ranks together, but for what is counted against the median time step. Places without the row in a rank.
+/// Combines the verdicts of all ranks, except counts relative to the median time step. Places do not include the row in
+/// a rank.
 geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_rank) {
   geomodel::SolverVerdict all;
   for (const geomodel::SolverVerdict& v : by_rank) {
@@ -53,7 +54,7 @@ geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_ra
   return all;
 }
 
-/// The keys are those of the report of one process; what needs all elements at once is left out.
+/// The keys are those in the report of one process; those that would need all elements at once are left out.
 ordered_json solver_json(const PartsReport& report) {
   geomodel::SolverVerdict all = of_all(report.verdicts);
   Box3 box;

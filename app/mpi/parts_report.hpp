@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Shapes, times and counts of all ranks as one report.
+/// Combines shapes, times and counts of all ranks into one report.
 #pragma once
 
 #include <map>
@@ -14,9 +14,9 @@
 
 namespace geomesh::app {
 
-/// Of one rank, and summed over ranks. Plain data.
+/// Shapes on one rank, or summed over ranks. Plain data.
 struct PartShapes {
-  static constexpr std::size_t n_bins = 1800;  ///< of a tenth of a degree
+  static constexpr std::size_t n_bins = 1800;  ///< number of bins of a tenth of a degree
   std::uint64_t n = 0;
   double least_dihedral = 180, greatest_dihedral = 0, least_radius_ratio = 1;
   double sum_min_dihedral = 0, sum_radius_ratio = 0, sum_mean_ratio = 0;
@@ -25,10 +25,10 @@ struct PartShapes {
 };
 PartShapes shapes_of(const RankMesh& mesh);
 
-/// What solvers will make of the tetrahedra of one rank: velocities are those of their units.
+/// Predicts what solvers will do with the tetrahedra of one rank; velocities are those of their units.
 geomodel::SolverVerdict judge_part(const RankModel& model, const RankMesh& mesh);
 
-/// What one rank has spent and holds. Plain data.
+/// Time and memory used by one rank. Plain data.
 struct RankCost {
   double cpu_seconds = 0, start_seconds = 0, model_seconds = 0, refine_seconds = 0, strips_seconds = 0;
   double verify_seconds = 0, write_seconds = 0;

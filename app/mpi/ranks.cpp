@@ -12,11 +12,11 @@ namespace geomesh::app {
 
 namespace {
 
-/// Longer ones are cut: counts of MPI are int.
+/// Longer messages are split, because MPI counts have type int.
 constexpr std::size_t longest_message = std::size_t{1} << 28;
 constexpr int tag = 7;
 
-/// Sleeps between looks: a rank that waits takes no processor from those that work.
+/// Sleeps between polls, so that a waiting rank takes no processor time from those that work.
 void wait_for(std::vector<MPI_Request>& under_way) {
   constexpr auto shortest = std::chrono::microseconds(20), longest = std::chrono::microseconds(2000);
   auto pause = shortest;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The ranks of a run, and what they say to each other: MPI behind four verbs. Every call but rank() and size() is
-/// made by all ranks in the same order.
+/// The ranks of a run and their communication: MPI behind four operations. Every call except rank() and size() is made
+/// by all ranks in the same order.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace geomesh::app {
 
 using Bytes = std::vector<char>;
 
-/// Begins MPI, and ends it.
+/// Initialises MPI, and finalises it.
 class Ranks {
  public:
   Ranks(int& argc, char**& argv);
@@ -26,9 +26,9 @@ class Ranks {
   int rank() const { return rank_; }
   int size() const { return size_; }
 
-  /// What rank 0 has.
+  /// Sends the data of rank 0 to all ranks.
   void broadcast(Bytes& bytes) const;
-  /// By rank: what goes to it. Returns by rank what came from it. No message is longer than `longest_message`.
+  /// Sends to[r] to each rank r, and returns what came from each rank. No message is longer than `longest_message`.
   std::vector<Bytes> exchange(const std::vector<Bytes>& to) const;
   template <class T>
   std::vector<std::vector<T>> exchange(const std::vector<std::vector<T>>& to) const {
@@ -46,7 +46,7 @@ class Ranks {
     }
     return from;
   }
-  /// By rank what each gave.
+  /// Returns the data of all ranks, by rank.
   std::vector<Bytes> gather_all(const Bytes& own) const;
   template <class T>
   std::vector<T> gather_all(const T& own) const {
@@ -58,9 +58,9 @@ class Ranks {
     for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&values[r], all[r].data(), sizeof(T));
     return values;
   }
-  /// To other ranks, broadcasts apart.
+  /// Returns the bytes sent to other ranks, without broadcasts.
   std::uint64_t sent_bytes() const { return sent_bytes_; }
-  /// Byte by byte the greatest.
+  /// Replaces each byte by the largest of all ranks.
   void greatest(Bytes& bytes) const;
   void wait_for_all() const;
   /// Ends all ranks.

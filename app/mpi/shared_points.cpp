@@ -14,7 +14,8 @@ std::size_t keeper_of(const Vec3& p, const Ranks& ranks) {
   return PlaceHash{}(p) / 7 % static_cast<std::size_t>(ranks.size());
 }
 
-/// A face by its places, in ascending order; `even`: an even permutation of how its cell sees it.
+/// A face by the positions of its corners, in ascending order; `even`: whether this is an even permutation of the order
+/// seen from its cell.
 struct PlacedFace {
   std::array<Vec3, 3> places;
   std::uint32_t even;
@@ -50,8 +51,8 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
   const std::vector<std::vector<Vec3>> came = ranks.exchange(asked);
   Sharers at;
   for (std::size_t r = 0; r < n_ranks; ++r)
-    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // ascending, as r is
-  // The answers, in the order in which each has asked: how many, and who.
+    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // ascending, because r is
+  // Answers, in the order in which each rank asked: how many ranks share the point, and which.
   std::vector<std::vector<std::int32_t>> answers(n_ranks);
   for (std::size_t r = 0; r < n_ranks; ++r)
     for (const Vec3& p : came[r]) {
@@ -76,7 +77,8 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
 std::vector<Across> match_faces(const RankMesh& mesh, const std::vector<OpenFace>& faces, const Ranks& ranks) {
   const auto n_ranks = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<PlacedFace>> asked(n_ranks);
-  std::vector<std::pair<std::size_t, std::size_t>> sent;  // by face: keeper, and place in its message
+  // For each face: the keeper, and the position in the message to it.
+  std::vector<std::pair<std::size_t, std::size_t>> sent;
   for (const OpenFace& face : faces) {
     const PlacedFace f = placed(mesh, face);
     const std::size_t keeper = keeper_of(f.places[0], ranks);

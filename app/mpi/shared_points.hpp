@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which ranks have what at a place: rank by rank told to the one that keeps this place, and back.
+/// Determines which ranks have what at a place: all ranks send their places to the rank that keeps the place, which
+/// answers.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +12,19 @@
 
 namespace geomesh::app {
 
-/// By place: the ranks that have a point there, ascending.
+/// For each place, the ranks that have a point there, ascending.
 using Sharers = ByPlace<std::vector<std::int32_t>>;
-/// Of this rank's points `rows`, which are all that others may have too. O(n) in these, and the messages as long.
+/// Finds which ranks share this rank's points `rows`, which must include all that others may have too. O(n) in these,
+/// and messages of that length.
 Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows, const Ranks& ranks);
 
-/// What lies across open faces of this rank: `rank` -1 where there is nothing.
+/// The cell across an open face of this rank; `rank` is -1 if there is none.
 struct Across {
   std::int32_t rank = -1;
   Index component = no_index;
 };
-/// By open face. Faces are matched by the places of their corners, bit by bit. Throws InternalError where three
-/// tetrahedra have one, or two lie on the same side of it.
+/// Returns the result for each open face. Faces are matched by the coordinates of their corners, bit by bit. Throws
+/// InternalError if three tetrahedra have the same face, or two lie on the same side of it.
 std::vector<Across> match_faces(const RankMesh& mesh, const std::vector<OpenFace>& faces, const Ranks& ranks);
 
 }  // namespace geomesh::app

@@ -57,23 +57,23 @@ namespace {
                                     " is not there on ranks; leave it out, or mesh by geomesh, in one process");
 }
 
-/// Where a mesh is large, edges of the model are halved once: what rank 0 does alone comes to a quarter. Smaller ones
-/// are soon made, and of better shapes without.
+/// Number of elements above which edges of the model are halved once, which reduces the work that rank 0 does alone to
+/// a quarter. Smaller meshes are made quickly, and with better shapes without it.
 constexpr double large_mesh = 1e6;
-/// Features of the input may ask for less than twice the size. Where more than this share of the edges on surfaces is
-/// short for that, halves would be shorter than anybody has asked.
+/// Features of the input may require less than twice the size. If more than this share of the edges on surfaces is too
+/// short, halves would be shorter than requested.
 constexpr double many_short = 0.05, short_edge = 0.55;
-/// Growth of the sizes inside, a unit of distance: tetrahedra between the surfaces are few, and their shapes still
-/// bear a border between parts.
+/// Growth of sizes in the interior, per unit of distance: there are few tetrahedra between the surfaces, and their
+/// shapes still allow a border between parts.
 constexpr double growth = 0.7, slow_growth = 0.3;
-/// The largest tetrahedra come to a small share of a part, so that parts can be of one size. The ranks have no say:
-/// surfaces are the same whatever their number.
+/// The largest tetrahedra are a small share of a part, so that parts can have equal sizes. The number of ranks has no
+/// influence: surfaces do not depend on it.
 constexpr double least_cells = 20000;
 constexpr double least_ratio = 2, most_ratio = 12;
 
 double ratio_for(double elements) { return std::clamp(std::cbrt(elements / least_cells), least_ratio, most_ratio); }
 
-/// About the elements that one size comes to in a volume.
+/// Estimates the number of elements of one size in a volume.
 double elements_of(const geomodel::Inputs& model) {
   const double size = model.refinement.size.base.global;
   const Vec3 extent = model.volume.bounds.max - model.volume.bounds.min;
@@ -116,7 +116,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
 
 namespace {
 
-/// Of edges of faces, each as often as it has faces.
+/// Edges of faces, each counted as often as it has faces.
 double share_of_short_edges(const geomodel::ModelMesh& mesh, const SizeField& size) {
   std::size_t n = 0, n_short = 0;
   for (const auto& face : mesh.faces)
@@ -140,7 +140,8 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
   const double elements = elements_of(inputs);  // about so many
   const auto mesh_with = [&](unsigned halvings) {
     geomodel::Arranged start = arranged;
-    if (halvings > 0) start.refinement.quality = QualityLevel::fast;  // tetrahedra go: surfaces alone count
+    // Tetrahedra are replaced later: only surfaces matter.
+    if (halvings > 0) start.refinement.quality = QualityLevel::fast;
     geomodel::Journal journal = prepared;
     geomodel::VerifiedModel meshed = geomodel::mesh_and_verify(
         {inputs, built, start}, {halvings > 0 ? growth : slow_growth, ratio_for(elements), std::exp2(halvings)},
@@ -161,7 +162,7 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
 
 namespace {
 
-/// Sizes that are a function of the place, as prepare_project has them: every rank reads the file itself.
+/// Returns sizes that are a function of position, as prepare_project provides them: every rank reads the file itself.
 std::function<double(const Vec3&)> size_by_place(const geomodel::Project& project, const geomodel::ModelMesh& mesh) {
   geomodel::RefinementSettings settings = project.mesh.refinement;
   if (settings.size.background.empty() && settings.size.by_depth.empty()) return {};

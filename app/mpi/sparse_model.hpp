@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What all ranks begin with: surfaces within the tolerance, named, few tetrahedra between them, and the sizes.
+/// The data with which all ranks start: named surfaces within the tolerance, few tetrahedra between them, and the
+/// sizes.
 #pragma once
 
 #include <string>
@@ -15,14 +16,14 @@
 namespace geomesh::app {
 
 struct SparseModel {
-  /// Verified. Its faces and edges of curves, halved some times, are those of the fine mesh.
+  /// Verified mesh. Its faces and edges of curves, halved some times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
-  std::vector<Index> component;  ///< by tetrahedron: what sizes are asked of
+  std::vector<Index> component;  ///< component of each tetrahedron, for which sizes are requested
   SizeField size;                ///< as asked
-  unsigned halvings = 0;         ///< of all edges, until surfaces have these sizes
+  unsigned halvings = 0;         ///< number of times that all edges are halved before surfaces have the target sizes
 };
 
-/// What rank 0 alone knows, for the report.
+/// Data that only rank 0 has, for the report.
 struct SparseRun {
   std::string input_json;
   std::vector<geomodel::StageRecord> stages;
@@ -31,16 +32,17 @@ struct SparseRun {
   std::size_t broadcast_bytes = 0;
 };
 
-/// Takes the format html from a project that asks for others too, and returns a warning that says so.
+/// Removes the format html from a project that requests other formats too, and returns a warning.
 std::vector<std::string> leave_out_page(geomodel::Project& project);
 
-/// Throws Error{usage} where the project asks for what is not there on ranks.
+/// Throws Error{usage} if the project requests something that is not supported on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// The stages read to verify of the serial program, with few points inside. Errors as geomodel::run_project.
+/// Runs the stages read to verify of the serial program, with few points inside. Throws as geomodel::run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
-/// From rank 0 to all. Returns how many bytes it is. Sizes that are a function of the place come from the project.
+/// Sends the model from rank 0 to all. Returns its size in bytes. Sizes that are a function of position come from the
+/// project.
 std::size_t broadcast(SparseModel& model, const geomodel::Project& project, const Ranks& ranks);
 
 }  // namespace geomesh::app

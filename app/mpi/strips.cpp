@@ -15,9 +15,9 @@ namespace {
 constexpr unsigned layers = 3, n_rounds = 2;
 constexpr std::int32_t nobody = -1;
 
-/// Which of the ranks that share a place takes what is about it. In the first round the border between two is cut
-/// across, so that each takes half of it; in the second the highest takes all. Both know all places that only they
-/// share, so both cut alike.
+/// Decides which of the ranks that share a place takes the tetrahedra around it. In the first round the border between
+/// two ranks is divided, so that each takes half of it; in the second the highest rank takes all. Both ranks know all
+/// places that only they share, so both decide alike.
 class Takers {
  public:
   Takers(const Sharers& sharers, unsigned round) : round_(round) {
@@ -39,7 +39,7 @@ class Takers {
     std::size_t axis;
     double at;
   };
-  /// At the median, along the axis in which they are longest.
+  /// Divides at the median, along the axis of largest extent.
   static Cut cut(const std::vector<Vec3>& places) {
     Box3 box;
     for (const Vec3& p : places) box.add(p);
@@ -57,10 +57,10 @@ class Takers {
   std::map<std::vector<std::int32_t>, Cut> cuts_;  // by pair of ranks
 };
 
-/// By point of the part whether it has been between ranks in every round.
+/// For each point of the part, whether it has been between ranks in every round.
 using Pending = std::vector<bool>;
 
-/// Tetrahedra on their way to another rank.
+/// Tetrahedra that are sent to another rank.
 struct Parcel {
   std::vector<Vec3> points;
   std::vector<std::uint8_t> is_pending, may_be_outside;
@@ -72,7 +72,7 @@ void pass(A& archive, Parcel& p) {
   archive(p.points, p.is_pending, p.may_be_outside, p.tetrahedra, p.component);
 }
 
-/// Takes tetrahedra of one part and makes a parcel of them.
+/// Moves tetrahedra of one part into a parcel.
 class ParcelFiller {
  public:
   ParcelFiller(const RankMesh& mesh, const Pending& pending)
@@ -106,11 +106,11 @@ class ParcelFiller {
   std::vector<VertexIndex> row_, used_;
 };
 
-/// Puts parcels into a mesh: points in one place become one.
+/// Adds parcels to a mesh: points at the same position are merged.
 class Joiner {
  public:
   Joiner(RankMesh& mesh, Pending& pending) : mesh_(mesh), pending_(pending) {}
-  /// Tells of a point that is in the mesh already.
+  /// Registers a point that is in the mesh already.
   void know(VertexIndex v) { at_.try_emplace(mesh_.points[v], v); }
   void add(const Parcel& parcel) {
     std::vector<VertexIndex> row;
@@ -138,7 +138,7 @@ class Joiner {
   ByPlace<VertexIndex> at_;
 };
 
-/// Drops tetrahedra that somebody takes.
+/// Removes tetrahedra that another rank takes.
 void drop_taken(RankMesh& mesh, const std::vector<std::int32_t>& takers) {
   std::size_t n = 0;
   for (std::size_t c = 0; c < takers.size(); ++c) {
@@ -202,8 +202,8 @@ class StripImprover {
     return model_.simplices.face_of(sorted_corners({numbers[0], numbers[1], numbers[2]})) != no_index;
   }
 
-  /// Corners of faces between ranks that lie on no surface. At first all are pending but those of the model; later
-  /// those alone are returned that still are.
+  /// Returns the corners of faces between ranks that lie on no surface. At first all are pending except those of the
+  /// model; later only those are returned that are still pending.
   std::vector<VertexIndex> points_between_ranks(bool is_first) {
     const MeshFaces faces(mesh_, MeshFaces::Which::at_border);
     std::vector<bool> is_between(mesh_.points.size(), false);
@@ -219,7 +219,8 @@ class StripImprover {
     return found;
   }
 
-  /// By tetrahedron who takes it; nobody where it lies beyond the layers. The lowest of those that its points name.
+  /// Returns the rank that takes each tetrahedron, the lowest of those that its points name; none if it lies beyond the
+  /// layers.
   std::vector<std::int32_t> takers_of_cells(std::vector<std::int32_t> taker_at) const {
     std::vector<std::int32_t> of_cell(mesh_.tetrahedra.size(), nobody);
     for (unsigned layer = 0; layer < layers; ++layer) {
@@ -239,7 +240,7 @@ class StripImprover {
     return of_cell;
   }
 
-  /// Returns how many tetrahedra the strip of this rank has.
+  /// Exchanges border tetrahedra between ranks and improves them. Returns how many this rank has then.
   std::size_t exchange_and_improve(const std::vector<std::int32_t>& takers, const RefineOptions& options,
                                    const RunContext& context) {
     const auto n_ranks = static_cast<std::size_t>(ranks_.size());
@@ -278,7 +279,7 @@ class StripImprover {
     return n;
   }
 
-  /// What was pending still is where it lies outside of the strip.
+  /// Points that were pending remain so if they lie outside the strip.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

@@ -14,7 +14,7 @@ namespace geomesh::app {
 
 namespace {
 
-/// Of volumes, to their own size: sums of as many rounded terms.
+/// Relative accuracy of volumes, which are sums of as many rounded terms.
 constexpr double volume_accuracy = 1e-10;
 
 [[noreturn]] void fail(const std::string& what) {
@@ -27,7 +27,7 @@ std::uint64_t sum_over(const Ranks& ranks, std::uint64_t own) {
   return sum;
 }
 
-/// By point of the part its number in the model.
+/// Returns for each point of the part its number in the model.
 std::vector<std::uint32_t> model_numbers(const RankModel& model, const RankMesh& mesh) {
   std::vector<std::uint32_t> number;
   number.reserve(mesh.points.size());
@@ -40,7 +40,7 @@ class FaceChecks {
   FaceChecks(const RankModel& model, const RankMesh& mesh, const std::vector<std::uint32_t>& number)
       : model_(model), mesh_(mesh), number_(number) {}
 
-  /// Returns how many of them are between ranks.
+  /// Returns how many of the faces are between ranks.
   std::size_t check_open(const std::vector<OpenFace>& open, const std::vector<Across>& across) {
     std::size_t n_between = 0;
     for (std::size_t k = 0; k < open.size(); ++k) {
@@ -72,7 +72,7 @@ class FaceChecks {
       }
     });
   }
-  /// Each face of the model is there once on each of its sides: no face has two tetrahedra on one side.
+  /// Checks that each face of the model exists once on each of its sides, so no face has two tetrahedra on one side.
   void require_all(const Ranks& ranks) const {
     std::uint64_t wanted = 0;
     for (const auto& face : model_.sparse.mesh.faces) wanted += (face.region_minus != 0) + (face.region_plus != 0);

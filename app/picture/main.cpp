@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// geomesh-picture: draws a mesh into a PNG. A program of its own, because VTK ends the process where there is no
-// display; `geomesh picture` calls it, with a virtual display where none is there.
+// geomesh-picture: draws a mesh into a PNG file. It is a separate program because VTK ends the process if there is no
+// display; `geomesh picture` calls it, with a virtual display if there is none.
 #include <vtkObject.h>
 
 #include <cstdio>
@@ -11,8 +11,8 @@
 #include "scene.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
-/// Drivers of displays are unloaded at the end, and what they keep until then looks lost. Under the sanitizer they
-/// stay.
+/// Display drivers are unloaded at the end, which makes the memory that they keep look leaked. With the sanitizer they
+/// are not unloaded.
 extern "C" int dlclose(void*) { return 0; }
 #endif
 

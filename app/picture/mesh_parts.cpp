@@ -25,7 +25,7 @@
 namespace geomesh::picture {
 namespace {
 
-/// Names by id: the field array `region:chalk` holds the id of the region chalk.
+/// Returns names by id: the field array `region:chalk` contains the id of the region chalk.
 std::map<int, std::string> names_in(vtkFieldData* field, const std::string& prefix) {
   std::map<int, std::string> by_id;
   for (int i = 0; i < field->GetNumberOfArrays(); ++i) {
@@ -44,7 +44,7 @@ Vec3 point_of(const MeshFile& mesh, vtkIdType v) {
   return {p[0], p[1], p[2]};
 }
 
-/// The corners of a cell in the file's order.
+/// Returns the corners of a cell in the file's order.
 std::array<vtkIdType, 4> corners(const MeshFile& mesh, vtkIdType cell) {
   auto ids = vtkSmartPointer<vtkIdList>::New();
   mesh.cells->GetCellPoints(cell, ids);
@@ -131,7 +131,7 @@ vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::functio
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const bool again = (i > 0 && faces[i - 1].sorted == faces[i].sorted) ||
                        (i + 1 < faces.size() && faces[i + 1].sorted == faces[i].sorted);
-    if (again) continue;  // between two cells that are both there
+    if (again) continue;  // a face between two visible cells
     rows.push_back(faces[i].as_seen);
     values.push_back(value_of(faces[i].cell));
   }

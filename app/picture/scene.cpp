@@ -88,7 +88,7 @@ class SceneBuilder {
   }
   std::array<double, 2> middle() const { return {0.5 * (bounds_[0] + bounds_[1]), 0.5 * (bounds_[2] + bounds_[3])}; }
 
-  /// Two blocks: the half behind the first wall, and what is beside the quarter that goes.
+  /// Adds two blocks: the half behind the first wall, and the part beside the quarter that is removed.
   void add_cut() {
     auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names, units());
     const auto [sx, sy] = side();
@@ -98,7 +98,7 @@ class SceneBuilder {
       add(outside_of(block), table, low_, high_);
   }
 
-  /// Whether a tetrahedron stays: the quarter on the camera's side goes, so that two walls open.
+  /// Returns whether a tetrahedron is kept: the quarter on the camera's side is removed, which opens two walls.
   Wanted behind_the_cut() const {
     const auto [cx, cy] = middle();
     const auto [sx, sy] = side();
@@ -132,8 +132,8 @@ class SceneBuilder {
     return actor;
   }
 
-  /// One colour a name, in the order of the ids, as in the page; the parts of a unit (`sand__1`, `sand__2`) have shades
-  /// of one. Fills the legend's entries.
+  /// Returns one colour per name, in the order of the ids, as on the page; the parts of a unit (`sand__1`, `sand__2`)
+  /// have shades of one colour. Fills the legend's entries.
   vtkSmartPointer<vtkLookupTable> colours_of(const std::set<int>& ids, const std::map<int, std::string>& names,
                                              Palette palette) {
     auto table = vtkSmartPointer<vtkLookupTable>::New();
@@ -163,7 +163,7 @@ class SceneBuilder {
     add(outside_of(mesh_, wanted, [this](vtkIdType c) { return region(c); }), table, low_, high_);
   }
 
-  /// The unit that each region is a part of.
+  /// Returns the unit to which each region belongs.
   std::map<int, std::string> units_of_regions(const std::set<int>& ids) const {
     std::map<int, std::string> units;
     for (const int id : ids) {
@@ -173,8 +173,8 @@ class SceneBuilder {
     return units;
   }
 
-  /// Units from the highest to the lowest, each moved up by a share of the model's height over the next; the parts of
-  /// one stay together.
+  /// Moves units apart from the highest to the lowest, each by a share of the model's height above the next; the parts
+  /// of one unit stay together.
   void add_exploded() {
     const std::set<int> ids = ids_in(mesh_.region_of_cell);
     auto table = colours_of(ids, mesh_.region_names, units());
@@ -253,13 +253,13 @@ class SceneBuilder {
     scene_->AddActor2D(bar);
   }
 
-  /// A square of each colour and its name, from the upper left corner down.
+  /// Adds a square of each colour and its name, from the upper left corner down.
   void add_legend() {
     const std::size_t n = std::min(entries_.size(), most_names);
     const double row = oversampling * 0.035 * options_.height, left = 0.4 * row;
     std::size_t longest = 0;
     for (std::size_t i = 0; i < n; ++i) longest = std::max(longest, entries_[i].name.size());
-    constexpr double letter = 0.6;  // widths of letters over the size of the font
+    constexpr double letter = 0.6;  // width of letters divided by the font size
     legend_share_ = (left + row + letter * 0.72 * row * static_cast<double>(longest)) / (oversampling * options_.width);
     for (std::size_t i = 0; i < n; ++i) {
       const bool rest = i + 1 == n && entries_.size() > n;
@@ -275,7 +275,7 @@ class SceneBuilder {
     }
   }
 
-  /// Below on the right: heights that are not true are told in the picture itself.
+  /// Adds the vertical exaggeration at the lower right, so that the picture itself states it.
   void add_scale_words() {
     const double row = oversampling * 0.03 * options_.height;
     auto text = vtkSmartPointer<vtkTextActor>::New();
@@ -314,7 +314,7 @@ class SceneBuilder {
     Colour colour;
   };
   std::vector<Entry> entries_;
-  double legend_share_ = 0;  ///< of the picture's width
+  double legend_share_ = 0;  ///< share of the picture's width
 };
 
 }  // namespace

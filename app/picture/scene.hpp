@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From the parts of a mesh to a lit, coloured scene with a camera and a legend.
+/// Builds a lit, coloured scene with a camera and a legend from the parts of a mesh.
 #pragma once
 
 #include <vtkRenderer.h>
@@ -11,16 +11,16 @@
 
 namespace geomesh::picture {
 
-/// "5", "2.5": how often heights are drawn.
+/// Formats the vertical exaggeration: "5", "2.5".
 std::string scale_words(double scale);
 
-/// How often heights are drawn where the command line does not say: as in the page.
+/// Returns the vertical exaggeration if the command line does not give it, as on the page.
 double fitting_scale(const MeshFile& mesh);
 
-/// Throws std::runtime_error where there is nothing of the kind asked for.
+/// Throws std::runtime_error if there is nothing of the requested kind.
 vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options);
 
-/// Renders twice as large, halves, and writes the PNG.
+/// Renders at twice the size, scales down by half, and writes the PNG.
 void write_picture(vtkRenderer& scene, const PictureOptions& options);
 
 }  // namespace geomesh::picture

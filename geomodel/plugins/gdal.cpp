@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rasters by GDAL: a module that the program loads when it meets a GeoTIFF. The border is
+// Reads rasters with GDAL: a module that the program loads when it finds a GeoTIFF. Its interface is
 // readers/grids/geotiff_plugin.hpp.
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -21,7 +21,7 @@ struct CloseDataset {
   void operator()(GDALDataset* d) const { GDALClose(d); }
 };
 
-/// The bytes of a file under a name that GDAL can open.
+/// Makes the bytes of a file available under a name that GDAL can open.
 class MemoryFile {
  public:
   MemoryFile(const char* bytes, std::size_t size)
@@ -47,8 +47,8 @@ struct Raster : GeomeshRaster {
   std::size_t n_warnings_told = 0;
 };
 
-/// GDAL's messages go to the raster instead of the terminal as long as it stands; the last one is told by
-/// CPLGetLastErrorMsg too.
+/// While this object exists, GDAL's messages are stored in the raster instead of printed; CPLGetLastErrorMsg also
+/// returns the last one.
 class Listening {
  public:
   explicit Listening(Raster& raster) {
@@ -122,7 +122,7 @@ GeomeshRaster* open_raster(const char* bytes, std::size_t size) {
   auto raster = std::make_unique<Raster>(bytes, size);
   try {
     open_into(*raster);
-  } catch (const std::exception& e) {  // none may cross the border
+  } catch (const std::exception& e) {  // no exception may cross the interface
     raster->error_text = e.what();
   }
   raster->error = raster->error_text.c_str();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and points of Shapefile, GeoPackage and GeoJSON by GDAL: a part of the module geomesh-gdal. The border is
-// readers/vectors/vector_module.hpp.
+// Reads lines and points from Shapefile, GeoPackage and GeoJSON with GDAL: a part of the module geomesh-gdal. Its
+// interface is readers/vectors/vector_module.hpp.
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <ogrsf_frmts.h>
@@ -25,7 +25,7 @@ void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
   if (level >= CE_Warning && warnings.size() < most_warnings) warnings.emplace_back(text);
 }
 
-/// GDAL's messages go to the file as long as this stands.
+/// While this object exists, GDAL's messages are stored for the file.
 class Listening {
  public:
   explicit Listening(VectorFile& file) {
@@ -126,7 +126,7 @@ VectorFile read(const char* path) {
     }
     file.format = data->GetDriverName();
     for (OGRLayer* layer : data->GetLayers()) read_layer(*layer, file);
-  } catch (const std::exception& e) {  // none may cross the border
+  } catch (const std::exception& e) {  // no exception may cross the interface
     file.error = e.what();
   }
   return file;

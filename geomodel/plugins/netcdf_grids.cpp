@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grids and fields in netCDF and HDF5 files by the netCDF library: a part of the module geomesh-exodus. Axes are found
-// as the CF conventions say (coordinate variables, two-dimensional ones named by the attribute `coordinates`); where an
-// HDF5 file names no axes, one-dimensional variables of the right length and a known name are taken.
+// Reads grids and fields in netCDF and HDF5 files with the netCDF library: a part of the module geomesh-exodus. Axes
+// are found according to the CF conventions (coordinate variables, or two-dimensional ones named by the attribute
+// `coordinates`); if an HDF5 file names no axes, one-dimensional variables of the right length with a known name are
+// used.
 #include "readers/grids/netcdf_grids.hpp"
 
 #include <netcdf.h>
@@ -28,12 +29,12 @@ enum class Axis { none, x, y };
 /// One variable of the file.
 struct Variable {
   int group = 0, id = 0;
-  std::string name, path;  ///< without and with its groups
+  std::string name, path;  ///< name without and with its groups
   nc_type type = NC_NAT;
   std::vector<int> dimensions;
   std::vector<std::size_t> counts;
 
-  /// Rows of `dimensions` with more than one entry.
+  /// Returns the rows of `dimensions` with more than one entry.
   std::vector<std::size_t> axes() const {
     std::vector<std::size_t> rows;
     for (std::size_t d = 0; d < counts.size(); ++d)
@@ -115,11 +116,12 @@ class File {
     return values;
   }
 
-  /// Whether the file has the variable's place and none of its values: the library reads zeros or fill values.
+  /// Returns whether the file reserves space for the variable but holds none of its values, in which case the library
+  /// returns zeros or fill values.
   bool is_unwritten(const Variable& v) const { return unwritten_.count(v.path) > 0; }
 
-  /// All numbers of the variable. Throws where they and what was read before are more than a file of this size holds of
-  /// measured heights: constants pack a thousand to one, and a small file that claims them would take all memory.
+  /// Returns all numbers of the variable. Throws if these and the numbers read before exceed what measured heights in a
+  /// file of this size can be: constants compress a thousand to one, so a small file could otherwise fill all memory.
   std::vector<double> values(const Variable& v) const {
     constexpr std::size_t most_of_any = 4'000'000, most_a_byte = 4;
     if (v.size() > std::max(most_of_any, most_a_byte * bytes_) - n_read_) refuse(too_many(v));
@@ -184,13 +186,13 @@ class File {
 
   std::filesystem::path path_;
   std::size_t bytes_;
-  mutable std::size_t n_read_ = 0;  ///< numbers, of all variables
+  mutable std::size_t n_read_ = 0;  ///< how many numbers were read, over all variables
   int root_ = -1;
   std::vector<Variable> variables_;
   std::set<std::string> unwritten_;
 };
 
-/// Which axis the values of a variable are along, by its attributes and its name.
+/// Determines from attributes and name along which axis the values of a variable are.
 Axis axis_of(const File& file, const Variable& v) {
   const std::string axis = lower(file.text(v, "axis")), standard = lower(file.text(v, "standard_name"));
   const std::string unit = lower(file.text(v, "units")), name = lower(v.name);
@@ -214,15 +216,15 @@ bool is_geographic(const File& file, const Variable& v) {
          one_of(name, {"lon", "long", "longitude", "nav_lon"});
 }
 
-/// The variables that give x and y of a grid's nodes: along the columns and rows, or over both.
+/// The variables that give x and y of a grid's nodes: along its columns and rows, or for every node.
 struct Places {
   const Variable *x = nullptr, *y = nullptr;
-  std::size_t along_x = 0, along_y = 0;  ///< rows of the grid's `counts`; of no meaning where over both
+  std::size_t along_x = 0, along_y = 0;  ///< rows of the grid's `counts`; unused if given for every node
   bool over_both = false;
 };
 
-/// The system that a well-known text describes: the EPSG code of its last AUTHORITY["EPSG","25832"] or
-/// ID["EPSG",25832], which belongs to the whole system and not to a part of it. Its name where it has no such code.
+/// Returns the system that a well-known text describes: the EPSG code of its last AUTHORITY["EPSG","25832"] or
+/// ID["EPSG",25832], which belongs to the whole system and not to a part of it; the name if there is no such code.
 std::string system_of_text(const std::string& text) {
   const std::size_t end = text.rfind("\"EPSG\",");
   if (end != std::string::npos && text.size() - end < 24) {
@@ -235,10 +237,11 @@ std::string system_of_text(const std::string& text) {
   return close == std::string::npos ? "" : text.substr(open + 2, close - open - 2);
 }
 
-/// Whether it can stand for a code: EPSG uses up to six digits, and a damaged one may be no number.
+/// Returns whether the number can be a code: EPSG uses up to six digits, and a damaged value may not be a number.
 bool is_code(double number) { return number >= 1 && number < 1e6; }
 
-/// The system is described by the variable that the attribute `grid_mapping` names. Returns its EPSG code, or its name.
+/// Returns the EPSG code, or the name, of the system that is described by the variable named in the attribute
+/// `grid_mapping`.
 std::string system_of(const File& file, const Variable& v) {
   const std::string mapping = file.text(v, "grid_mapping");
   if (mapping.empty()) return "";
@@ -258,7 +261,7 @@ std::string system_of(const File& file, const Variable& v) {
 bool has_equal_steps(const std::vector<double>& places) {
   const auto n = static_cast<double>(places.size() - 1);
   const double step = (places.back() - places.front()) / n;
-  constexpr double rounding = 1e-4;  // of a step: places in single precision
+  constexpr double rounding = 1e-4;  // share of a step: coordinates may be in single precision
   for (std::size_t i = 0; i < places.size(); ++i)
     if (std::abs(places[i] - places.front() - static_cast<double>(i) * step) > rounding * std::abs(step)) return false;
   return true;
@@ -291,7 +294,7 @@ class GridFinder {
       } else if (n_axes > 2) {
         found.others.push_back(v.path + " (" + std::to_string(n_axes) + " axes)");
       } else if (axis_of(file_, v) != Axis::none) {
-        continue;  // places of other grids
+        continue;  // coordinates of other grids
       } else if (const auto places = places_of(v)) {
         found.grids.push_back(grid(v, *places));
       } else {
@@ -306,7 +309,7 @@ class GridFinder {
     if (const auto both = places_over_both(v)) return both;
     const std::vector<std::size_t> axes = v.axes();
     const Variable *rows = along(v, axes[0], Axis::y), *columns = along(v, axes[1], Axis::x);
-    if (!rows && !columns) {  // x along the rows
+    if (!rows && !columns) {  // x varies along the rows
       rows = along(v, axes[0], Axis::x), columns = along(v, axes[1], Axis::y);
     }
     if (!rows || !columns || rows == columns) return std::nullopt;
@@ -315,8 +318,8 @@ class GridFinder {
     return Places{columns, rows, axes[1], axes[0], false};
   }
 
-  /// The variable along an axis of `v`: the one of the dimension's name, else one of as many values whose name says
-  /// that it is `expected`, in the same group.
+  /// Returns the variable along an axis of `v`: the one with the dimension's name, else one in the same group with as
+  /// many values whose name identifies it as `expected`.
   const Variable* along(const Variable& v, std::size_t axis, Axis expected) const {
     char name[NC_MAX_NAME + 1] = {};
     const std::size_t n = v.counts[axis];
@@ -381,7 +384,7 @@ class GridFinder {
   const File& file_;
 };
 
-/// Variables over three axes.
+/// Finds variables with three dimensions.
 class FieldFinder {
  public:
   explicit FieldFinder(const File& file) : file_(file) {}
@@ -402,8 +405,8 @@ class FieldFinder {
   }
 
  private:
-  /// The one-dimensional variable that gives the places along a dimension: of the dimension's name, else the only one
-  /// of as many values in the same group.
+  /// Returns the one-dimensional variable with the coordinates along a dimension: the one with the dimension's name,
+  /// else the only one in the same group with as many values.
   const Variable* along(const Variable& v, std::size_t axis) const {
     char name[NC_MAX_NAME + 1] = {};
     const bool has_name = nc_inq_dimname(v.group, v.dimensions[axis], name) == NC_NOERR;
@@ -428,7 +431,7 @@ class FieldFinder {
         file_.refuse("no variable gives the places along axis " + std::to_string(k + 1) + " of " + v.path);
     }
     constexpr std::size_t none = 3;
-    std::array<std::size_t, 3> of{none, none, none};  // which axis of the variable is x, y, z
+    std::array<std::size_t, 3> of{none, none, none};  // which axes of the variable are x, y and z
     for (std::size_t k = 0; k < 3; ++k)
       if (const Axis axis = axis_of(file_, *places[k]); axis != Axis::none) of[axis == Axis::x ? 0 : 1] = k;
     if (of[0] == none || of[1] == none || places[0] == places[1] || places[1] == places[2] || places[0] == places[2])
@@ -445,7 +448,7 @@ class FieldFinder {
         file_.refuse("the places along " + places[of[a]]->name + " of " + v.path + " are not in equal steps");
     }
     const std::vector<double> values = heights_of(file_, v);
-    std::array<std::size_t, 3> stride{};  // of x, y, z in the file, whose last axis runs fastest
+    std::array<std::size_t, 3> stride{};  // strides of x, y and z in the file, whose last axis varies fastest
     for (std::size_t a = 0; a < 3; ++a) {
       stride[a] = 1;
       for (std::size_t k = of[a] + 1; k < 3; ++k) stride[a] *= v.counts[rows[k]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Conversions by PROJ: a module that the program loads when a system is met that is neither UTM nor longitude and
-// latitude, or another datum. The border is coordinates/proj_module.hpp.
+// Converts coordinates with PROJ: a module that the program loads for systems other than UTM and longitude and
+// latitude, and for other datums. Its interface is coordinates/proj_module.hpp.
 #include <proj.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ struct DestroyObject {
 };
 using Object = std::unique_ptr<PJ, DestroyObject>;
 
-/// PROJ's state of one thread, which collects what PROJ would print.
+/// PROJ's state for one thread, which collects messages that PROJ would print.
 class Context {
  public:
   Context() : context_(proj_context_create()) {
@@ -31,7 +31,7 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  operator PJ_CONTEXT*() const { return context_; }  // NOLINT: stands for the pointer in every call of PROJ
+  operator PJ_CONTEXT*() const { return context_; }  // NOLINT: replaces the pointer in every call of PROJ
   std::string reason() const {
     if (!message_.empty()) return message_;
     const int code = proj_context_errno(context_);
@@ -51,8 +51,8 @@ int code_of(const HorizontalCrs& crs) {
 
 bool is_geographic_type(PJ_TYPE type) { return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS; }
 
-/// The system of places in the map; of a compound one its horizontal part. Null where the register has none of the
-/// code.
+/// Returns the map coordinate system; for a compound system its horizontal part. Null if the register does not contain
+/// the code.
 Object horizontal_system(const Context& context, int code) {
   Object system(proj_create_from_database(context, "EPSG", std::to_string(code).c_str(), PJ_CATEGORY_CRS, 0, nullptr));
   if (system && proj_get_type(system.get()) == PJ_TYPE_COMPOUND_CRS)
@@ -70,7 +70,7 @@ Object reference(const Context& context, const HorizontalCrs& crs) {
   return system;
 }
 
-/// A unit of the system's first axis in metres; 1 for degrees.
+/// Returns a unit of the system's first axis in metres; 1 for degrees.
 double metres(const Context& context, const Object& system) {
   if (is_geographic_type(proj_get_type(system.get()))) return 1;
   const Object axes(proj_crs_get_coordinate_system(context, system.get()));
@@ -85,7 +85,8 @@ std::string datum(const Context& context, const Object& system) {
   return name ? name : "an unnamed datum";
 }
 
-/// The datums that are within a metre of WGS84: not worth a word beyond that of docs/coordinates.md.
+/// Returns whether two datums are within a metre of WGS84, so that docs/coordinates.md is the only place that mentions
+/// the difference.
 bool is_one_datum(const std::string& a, const std::string& b) {
   const auto is_global = [](const std::string& d) {
     return d.find("World Geodetic System 1984") == 0 || d.find("European Terrestrial Reference System 1989") == 0;
@@ -103,7 +104,8 @@ class Operation : public ProjOperation {
  public:
   Operation(const HorizontalCrs& from, const HorizontalCrs& to) {
     const Object a = reference(context_, from), b = reference(context_, to);
-    const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};  // a datum that is passed over is hundreds of metres
+    // Ignoring a datum would cause an error of hundreds of metres.
+    const char* const options[] = {"ALLOW_BALLPARK=NO", nullptr};
     Object found(proj_create_crs_to_crs_from_pj(context_, a.get(), b.get(), nullptr, options));
     if (found) transformation_.reset(proj_normalize_for_visualization(context_, found.get()));
     if (!transformation_)

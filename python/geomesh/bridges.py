@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models of other packages as geomesh models. The packages are not imported: their objects are met by attributes.
+"""Converts models of other packages to geomesh models. The packages are not imported: their objects are recognised by
+their attributes.
 
 Each function returns a :class:`geomesh.Model` whose surfaces may be added to, and whose rules may be changed, before it
 is meshed. Surfaces of implicit modelling end at the grid they were taken from; ``extend`` lets them reach the box. With
@@ -14,7 +15,7 @@ from .model import Model
 
 
 def _box_of_extent(extent):
-    """[x0, x1, y0, y1, z0, z1] as corners."""
+    """Converts [x0, x1, y0, y1, z0, z1] to corners."""
     x0, x1, y0, y1, z0, z1 = (float(v) for v in extent)
     return [[x0, y0, z0], [x1, y1, z1]]
 
@@ -129,9 +130,9 @@ class _Sequence:
         self._is_complete = False  # nothing of the box is older
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
-        """Adds the base of a unit unless the field has no such value where it holds; returns whether it was added.
+        """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
 
-        `above`, `below`: (name, values, value) of the horizons that bound where the field holds.
+        `above`, `below`: (name, values, value) of the horizons that bound the domain of the field.
         """
         if self._is_complete:
             return False
@@ -154,7 +155,7 @@ class _Sequence:
         return bool(held)
 
     def column(self, lowest):
-        """Units and horizons, with the name of what is below them all; empty without horizons."""
+        """Returns units and horizons, with the name of the unit below them all; empty without horizons."""
         return self._column and self._column + [self._reaching or lowest]
 
 
@@ -207,7 +208,7 @@ def _fields_of_gempy(geo_model, extent, column):
 
 
 class _FeatureField:
-    """The function of a feature of LoopStructural, beyond unconformities too."""
+    """Evaluates a feature of LoopStructural, also beyond unconformities."""
 
     def __init__(self, model, feature):
         self.model, self.feature = model, feature
@@ -223,7 +224,7 @@ class _FeatureField:
 
 
 def _isovalues(column):
-    """(feature, unit, value of its base) of a stratigraphic column."""
+    """Returns (feature, unit, value of its base) for a stratigraphic column."""
     if hasattr(column, "get_isovalues"):
         return [(facts["group"], unit, float(facts["value"])) for unit, facts in column.get_isovalues().items()]
     return [(group, unit, float(facts["min"])) for group, units in column.items() if group != "faults"
@@ -269,7 +270,7 @@ def _fields_of_loopstructural(loop, low, high, nodes):
 
 
 def _bounds_of(feature, names):
-    """Horizons above and below which a feature holds, as (feature, value), by its unconformities."""
+    """Returns the horizons above and below which a feature is valid, as (feature, value), from its unconformities."""
     bounds = {"above": [], "below": []}
     for region in feature.regions:
         parent = getattr(region, "parent", None)
@@ -304,13 +305,13 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has taken it away
+            continue  # the feature's own unconformity has removed it
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 
 
 def _joined(surfaces):
-    """(name, points, triangles) with pieces of one name put together, in the order given. NaN vertices are dropped."""
+    """Returns (name, points, triangles) with pieces of one name joined, in the given order. NaN vertices are dropped."""
     pieces = {}
     for surface in surfaces:
         if not _is_empty(surface.vertices, surface.triangles):

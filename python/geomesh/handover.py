@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes as objects of meshio and PyVista, with all that these can hold."""
+"""Converts meshes to objects of meshio and PyVista, with everything that these can hold."""
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Dict, List, Tuple
@@ -9,11 +9,12 @@ import numpy
 if TYPE_CHECKING:
     from .mesh import Mesh
 
-_TETRAHEDRON, _TRIANGLE, _LINE = 10, 5, 3  # VTK's numbers of cells
+_TETRAHEDRON, _TRIANGLE, _LINE = 10, 5, 3  # VTK's numbers of cell types
 
 
 def unique_names(mesh: "Mesh") -> Dict[Tuple[int, int], str]:
-    """(dimension, id) -> name. A surface called as a region is, `salt`, becomes `salt.surface`, a curve `salt.curve`."""
+    """Returns names by (dimension, id). A surface with the name of a region, `salt`, becomes `salt.surface`, a curve
+    `salt.curve`."""
     taken, names = set(), {}
     for items, dimension, word in ((mesh.regions, 3, "region"), (mesh.surfaces, 2, "surface"), (mesh.curves, 1, "curve")):
         for item in items:
@@ -26,7 +27,8 @@ def unique_names(mesh: "Mesh") -> Dict[Tuple[int, int], str]:
 
 
 def _blocks(mesh: "Mesh") -> "List[Tuple[int, int, Any]]":
-    """(dimension, id, rows of cells) of each region, surface and curve that has cells; from three dimensions down."""
+    """Returns (dimension, id, rows of cells) for each region, surface and curve that has cells, from three dimensions
+    down."""
     blocks = []
     for dimension, items, ids in ((3, mesh.regions, mesh.region), (2, mesh.surfaces, mesh.face_surface),
                                   (1, mesh.curves, mesh.curve_of_edge)):
@@ -38,9 +40,8 @@ def _blocks(mesh: "Mesh") -> "List[Tuple[int, int, Any]]":
 
 
 def _entities(mesh: "Mesh", cells: "List[Tuple[int, int, Any]]") -> Any:
-    """For each point (dimension, id) of an entity of Gmsh that has it: that of lowest dimension, and every entity once.
-
-    meshio writes the entities that points name, and loses the names of others.
+    """Returns for each point (dimension, id) of a Gmsh entity that contains it: the one of lowest dimension, with every
+    entity used at least once, because meshio writes only the entities that points name.
     """
     tags = numpy.zeros((len(mesh.points), 2), dtype=numpy.int32)
     for dimension, id, points in cells:
@@ -78,13 +79,13 @@ def to_meshio(mesh: "Mesh") -> Any:
 
 
 def _compact(points: Any, rows: Any) -> Tuple[Any, Any, Any]:
-    """Points that some cells have, the cells in their numbers, and the rows of the points in the mesh."""
+    """Returns the points that some cells use, the cells in their numbering, and the rows of the points in the mesh."""
     used, numbers = numpy.unique(rows, return_inverse=True)
     return points[used], numbers.reshape(rows.shape), used
 
 
 def _flat(rows: Any) -> Any:
-    """Cells one after the other, each behind its number of points: the form of VTK."""
+    """Concatenates cells, each preceded by its number of points, as VTK stores them."""
     cells = numpy.empty((len(rows), rows.shape[1] + 1), dtype=numpy.int64)
     cells[:, 0] = rows.shape[1]
     cells[:, 1:] = rows

@@ -15,13 +15,14 @@ class Lattice(NamedTuple):
     shape: Tuple[int, int, int]
 
     def places(self) -> Any:
-        """Places of the nodes, shape (n, 3), z fastest."""
+        """Returns the coordinates of the nodes, shape (n, 3), z fastest."""
         axes = [o + d * numpy.arange(n) for o, d, n in zip(self.origin, self.spacing, self.shape)]
         return numpy.stack(numpy.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
 
 
 class GridField:
-    """A function of x, y, z that is trilinear between the nodes of a lattice. The cells at the border continue it."""
+    """A function of x, y, z that is trilinear between the nodes of a lattice. Beyond the border, the outermost cells
+    are extrapolated."""
 
     def __init__(self, lattice: Lattice, values: Any) -> None:
         self.lattice, self.values = lattice, numpy.ascontiguousarray(values, dtype=float)
@@ -40,13 +41,13 @@ class GridField:
 
 
 class FaultField(NamedTuple):
-    """A fault: where its values on the lattice are zero."""
+    """A fault: the surface on which its values on the lattice are zero."""
     name: str
     values: Any
 
 
 def _neighbour(values: Any, axis: int, step: int, outside: Any) -> Any:
-    """The value `step` nodes further along an axis; `outside` beyond the border."""
+    """Returns the value `step` nodes farther along an axis; `outside` beyond the border."""
     moved = numpy.full_like(values, outside)
     n = values.shape[axis]
     if abs(step) >= n:
@@ -60,16 +61,16 @@ def _neighbour(values: Any, axis: int, step: int, outside: Any) -> Any:
 _DIRECTIONS = [(axis, sign) for axis in range(3) for sign in (1, -1)]
 
 
-# Weights of the nearest nodes along an axis by degree of the polynomial through them and by how far beyond them it is taken.
+# Weights of the nearest nodes along an axis, by the degree of the polynomial through them and by the distance of
+# extrapolation.
 _BEYOND = ([[3, -3, 1], [6, -8, 3], [10, -15, 6]], [[2, -1], [3, -2], [4, -3]], [[1], [1], [1]])
 
 
 def continued(values: Any) -> Any:
-    """Values with finite ones in place of NaN.
-
-    Up to three nodes from known ones, which are all that a cell across a fault can have, values follow the polynomial of
-    second degree through the three nearest nodes along an axis, or of lower degree where there are fewer. Further away
-    they are harmonic, so that a level set has no features there which would have to be meshed.
+    """Returns the values with NaN replaced by finite ones. Up to three nodes from known ones, which are all that a cell
+    across a fault can have, values follow the polynomial of second degree through the three nearest nodes along an
+    axis, or of lower degree if there are fewer. Farther away they are harmonic, so that a level set has no features
+    there which would have to be meshed.
     """
     known = numpy.array(values, dtype=float)
     known[~numpy.isfinite(known)] = numpy.nan
@@ -90,7 +91,7 @@ def continued(values: Any) -> Any:
 
 
 def _harmonic(values: Any) -> Any:
-    """Values with means of their neighbours in place of NaN, from coarse grids to fine ones."""
+    """Returns the values with NaN replaced by means of their neighbours, from coarse grids to fine ones."""
     missing = numpy.isnan(values)
     if not missing.any():
         return values
@@ -110,7 +111,8 @@ def _harmonic(values: Any) -> Any:
 
 
 def _upward(fault: FaultField, lattice: Lattice) -> int:
-    """1 where the values of a fault rise upwards all along it, -1 where they fall, 0 where it is upright or turns over."""
+    """Returns 1 if the values of a fault increase upwards everywhere on it, -1 if they decrease, 0 if it is vertical or
+    overturned."""
     gradient = numpy.gradient(fault.values, *lattice.spacing)
     near = numpy.zeros(fault.values.shape, dtype=bool)
     for axis, sign in _DIRECTIONS:
@@ -128,7 +130,7 @@ def _eroded(mask: Any) -> Any:
 
 
 def _blocks(mask: Any) -> Iterator[Tuple[Any, Tuple[int, ...]]]:
-    """Connected parts of a set of nodes, each with the node that is deepest in it."""
+    """Returns the connected parts of a set of nodes, each with the node that is deepest inside it."""
     left = mask.copy()
     while left.any():
         core = left
@@ -150,19 +152,19 @@ def _blocks(mask: Any) -> Iterator[Tuple[Any, Tuple[int, ...]]]:
 
 
 class FieldPart(NamedTuple):
-    """A field with the nodes on which it holds, and the keys of `domain` at faults that say the same."""
+    """A field with the nodes on which it is valid, and the equivalent keys of `domain` at faults."""
     field: Callable[..., Any]
     domain: Dict[str, Any]
     nodes: Any
 
 
 def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], every: Sequence[FaultField]) -> List[FieldPart]:
-    """One field for each side of the faults at which values jump, each continued beyond them.
+    """Returns one field for each side of the faults at which values jump, each extrapolated beyond them.
 
     Parameters
     ----------
     own : faults at which the values jump
-    every : all faults of the model: where a fault is upright, fields are told apart by their blocks
+    every : all faults of the model: if a fault is vertical, fields are distinguished by their blocks
     """
     upward = [_upward(fault, lattice) for fault in own]
     by_blocks = 0 in upward
@@ -189,6 +191,6 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
 
 
 def takes(values: Any, value: float, nodes: Any) -> bool:
-    """Whether values on some nodes are on both sides of a value."""
+    """Returns whether values on some nodes are on both sides of a value."""
     known = values[nodes & numpy.isfinite(values)]
     return known.size > 0 and bool(known.min() < value < known.max())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces from whatever a caller has: arrays, files, and objects of other packages, met by their attributes."""
+"""Surfaces from arrays, files, and objects of other packages, which are recognised by their attributes."""
 from __future__ import annotations
 
 import os
@@ -18,7 +18,7 @@ def is_path(thing: Any) -> bool:
 
 
 def as_points(points: Any) -> npt.NDArray[numpy.float64]:
-    """float64, C-contiguous, shape (n, 3); the caller's own array where it is so already."""
+    """Returns float64, C-contiguous points of shape (n, 3); the caller's own array if it is already of this form."""
     array = numpy.ascontiguousarray(points, dtype=numpy.float64)
     if array.ndim != 2 or array.shape[1] != 3:
         raise UsageError("points: an array of shape (n, 3) was expected, found shape %s" % (array.shape,))
@@ -27,7 +27,7 @@ def as_points(points: Any) -> npt.NDArray[numpy.float64]:
 
 def as_triangles(triangles: Any) -> Any:
     array = numpy.asarray(triangles)
-    if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as grids and OBJ files have them
+    if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as in grids and OBJ files
         array = split_quadrangles(array)
     return array
 
@@ -38,7 +38,7 @@ def split_quadrangles(quads: Any) -> Any:
 
 
 def _fans(flat: Any) -> Any:
-    """Triangles of polygons stored one after the other as (count, rows...), the form of VTK."""
+    """Returns triangles of polygons stored consecutively as (count, rows...), as VTK stores them."""
     flat = numpy.asarray(flat).ravel()
     if flat.size % 4 == 0 and flat.size > 0 and (flat[::4] == 3).all():
         return flat.reshape(-1, 4)[:, 1:]
@@ -53,7 +53,8 @@ def _fans(flat: Any) -> Any:
 
 
 def field_of(name, function):
-    """The function of a field with its result as float64 of the places' shape, and its errors with name and place."""
+    """Returns the function of a field with its result as float64 in the shape of the places, and errors with name and
+    place."""
     def values(x, y, z):
         try:
             found = numpy.asarray(function(x, y, z), dtype=numpy.float64)
@@ -62,7 +63,7 @@ def field_of(name, function):
             raise InvalidInput("surface %s: the function of its field failed for %d places, the first of them "
                                "(%.9g, %.9g, %.9g): %s: %s" % (name, len(x), x[0], y[0], z[0], type(error).__name__, error)
                                ) from error
-    values.function = function  # keeps it alive, so that its id stays its own
+    values.function = function  # keeps the function alive, so that its id remains unique
     return values
 
 
@@ -86,10 +87,10 @@ def _of_vtk(data: Any) -> Tuple[Any, Any]:
 
 
 def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
-    """Points and triangles without vertices that are not a number, and without the triangles that have them.
+    """Returns points and triangles without NaN vertices and the triangles that use them.
 
     Isosurfaces of implicit models have such vertices where the surface leaves the model. Arrays without any are
-    returned as they are.
+    returned unchanged.
     """
     points, triangles = numpy.asarray(points), numpy.asarray(triangles)
     if points.dtype.kind != "f" or points.ndim != 2:
@@ -98,7 +99,7 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
     if known.all() or triangles.size == 0:
         return points, triangles
     inside = (triangles >= 0) & (triangles < len(points))
-    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # other rows are refused later
+    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # rows that are out of range are rejected later
     rows = numpy.cumsum(known) - 1
     triangles = triangles[kept].astype(numpy.int64)
     valid = (triangles >= 0) & (triangles < len(points))
@@ -106,11 +107,10 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
 
 
 def arrays_of(thing: Any) -> Tuple[Any, Any]:
-    """(points, triangles) of an object that is a triangulated surface in one of the forms in use.
-
-    Understood, in this order: meshio (``points``, ``cells``); PyVista (``points``, ``faces`` as one flat list);
-    VTK (``GetPoints``, ``GetPolys``); GemPy (``vertices``, ``edges`` of three columns); LoopStructural
-    (``vertices``, ``triangles``); trimesh and others (``vertices``, ``faces``); a pair (points, triangles).
+    """Returns (points, triangles) of an object that is a triangulated surface in one of these forms, tried in this
+    order: meshio (``points``, ``cells``); PyVista (``points``, ``faces`` as one flat list); VTK (``GetPoints``,
+    ``GetPolys``); GemPy (``vertices``, ``edges`` of three columns); LoopStructural (``vertices``, ``triangles``);
+    trimesh and others (``vertices``, ``faces``); a pair (points, triangles).
     """
     if isinstance(thing, (tuple, list)) and len(thing) == 2:
         return thing[0], thing[1]
@@ -131,7 +131,7 @@ def arrays_of(thing: Any) -> Tuple[Any, Any]:
 
 
 def read_surfaces(file: Union[str, "os.PathLike[str]"]) -> "List[Tuple[str, npt.NDArray[numpy.float64], npt.NDArray[numpy.uint32]]]":
-    """The triangulated surfaces of a file, of any format of docs/input-formats.md.
+    """Reads the triangulated surfaces of a file in any format of docs/input-formats.md.
 
     Returns
     -------

@@ -24,7 +24,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 class Region(NamedTuple):
-    """A rock unit, or a part of one: what tetrahedra of one `region` id fill. Volume in the unit's cube."""
+    """A rock unit, or a part of one: the tetrahedra with one `region` id. The volume is in cubed units of length."""
     id: int
     name: str
     unit: str
@@ -42,7 +42,7 @@ class Surface(NamedTuple):
 
 
 class Curve(NamedTuple):
-    """Kinds: intersection, border, fault_tip, well."""
+    """A curve of the mesh. Kinds: intersection, border, fault_tip, well."""
     id: int
     name: str
     kind: str
@@ -176,7 +176,7 @@ class Mesh:
         return "<p>%s</p>%s" % (views.html.escape(repr(self)[1:-1]), self._view()._repr_html_())
 
     def _repr_png_(self) -> Optional[bytes]:
-        """For what shows no page (a notebook as a PDF). None where no picture can be drawn; drawn once."""
+        """Used where no page can be shown (a notebook as a PDF). None if no picture can be drawn; it is drawn once."""
         if self._png is None:
             with tempfile.TemporaryDirectory() as folder:
                 file = os.path.join(folder, "mesh.png")
@@ -216,14 +216,14 @@ class Mesh:
         return self._statistics
 
     def tetrahedra_of(self, region: Union[int, str]) -> npt.NDArray[numpy.intp]:
-        """Rows of the tetrahedra of a region, or of all parts of a unit, by name or id."""
+        """Returns the rows of the tetrahedra of a region, or of all parts of a unit, by name or id."""
         ids = [r.id for r in self.regions if region in (r.id, r.name, r.unit)]
         if not ids:
             raise UsageError("no region is called %r; there are %s" % (region, ", ".join(r.name for r in self.regions)))
         return numpy.flatnonzero(numpy.isin(self.region, ids))
 
     def faces_of(self, surface: Union[int, str]) -> npt.NDArray[numpy.intp]:
-        """Rows of the faces that a surface is part of, alone or with others, by name or id."""
+        """Returns the rows of the faces on a surface, including those shared with others, by name or id."""
         ids = [s.id for s in self.surfaces if surface in (s.id, s.name)]
         if not ids:
             raise UsageError("no surface is called %r; there are %s" % (surface, ", ".join(s.name for s in self.surfaces)))
@@ -257,7 +257,7 @@ class Mesh:
         Raises
         ------
         UsageError
-            The format is not known, cannot hold what the options ask for, or the place cannot be written to.
+            The format is unknown or cannot hold what the options request, or the place is not writable.
         """
         stem, extension = os.path.splitext(os.fspath(file))
         if extension == ".html":
@@ -273,16 +273,18 @@ class Mesh:
         return self._result.write(name, os.path.abspath(stem), options)
 
     def to_meshio(self) -> Any:
-        """A meshio.Mesh with tetrahedra, faces and curve edges, which ``write`` keeps with names in Gmsh's formats.
+        """Returns a meshio.Mesh with tetrahedra, faces and curve edges, which ``write`` keeps with names in Gmsh's
+        formats.
 
-        Cell data ``region`` and ``gmsh:physical`` have the ids, field data their names, and cell and point arrays are
-        there too. A surface with the name of a region, such as the body ``salt``, is called ``salt.surface``, since
-        meshio has one name once.
+        Cell data ``region`` and ``gmsh:physical`` have the ids, field data their names, and cell and point arrays
+        are included. A surface with the name of a region, such as the body ``salt``, is called ``salt.surface``,
+        because meshio requires distinct names.
         """
         return handover.to_meshio(self)
 
     def to_pyvista(self) -> Any:
-        """A pyvista.MultiBlock with the blocks ``mesh``, ``surfaces``, ``curves`` and, where there are any, ``points``.
+        """Returns a pyvista.MultiBlock with the blocks ``mesh``, ``surfaces``, ``curves`` and, if there are any,
+        ``points``.
 
         ``mesh`` is an UnstructuredGrid of the tetrahedra with cell data ``region``, attributes of units and cell
         arrays, and field data ``region_ids`` and ``region_names``. ``surfaces`` and ``curves`` are MultiBlocks with a
@@ -294,7 +296,7 @@ class Mesh:
         return views.View(self._result.viewer_page(), height)
 
     def plot(self, height: int = 560) -> views.View:
-        """The mesh as a picture that can be turned and cut: shown by a notebook, else opened in a browser.
+        """Returns the mesh as a picture that can be rotated and cut: shown by a notebook, else opened in a browser.
 
         Parameters
         ----------
@@ -333,8 +335,8 @@ class Mesh:
 def read(file: Path) -> Mesh:
     """Reads a mesh file of any tool, as ``geomesh convert`` and ``geomesh check`` do: .vtu, .msh, .inp, .e, .med ...
 
-    Sets of the file become regions, surfaces, curves and points; ids are numbered anew. The mesh is as the file has it:
-    :func:`geomesh.check` verifies it.
+    Sets of the file become regions, surfaces, curves and points with new ids. The mesh is not verified;
+    :func:`geomesh.check` does that.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models made in Python, and project files. Keys of the project file are keyword arguments of the same names."""
+"""Models made in Python, and project files. Keys of the project file are keyword arguments with the same names."""
 from __future__ import annotations
 
 import json
@@ -25,7 +25,7 @@ _SIDES = ("min", "max")
 
 
 def _plain(value: Any) -> Any:
-    """What JSON holds: numpy's numbers and arrays, tuples and paths as plain ones."""
+    """Converts numpy's numbers and arrays, tuples and paths to types that JSON can hold."""
     if isinstance(value, dict):
         return {str(k): _plain(v) for k, v in value.items()}
     if isinstance(value, numpy.ndarray):
@@ -46,7 +46,7 @@ def _run_options(threads: int, progress: Optional[Progress], log: Optional[Log],
 
 
 def _drawing(progress: Union[bool, Progress, None], run: Callable[[Optional[Progress]], Mesh]) -> Mesh:
-    """Runs with progress as asked for, and ends the bar whatever happens."""
+    """Runs with the requested progress display, and closes it whatever happens."""
     shown = progress_of(progress)
     finished = False
     try:
@@ -110,7 +110,7 @@ class Model:
         return "<geomesh.Model %r: %s>" % (self._keys["name"], ", ".join(words))
 
     def __getstate__(self) -> Dict[str, Any]:
-        """Inputs as arrays: for pickles and copies."""
+        """Returns inputs as arrays, for pickling and copying."""
         state = dict(self.__dict__)
         state["_given"] = {name: _arrays_of_given(given) for name, given in self._given.items()
                            if name not in self._grids}
@@ -241,7 +241,7 @@ class Model:
         return self
 
     def add_well(self, name: str, path: Any, **keys: Any) -> Model:
-        """Adds a well: an array of shape (n, 3) of places along it, or a file. It becomes a curve of the mesh."""
+        """Adds a well: an array of shape (n, 3) with points along it, or a file. It becomes a curve of the mesh."""
         entry = {"name": name}
         if inputs.is_path(path):
             entry["file"] = os.path.abspath(os.fspath(path))
@@ -263,7 +263,7 @@ class Model:
         entries.append({**entry, **keys})
 
     def project(self, **mesh: Any) -> Dict[str, Any]:
-        """The model as the dict of a project file; surfaces given as arrays have no `file`."""
+        """Returns the model as the dict of a project file; surfaces given as arrays have no `file`."""
         project = dict(self._keys)
         for key, entries in (("surfaces", self._surfaces), ("wells", self._wells), ("points", self._points),
                              ("column", self.column)):
@@ -308,7 +308,8 @@ class Model:
 
     def run(self, directory: Path, formats: Optional[Sequence[str]] = None, size: Size = None, *, threads: int = 0,
             progress: Union[bool, Progress, None] = None, log: Optional[Log] = None, **mesh: Any) -> Mesh:
-        """As :meth:`mesh`, and writes the files of a project into the folder: ``formats`` as ``["vtu", "html"]``."""
+        """Meshes as :meth:`mesh` does, and writes the files of a project into the folder: ``formats`` as ``["vtu",
+        "html"]``."""
         plain, function = _size_function(size)
         return _drawing(progress, lambda shown: self._run(
             _run_options(threads, shown, log, function, directory, write=True), formats, size=plain, **mesh))
@@ -323,7 +324,7 @@ class Model:
 
 def _grid_arguments(name: str, heights: Any, origin: Sequence[float], spacing: Union[float, Sequence[float]],
                     rotation: float) -> Tuple[Any, ...]:
-    """Heights of its own, and the node that has least x and y, so that both spacings are positive."""
+    """Returns a copy of the heights, and the node with the least x and y, so that both spacings are positive."""
     x0, y0 = (float(v) for v in origin)
     given = numpy.asarray(spacing, dtype=float)
     if given.shape not in ((), (2,)):
@@ -339,7 +340,7 @@ def _grid_arguments(name: str, heights: Any, origin: Sequence[float], spacing: U
 
 
 def _arrays_of_given(given: _geomodel.Given) -> Tuple[Any, ...]:
-    """The function of _geomodel that makes the input, and its arrays as copies."""
+    """Returns the function of _geomodel that makes the input, and copies of its arrays."""
     if given.surfaces:
         return ("surface", numpy.array(given.surfaces[0][1]), numpy.array(given.surfaces[0][2]))
     if given.polylines:
@@ -348,12 +349,12 @@ def _arrays_of_given(given: _geomodel.Given) -> Tuple[Any, ...]:
 
 
 def _is_rows(thing: Any) -> bool:
-    """Nested lists or tuples of numbers: [[x, y, z], ...]."""
+    """Returns whether the argument is nested lists or tuples of numbers: [[x, y, z], ...]."""
     return isinstance(thing, (list, tuple)) and len(thing) > 0 and numpy.ndim(thing[0]) == 1 and len(thing[0]) == 3
 
 
 def _size_function(size: Size) -> Tuple[Any, Optional[SizeFunction]]:
-    """What of a size goes into the project, and the function in it."""
+    """Returns the part of a size that belongs into the project, and the function in it."""
     if callable(size):
         return None, size
     if isinstance(size, dict) and callable(size.get("background")):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress of a run: the caller's own function, one bar of tqdm, or lines."""
+"""Progress of a run: the caller's own function, a bar of tqdm, or lines."""
 from __future__ import annotations
 
 import sys
@@ -12,7 +12,7 @@ STAGES = ("read", "build", "intersect", "delaunay", "recover", "classify", "esti
 
 
 class OneBar:
-    """One bar for the whole run: it never goes back, and names the stage. A stage counts as one step."""
+    """One bar for the whole run: it never moves back, and shows the name of the stage. A stage counts as one step."""
 
     def __init__(self, tqdm: Any) -> None:
         self._bar = tqdm(total=len(STAGES), bar_format="{desc:<10}{percentage:3.0f}%|{bar}| {elapsed}")
@@ -31,7 +31,7 @@ class OneBar:
 
 
 class Lines:
-    """A line for each stage on the standard error, where tqdm is not installed."""
+    """Prints a line for each stage to standard error, if tqdm is not installed."""
 
     def __init__(self) -> None:
         self._stage: Optional[str] = None
@@ -46,7 +46,7 @@ class Lines:
 
 
 def progress_of(progress: Union[bool, Progress, None]) -> Optional[Progress]:
-    """What the run calls. True: a bar, or lines where tqdm is not installed."""
+    """Returns the function that the run calls. True: a bar, or lines if tqdm is not installed."""
     if progress is not True:
         return progress or None
     try:

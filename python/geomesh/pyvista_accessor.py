@@ -19,20 +19,21 @@ from .inputs import arrays_of
 
 
 class Accessor:
-    """What geomesh does with a surface of PyVista (a PolyData, or the surface of another data set)."""
+    """What geomesh can do with a surface of PyVista (a PolyData, or the surface of another data set)."""
 
     def __init__(self, data: Any) -> None:
         self._data = data
 
     def _surface(self) -> Any:
-        """The data set itself where it is made of faces, else its surface, in triangles."""
+        """Returns the data set itself if it consists of faces, else its surface, in triangles."""
         data = self._data
         if not hasattr(data, "faces") and hasattr(data, "extract_surface"):
             data = data.extract_surface()
         return data.triangulate() if hasattr(data, "triangulate") else data
 
     def add_to(self, model: Any, name: str, kind: str = "horizon", **rules: Any) -> Any:
-        """Adds the surface to a :class:`geomesh.Model`, which is returned; as :meth:`geomesh.Model.add_surface`."""
+        """Adds the surface to a :class:`geomesh.Model`, which is returned; arguments as of
+        :meth:`geomesh.Model.add_surface`."""
         points, triangles = arrays_of(self._surface())
         return model.add_surface(name, points, triangles, kind=kind, **rules)
 
@@ -62,12 +63,12 @@ class Accessor:
 
 
 def register(pyvista: Any) -> None:
-    """Gives ``.geomesh`` to PyVista's data sets. Nothing happens the second time."""
+    """Adds ``.geomesh`` to PyVista's data sets. A second call has no effect."""
     known = getattr(pyvista, "DataSet", None)
     if known is None or hasattr(known, "geomesh"):
         return
     own = getattr(pyvista, "register_dataset_accessor", None)
-    if own is not None:  # PyVista's own way, where its version has one
+    if own is not None:  # PyVista's own registration, if its version has one
         own("geomesh", known)(Accessor)
     else:
         known.geomesh = property(Accessor)

@@ -22,7 +22,7 @@ def _text(value: Any) -> str:
 class Table(List[Row], Generic[Row]):
     """A list of named tuples. ``pandas.DataFrame(table)`` has one column for each field.
 
-    A row is found by its place, or by its name:
+    A row is found by its index or by its name:
 
     >>> import geomesh
     >>> regions = geomesh.Table([geomesh.Region(1, "upper", "upper", [], 12, 350.0)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes to look at: the viewer of the report page in a notebook or a browser, and pictures drawn by the program."""
+"""Views of meshes: the viewer of the report page in a notebook or a browser, and pictures drawn by the program."""
 from __future__ import annotations
 
 import html
@@ -18,7 +18,8 @@ Size = Tuple[int, int]
 
 
 def program() -> str:
-    """The program geomesh: GEOMESH_PROGRAM, that on the path, or that of the build folder this package is in."""
+    """Returns the program geomesh: GEOMESH_PROGRAM, that on the path, or that of the build folder which contains this
+    package."""
     built = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(_geomodel.__file__))), "bin", "geomesh")
     for found in (os.environ.get("GEOMESH_PROGRAM"), shutil.which("geomesh"), built):
         if found and os.access(found, os.X_OK):
@@ -40,20 +41,20 @@ def draw(result: _geomodel.JobResult, file: str, view: str, size: Size, options:
 
 
 def in_frame(page: str, height: int) -> str:
-    """A whole page as part of another one, which its styles and scripts do not touch."""
+    """Returns a whole page as part of another one, whose styles and scripts do not affect it."""
     return ('<iframe srcdoc="%s" style="width: 100%%; height: %dpx; border: 0" title="the mesh"></iframe>' %
             (html.escape(page, quote=True), height))
 
 
 def is_notebook() -> bool:
-    """Whether the calling program is a notebook, which shows the last value of a cell."""
+    """Returns whether the calling program is a notebook, which shows the last value of a cell."""
     ipython = sys.modules.get("IPython")
     shell = ipython.get_ipython() if ipython is not None else None
     return shell is not None and hasattr(shell, "kernel")
 
 
 class View:
-    """The turnable picture of a mesh, as :meth:`geomesh.Mesh.plot` returns it. A notebook shows it.
+    """The rotatable picture of a mesh, as :meth:`geomesh.Mesh.plot` returns it. A notebook shows it.
 
     Attributes
     ----------
@@ -81,7 +82,7 @@ class View:
         return os.fspath(file)
 
     def show(self) -> bool:
-        """Opens the page in a browser. False where there is none."""
+        """Opens the page in a browser. Returns False if there is none."""
         if self._file is None:
             handle, self._file = tempfile.mkstemp(prefix="geomesh_", suffix=".html")
             os.close(handle)

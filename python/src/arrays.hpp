@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Between numpy arrays and the plain arrays of the library: input is checked and copied at most once, output is
-/// viewed.
+/// Conversion between numpy arrays and the plain arrays of the library: input is checked and copied at most once,
+/// output is viewed.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -18,19 +18,19 @@ namespace geomesh::python {
 
 namespace py = pybind11;
 
-/// A float64 array of shape (n, 3) whose rows lie one after the other: the caller's own where it is one already.
+/// A float64 array of shape (n, 3) with consecutive rows: the caller's own if it already has this form.
 using PointArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The rows as points, in the array's own memory. Throws Error{usage} where the shape is not (n, 3).
+/// Returns the rows as points, in the array's own memory. Throws Error{usage} if the shape is not (n, 3).
 std::span<const Vec3> as_points(const PointArray& array, const char* what);
 
-/// Rows of an integer array of shape (n, columns), any integer type. Throws Error{usage} where the shape or the type
-/// differs, or a number is negative or too large for a row.
+/// Returns the rows of an integer array of shape (n, columns), any integer type. Throws Error{usage} if the shape or
+/// the type differs, or if a number is negative or too large for a row.
 std::vector<VertexIndex> as_rows(const py::array& array, std::size_t columns, const char* what);
 std::vector<Triangle> as_triangles(const py::array& array, const char* what);
 
-/// A read-only view of `n` items, each `width` numbers from `first`, `stride` bytes apart; `owner` stays alive with it.
-/// Width 0: one number an item, and a view of one dimension.
+/// Returns a read-only view of `n` items, each with `width` numbers from `first`, `stride` bytes apart; `owner` is kept
+/// alive with it. Width 0: one number per item, and a view of one dimension.
 template <class Number>
 py::array view(const Number* first, std::size_t n, std::size_t width, std::size_t stride, const py::handle& owner) {
   std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(n)}, strides{static_cast<py::ssize_t>(stride)};
@@ -43,7 +43,7 @@ py::array view(const Number* first, std::size_t n, std::size_t width, std::size_
   return array;
 }
 
-/// The same of `width` numbers that begin at `member(item)` in each item of a vector.
+/// Returns a view of `width` numbers that begin at `member(item)` in each item of a vector.
 template <class Item, class Member>
 py::array view_member(const std::vector<Item>& items, std::size_t width, const py::handle& owner, Member&& member) {
   static const Item none{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The module geomesh.core._core: the engine for plain arrays. Arguments are checked here; geomesh/core/__init__.py
-// holds the functions that users call, with their docstrings.
+// contains the functions that users call, with their docstrings.
 #include <pybind11/stl.h>
 
 #include "core_results.hpp"
@@ -14,13 +14,13 @@ namespace {
 /// Polygons as lists of loops (the outer one first), each a list of rows of points.
 using Polygons = std::vector<std::vector<std::vector<VertexIndex>>>;
 
-/// The complex as numpy arrays give it.
+/// The complex in the form of numpy arrays.
 struct PlcArguments {
   PointArray points;
   std::vector<Triangle> triangles;
   Polygons polygons;  ///< instead of triangles
   py::array segments;
-  PointArray regions, holes;  ///< points inside of what is to be numbered or left out
+  PointArray regions, holes;  ///< points inside the parts to be numbered or left out
 };
 
 PiecewiseLinearComplex make_plc(const PlcArguments& a) {

@@ -44,7 +44,7 @@ void define_delaunay(py::module_& module) {
           "Counts: points_deferred, exact_calls (predicates decided exactly), walk_steps.");
 }
 
-/// Members of faces and edges are seen with the stride of their struct.
+/// Returns a view of members of faces and edges, with the stride of their struct.
 template <class Member>
 auto face_view(std::size_t width, Member member) {
   return [width, member](const py::object& self) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What the functions of geomesh.core return: the library's results, seen through numpy views.
+/// The results of geomesh.core: those of the library, as numpy views.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,21 +15,21 @@ namespace geomesh::python {
 
 /// A Delaunay tetrahedralization without its ghosts.
 struct DelaunayResult {
-  PointArray points;  ///< the caller's own array where it was float64 and contiguous
+  PointArray points;  ///< the caller's own array if it was float64 and contiguous
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<std::array<std::int32_t, 4>> neighbors;  ///< opposite each vertex; -1 on the hull
+  std::vector<std::array<std::int32_t, 4>> neighbors;  ///< neighbours opposite each vertex; -1 on the hull
   std::vector<Triangle> hull;                          ///< normals outward
   std::vector<VertexIndex> representative;
   DelaunayStatistics statistics;
 };
 
-/// Takes the finite cells in the order of their slots.
+/// Returns the finite cells in the order of their slots.
 DelaunayResult without_ghosts(PointArray points, DelaunayTetrahedralization&& whole);
 
 struct MeshResult {
   ConstrainedTetrahedralization mesh;
   std::vector<std::string> warnings;
-  py::dict statistics;  ///< made with the interpreter's lock held
+  py::dict statistics;  ///< made while holding the interpreter's lock
 };
 
 py::dict statistics_of(const ConstrainedTetrahedralization& mesh);

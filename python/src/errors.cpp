@@ -23,7 +23,7 @@ const char* class_of(ErrorKind kind) {
   return "Error";
 }
 
-/// An array of its own: errors are rare, and live longer than what they speak of.
+/// Returns a new array, since errors are rare and may outlive the data to which they refer.
 py::array places_of(const Error& error) {
   const std::vector<Vec3>& places = error.context().places;
   py::array_t<double> array({places.size(), std::size_t{3}});

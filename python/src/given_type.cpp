@@ -15,13 +15,13 @@ namespace {
 
 using geomodel::FileContents;
 
-/// The contents, kept alive by the arrays that look into them.
+/// Returns an owner that is kept alive by the arrays that view the contents.
 py::capsule owner_of(const Given& given) {
   auto* const held = new std::shared_ptr<const FileContents>(given.contents);
   return {held, [](void* p) { delete static_cast<std::shared_ptr<const FileContents>*>(p); }};
 }
 
-/// (name, points, triangles) of each.
+/// Returns (name, points, triangles) of each surface.
 py::list surfaces_of(const Given& given) {
   const py::capsule owner = owner_of(given);
   py::list list;
@@ -30,7 +30,7 @@ py::list surfaces_of(const Given& given) {
   return list;
 }
 
-/// (name, points) of each.
+/// Returns (name, points) of each object.
 template <class Object>
 py::list points_of(const Given& given, const std::vector<Object>& objects) {
   const py::capsule owner = owner_of(given);
@@ -47,7 +47,7 @@ void replace_points(std::vector<Object>& objects, std::size_t row, const PointAr
   objects[row].points.assign(rows.begin(), rows.end());
 }
 
-/// A copy in which the points of one object lie elsewhere; its frame and everything else stay.
+/// Returns a copy in which the points of one object are replaced; its frame and everything else are unchanged.
 Given moved(const Given& given, const std::string& kind, std::size_t row, const PointArray& points) {
   FileContents contents = *given.contents;
   if (kind == "surface")

@@ -14,7 +14,7 @@ namespace geomesh::python {
 
 namespace py = pybind11;
 
-/// Contents of an input: made once, shared with every project that takes it.
+/// Contents of an input, made once and shared with every project that uses it.
 struct Given {
   std::shared_ptr<const geomodel::FileContents> contents;
 };

@@ -15,7 +15,7 @@ const char* word(LogLevel level) {
   return level == LogLevel::debug ? "debug" : level == LogLevel::info ? "info" : "warning";
 }
 
-/// Copies of the function object are made and destroyed by threads that do not hold the interpreter's lock.
+/// Wraps the function object, because threads that do not hold the interpreter's lock make and destroy copies of it.
 std::shared_ptr<py::object> shared_function(py::object function) {
   return {new py::object(std::move(function)), [](py::object* object) {
             const py::gil_scoped_acquire held;
@@ -25,7 +25,7 @@ std::shared_ptr<py::object> shared_function(py::object function) {
 
 using NumberArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Calls f(x, y, z) and copies what it gives.
+/// Calls f(x, y, z) and copies the result.
 void call_field(const py::object& function, std::span<const Vec3> places, std::span<double> values) {
   std::array<NumberArray, 3> axes;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -75,7 +75,7 @@ void Job::finish() {
   changed_.notify_all();
 }
 
-/// False once the work has ended.
+/// Returns false when the work has ended.
 bool Job::wait() {
   const py::gil_scoped_release released;
   std::unique_lock lock(mutex_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// One run of the library under Python: without the interpreter's lock, with progress, and ended by Ctrl-C.
+/// One run of the library under Python: without the interpreter's lock, with progress, and cancelled by Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -24,23 +24,23 @@ namespace geomesh::python {
 
 namespace py = pybind11;
 
-/// What a caller in Python gives besides the data.
+/// Arguments of a caller in Python besides the data.
 struct JobRequest {
-  py::object progress = py::none();  ///< called as progress(stage, done, total); total 0 where it is not known
+  py::object progress = py::none();  ///< called as progress(stage, done, total); total is 0 if it is not known
   py::object log = py::none();       ///< called as log(level, text): "debug", "info", "warning"
   unsigned threads = 0;              ///< 0: all cores
 };
 
-/// Runs the work in a thread of its own while the calling thread passes progress on and looks for signals, 20 times a
-/// second. Callbacks run in the calling thread, so they may do what they like; where one throws, the run is cancelled
-/// and the exception passed on. Call with the interpreter's lock held.
+/// Runs the work in a thread of its own while the calling thread reports progress and checks for signals, 20 times a
+/// second. Callbacks run in the calling thread, so they are unrestricted; if one throws, the run is cancelled and the
+/// exception passed on. Call with the interpreter's lock held.
 class Job {
  public:
   explicit Job(const JobRequest& request);
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// `work(context)`; rethrows what it throws.
+  /// Runs `work(context)`; rethrows its exceptions.
   template <class Work>
   auto run(Work&& work) {
     using Result = decltype(work(std::declval<const RunContext&>()));
@@ -59,12 +59,12 @@ class Job {
     return std::move(*result);
   }
 
-  /// A size function of Python as the library wants it: f(x, y, z) gives a length; what is not positive asks for
-  /// nothing. May outlive the job only unused.
+  /// Converts a size function of Python to that of the library: f(x, y, z) returns a length; a value that is not
+  /// positive requests nothing. It must not be called after the job has ended.
   std::function<double(const Vec3&)> size_function(py::object function);
 
-  /// A scalar field of Python as the library wants it: f(x, y, z) of three arrays of one length gives an array of that
-  /// length. May outlive the job only unused.
+  /// Converts a scalar field of Python to that of the library: f(x, y, z) of three arrays of one length returns an
+  /// array of that length. It must not be called after the job has ended.
   std::function<void(std::span<const Vec3>, std::span<double>)> field_function(py::object function);
 
  private:
@@ -96,10 +96,11 @@ class Job {
   Tally tally_;
   bool finished_ = false;
   std::exception_ptr thrown_;
-  std::optional<py::error_already_set> failure_;  ///< of a callback, or KeyboardInterrupt; touched with the lock held
+  /// Exception of a callback, or KeyboardInterrupt; accessed with the lock held.
+  std::optional<py::error_already_set> failure_;
 };
 
-/// Turns the library's errors into those of geomesh.core.errors, for a module being initialised. `describe` may add to
+/// Converts the library's errors to those of geomesh.core.errors, for a module being initialised. `describe` may add to
 /// the exception object (surfaces, triangles).
 void register_errors(void (*describe)(const Error& error, py::object& exception) = nullptr);
 

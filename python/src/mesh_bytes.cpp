@@ -15,7 +15,7 @@ using namespace geomodel;
 template <class T, class Plain>
 concept Like = std::same_as<std::remove_const_t<T>, Plain>;
 
-// The members of each type, once for both directions: `archive(...)` writes constant values and reads into others.
+// Lists the members of each type once for both directions: `archive(...)` writes constant values and reads into others.
 template <class A, Like<Region> T>
 void visit(A& archive, T& r) {
   archive(r.id, r.name, r.inside, r.n_tetrahedra, r.volume, r.unit, r.volume_of_input);
@@ -145,7 +145,7 @@ class Reader {
     else
       visit(*this, value);
   }
-  /// A count of things that take at least a byte each: more than there are bytes is damage.
+  /// Reads a count of items that take at least a byte each; data are damaged if it exceeds the number of bytes.
   std::size_t count() {
     std::size_t n = 0;
     get(n);
@@ -168,7 +168,7 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Changes whenever members do: together with the version it tells whether bytes can be read.
+/// Must be changed whenever members change: together with the version it shows whether bytes can be read.
 const std::string mark = std::string("geomesh mesh 1, ") + GEOMESH_VERSION;
 
 }  // namespace

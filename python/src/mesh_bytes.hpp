@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Results of jobs as bytes and back, for pickles: between processes of one machine and one version of geomesh.
+/// Converts results of jobs to bytes and back, for pickling between processes of one machine and one version of
+/// geomesh.
 #pragma once
 
 #include <string>
@@ -10,10 +11,10 @@
 
 namespace geomesh::python {
 
-/// Everything in the result. O(size of the mesh).
+/// Encodes everything in the result. O(size of the mesh).
 std::string bytes_of(const geomodel::JobResult& result);
 
-/// Throws Error{usage} where the bytes were made by another version, or are damaged.
+/// Throws Error{usage} if the bytes were made by another version, or are damaged.
 geomodel::JobResult result_of(std::string_view bytes);
 
 }  // namespace geomesh::python

@@ -99,7 +99,7 @@ py::dict attributes_of(const JobResult& r) {
   return dict;
 }
 
-/// Complete or absent, as the program writes.
+/// Writes a file, complete or absent, like the program.
 std::vector<std::string> write(const JobResult& r, const std::string& format, const std::string& stem,
                                const py::dict& keywords) {
   const geomodel::WriteOptions options = write_options(keywords);
@@ -109,7 +109,7 @@ std::vector<std::string> write(const JobResult& r, const std::string& format, co
   return files;
 }
 
-/// The format that files of this extension (with the dot) are written in; empty where there is none.
+/// Returns the format of files with this extension (including the dot); empty if there is none.
 std::string format_of_extension(const std::string& extension) {
   const geomodel::Format* const format = geomodel::format_of_extension(extension);
   return format ? format->name : std::string();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The module geomesh._geomodel: inputs in memory, jobs on projects, and the named mesh. geomesh/*.py hold the classes
-// and functions that users call, with their docstrings.
+// The module geomesh._geomodel: inputs in memory, jobs on projects, and the named mesh. geomesh/*.py contain the
+// classes and functions that users call, with their docstrings.
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
@@ -51,7 +51,7 @@ Given grid(const std::string& name, const HeightArray& heights, const std::array
   return share(given_grid(name, g));
 }
 
-/// What a project job is asked besides the project.
+/// Arguments of a project job besides the project.
 struct RunArguments {
   JobRequest job;
   py::object size_function;  ///< None, or f(x, y, z) in the project's coordinates
@@ -117,7 +117,7 @@ JobResult run_file(const std::string& file, const py::dict& given) {
   return run(arguments, [&](Job&) { return read_project(file); });
 }
 
-/// (name, points, triangles) of each surface in a file; arrays of their own.
+/// Returns (name, points, triangles) of each surface in a file, as separate arrays.
 py::list read_surfaces(const std::string& file) {
   FileContents contents = read_surface_file(file);
   py::list list;

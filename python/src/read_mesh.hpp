@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Mesh files as results: what `geomesh.read` returns.
+/// Mesh files as results: the return value of `geomesh.read`.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace geomesh::python {
 
-/// A mesh file of any tool that `geomesh convert` reads, with volumes, areas and lengths measured. The mesh is as the
-/// file has it, not verified. Throws as read_model_mesh.
+/// Reads a mesh file of any tool that `geomesh convert` supports, with volumes, areas and lengths measured. The mesh is
+/// not verified. Throws as read_model_mesh.
 geomodel::JobResult read_mesh(const std::string& file);
 
 }  // namespace geomesh::python

@@ -31,7 +31,7 @@ unsigned count(const std::string& key, const py::handle& value, unsigned most) {
   return static_cast<unsigned>(n);
 }
 
-/// {"F1": {"thickness": 20, "layers": 2}}
+/// Converts {"F1": {"thickness": 20, "layers": 2}} to fault zones.
 std::vector<FaultZone> zones(const py::dict& given) {
   std::vector<FaultZone> list;
   for (const auto& [fault, keys] : given) {
@@ -52,7 +52,7 @@ std::vector<FaultZone> zones(const py::dict& given) {
   return list;
 }
 
-/// {"porosity": "poro.tif"} or {"porosity": {"file": ..., "on": "points", "unit": "1"}}
+/// Converts {"porosity": "poro.tif"} or {"porosity": {"file": ..., "on": "points", "unit": "1"}} to fields.
 std::vector<FieldSpec> fields(const py::dict& given) {
   std::vector<FieldSpec> list;
   for (const auto& [name, value] : given) {

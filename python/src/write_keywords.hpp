@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Keyword arguments of Mesh.write as the options of a file.
+/// Keyword arguments of Mesh.write as options for a file.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -7,7 +7,7 @@ CUBE_FACES = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 
 
 
 def sheet(height, n=6, low=-100.0, high=1100.0):
-    """A horizon over a square of the map: height(x, y) at n x n nodes, two triangles a cell."""
+    """Returns a horizon over a square of the map: height(x, y) at n x n nodes, two triangles per cell."""
     x, y = numpy.meshgrid(numpy.linspace(low, high, n), numpy.linspace(low, high, n))
     points = numpy.column_stack([x.ravel(), y.ravel(), height(x, y).ravel()])
     corner = (numpy.arange(n - 1)[:, None] * n + numpy.arange(n - 1)).ravel()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects in the form of other packages, met by attributes: the packages themselves are not needed."""
+"""Stand-ins with the attributes of objects of other packages, so that the packages themselves are not needed."""
 from types import SimpleNamespace as Of
 
 import numpy
@@ -75,7 +75,7 @@ def cover(x, y, z):
 
 
 def dipping(x, y, z):
-    """Negative to the west and above: the fault dips to the west."""
+    """Returns negative values to the west and above: the fault dips to the west."""
     return x - 500 - 0.6 * (z + 500)
 
 
@@ -84,7 +84,7 @@ def faulted(x, y, z):
 
 
 def gempy_fields(groups, resolution=(50, 50, 50), relations=None):
-    """A computed GeoModel of GemPy 3 from (name, relation, function, {element: value}) of each group."""
+    """Returns a computed GeoModel of GemPy 3 from (name, relation, function, {element: value}) for each group."""
     n = numpy.array(resolution)
     step = (EXTENT[1::2] - EXTENT[::2]) / n
     centres = numpy.meshgrid(*(EXTENT[2 * k] + step[k] * (numpy.arange(n[k]) + 0.5) for k in range(3)), indexing="ij")
@@ -101,7 +101,7 @@ def gempy_fields(groups, resolution=(50, 50, 50), relations=None):
 
 
 def wrong_units(mesh, unit_at, clear_of):
-    """Centres of tetrahedra with another unit than `unit_at` says, away from where fields take their values."""
+    """Returns centres of tetrahedra whose unit differs from `unit_at`, away from where fields take their values."""
     units = {region.id: region.unit for region in mesh.regions}
     centres = numpy.asarray(mesh.points)[numpy.asarray(mesh.tetrahedra)].mean(axis=1).T
     found = numpy.array([units[r] for r in numpy.asarray(mesh.region)])
@@ -115,8 +115,8 @@ def strata(x, y, z, field=faulted):
     return numpy.where(value > 80, "rock1", numpy.where(value > -60, "rock2", "basement"))
 
 
-# How far a value may be off beside a surface: the mesh's tolerance of 80 / 20 m, times slopes of up to 1.2, and 1 for what
-# is lost between the nodes of the grid.
+# Largest error beside a surface: the mesh's tolerance of 80 / 20 m, times slopes of up to 1.2, plus 1 for interpolation
+# between the nodes of the grid.
 NEAR = 6
 AT_FOLDS = [(faulted, 80, NEAR), (faulted, -60, NEAR), (dipping, 0, NEAR)]
 

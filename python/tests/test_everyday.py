@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scientists expect of a Python package: versions, files read back, pickles, tables, notebooks, handing over, types."""
+"""Everyday features of a Python package: versions, reading files back, pickles, tables, notebooks, conversion, types."""
 import copy
 import doctest
 import html
@@ -33,7 +33,7 @@ def layered(**keys):
 
 @pytest.fixture(scope="module")
 def mesh():
-    """Two units with an attribute and shapes, a fault that ends inside, a well and a named place."""
+    """A model of two units with an attribute and shapes, a fault that ends inside, a well and a named place."""
     model = layered(attributes={"upper": {"density": 2000.0}, "lower": {"density": 2600.0}})
     model.add_surface("fault", [[500, 200, -800], [500, 800, -800], [520, 800, -100], [520, 200, -100]], [[0, 1, 2], [0, 2, 3]],
                       kind="fault")
@@ -181,7 +181,7 @@ def test_a_body_and_its_surface_keep_two_names_in_meshio(tmp_path):
 
 
 class Data(dict):
-    """Point, cell or field data of a stand-in for PyVista: what is put in is kept."""
+    """Point, cell or field data of a stand-in for PyVista, which stores what is assigned."""
 
 
 class Grid:
@@ -209,7 +209,7 @@ class MultiBlock(dict):
 
 @pytest.fixture
 def pyvista(monkeypatch):
-    """A stand-in with the names that geomesh uses: PyVista itself is not in Debian 12."""
+    """A stand-in with the names that geomesh uses, since PyVista itself is not in Debian 12."""
     class DataSet:
         pass
     module = types.SimpleNamespace(UnstructuredGrid=Grid, MultiBlock=MultiBlock, DataSet=DataSet,
@@ -328,7 +328,7 @@ def test_errors_have_no_positions_of_a_text_that_nobody_wrote():
 
 
 class Tqdm:
-    """tqdm, as far as it is used."""
+    """A stand-in for tqdm with the members that are used."""
     made = []
 
     def __init__(self, total, bar_format):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces that are fields, given as functions."""
+"""Surfaces that are level sets of fields, given as functions."""
 import math
 import unittest
 
@@ -42,11 +42,12 @@ class Fields(unittest.TestCase):
         self.assertAlmostEqual(volumes["ball"] / (4 / 3 * math.pi * 300 ** 3), 1, delta=0.001)
 
     def region_volumes(self, model):
-        """At the default size and tolerance."""
+        """Returns volumes of regions at the default size and tolerance."""
         return {region.name: region.volume for region in model.mesh().regions}
 
     def test_curved_surfaces_keep_their_volumes_at_the_default(self):
-        """Corners of triangles on the surface itself would all lie inside of a ball: it lost 0.7 %, a torus 1 %."""
+        """Corners of triangles on the surface itself would all lie inside a ball, which would lose 0.7 % of its volume,
+        a torus 1 %."""
         model = self.model()
         model.add_field("ball", lambda x, y, z: numpy.sqrt(x * x + y * y + z * z) - 300, 0, kind="body")
         self.assertAlmostEqual(self.region_volumes(model)["ball"] / (4 / 3 * math.pi * 300 ** 3), 1, delta=0.001)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The notebooks of docs/tutorials: their cells run as they are printed; in the nightly preset nbconvert executes them too."""
+"""Runs the cells of the notebooks of docs/tutorials as they are printed; in the nightly preset nbconvert executes them
+too."""
 import importlib.util
 import json
 import os

@@ -18,12 +18,12 @@ TRAILING = re.compile(r"""^(?:[^"'/]|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|/(?!/))
 
 
 def comments_of_cpp(text):
-    """Yields (line, text) of each comment. Consecutive lines are one comment."""
-    block, start, block_is_trailing = [], 0, False
+    """Yields (line, text) of each comment. Consecutive lines are one comment, as are lines that continue a trailing one."""
+    block, start, block_is_trailing, column = [], 0, False, 0
     for number, line in enumerate(text.split("\n"), 1):
         full = FULL_LINE.match(line)
         if full:
-            if block and full.group(2) == "" and block_is_trailing:
+            if block and full.group(2) == "" and block_is_trailing and line.index("//") != column:
                 yield start, "\n".join(block)
                 block = []
             if not block:
@@ -36,6 +36,7 @@ def comments_of_cpp(text):
         trailing = TRAILING.match(line)
         if trailing:
             start, block, block_is_trailing = number, [trailing.group(3)], True
+            column = trailing.start(1) - 2
     if block:
         yield start, "\n".join(block)
 

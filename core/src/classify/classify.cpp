@@ -32,12 +32,12 @@ class Components {
   Index size() const { return n_; }
   Index of(CellIndex c) const { return label_[c]; }
   bool kept(CellIndex c) const { return label_[c] < n_; }
-  /// Live subfacets by facet, so that numbers and output do not depend on the course of recovery.
+  /// Returns live subfacets by facet, so that numbers and output do not depend on the course of recovery.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// The face on the upper side of each of `subfacets()`.
+  /// Returns the face on the upper side of each of `subfacets()`.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
-  /// The region seed in each component, or no_index.
+  /// Returns the region seed in each component, or no_index.
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {
@@ -165,8 +165,8 @@ class Arrays {
           out_.edges.push_back({point_[s.a], point_[s.b], row});
       }
   }
-  /// Marks added points on no kept face or edge as inside. Where two faces follow each other as closely as rounding, a
-  /// point that was added on one of them may end up beside it.
+  /// Marks added points that are on no kept face or edge as inner points. If two facets are separated only by rounding,
+  /// a point that was added on one of them may end up beside it.
   void tell_points_off_constraints() {
     std::vector<bool> is_on(out_.points.size(), false);
     for (const auto& face : out_.faces)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Classification by flood fill (section 4 of the paper) and the result in plain arrays.
+/// Classification by flood fill (section 4 of the paper), and conversion of the result to plain arrays.
 #pragma once
 
 #include "geomesh/core/plc.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Marks on a few cells, or vertices, of many, that cost nothing to clear.
+/// Marks on a few cells, or vertices, of many, which are cleared in constant time.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,9 @@
 
 namespace geomesh {
 
-/// A hash table that stays in the nearest cache, since few are marked at a time: a star, a cavity. An array by cell
-/// would be read all over memory. An entry counts in the epoch that it was made in. One a thread.
-///
-/// All calls take constant time, but for the growth of the table: it has at least twice as many places as entries.
+/// A hash table that fits into the nearest cache, because few items are marked at a time: a star, a cavity. An array by
+/// cell would be read all over memory. An entry is valid in the epoch in which it was made. Use one object per thread.
+/// All calls take constant time, except for growth of the table, which has at least twice as many places as entries.
 class EpochMarks {
  public:
   /// Takes all marks off.
@@ -27,7 +26,7 @@ class EpochMarks {
   }
   void mark(std::uint32_t i) { set(i, true); }
   void unmark(std::uint32_t i) { set(i, false); }
-  /// Whether it was not marked.
+  /// Marks i and returns whether it was not marked before.
   bool mark_first(std::uint32_t i) {
     Entry& e = table_[place_of(i)];
     if (!is_of_epoch(e)) {
@@ -41,7 +40,7 @@ class EpochMarks {
 
  private:
   struct Entry {
-    std::uint32_t index = 0, stamp = 0;  ///< twice the epoch, and 1 where marked
+    std::uint32_t index = 0, stamp = 0;  ///< twice the epoch, plus 1 if marked
   };
   static constexpr std::uint32_t epochs = std::uint32_t{1} << 31;
   static constexpr unsigned first_bits = 9;
@@ -49,7 +48,7 @@ class EpochMarks {
   bool is_of_epoch(const Entry& e) const { return e.stamp >> 1 == epoch_; }
   static bool is_on(const Entry& e) { return (e.stamp & 1u) != 0; }
 
-  /// Of its entry, or of the free one where it would be.
+  /// Returns the place of its entry, or of the free entry where it would be.
   std::size_t place_of(std::uint32_t i) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t at = (i * 0x9E3779B1u) >> (32 - bits_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Open-addressing tables of vertex tuples (edges, faces): they are asked once per flip, mostly for what they do not
-/// have, so the look-up has to be one cache line. What is listed is sorted, so that nothing depends on hashes.
+/// Open-addressing tables of vertex tuples (edges, faces): they are queried once per flip, mostly for absent tuples, so
+/// a look-up should read one cache line. Listings are sorted, so that no result depends on hashes.
 #pragma once
 
 #include <algorithm>
@@ -15,13 +15,13 @@
 
 namespace geomesh {
 
-/// From N vertices, in any order, to an index. Linear probing, load at most one half.
+/// Map from N vertices, in any order, to an index. Linear probing, load at most one half.
 template <std::size_t N>
 class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  /// no_index where it is not there.
+  /// Returns no_index if the key is absent.
   Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
     const Slot& slot = slots_[place_of(sorted(vertices))];
@@ -60,14 +60,14 @@ class SimplexMap {
     Index value = empty;
   };
 
-  /// Where the key is or would go. What is erased keeps its slot.
+  /// Returns where the key is or would be inserted. Erased keys keep their slot.
   std::size_t place_of(const Key& key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash_of(key) & mask;
     while (slots_[i].value != empty && !are_equal(slots_[i].key, key)) i = (i + 1) & mask;
     return i;
   }
-  /// std::array compares three vertices by a call of memcmp.
+  /// Compares directly, because std::array would compare three vertices by a call of memcmp.
   static bool are_equal(const Key& a, const Key& b) {
     VertexIndex difference = 0;
     for (std::size_t i = 0; i < N; ++i) difference |= a[i] ^ b[i];
@@ -88,13 +88,13 @@ class SimplexMap {
   std::size_t n_used_ = 0;
 };
 
-/// Set of edges with a direction.
+/// A set of directed edges.
 class DirectedEdgeSet {
  public:
   using Edge = std::array<VertexIndex, 2>;
 
   bool contains(const Edge& e) const { return !slots_.empty() && slots_[place_of(pack(e))] != empty; }
-  /// Whether it was not there.
+  /// Returns whether the edge was not in the set.
   bool insert(const Edge& e) {
     if (2 * (n_ + 1) > slots_.size()) grow();
     const std::size_t i = place_of(pack(e));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Cells that can be reached from one another through faces.
+/// Labels cells that can be reached from one another through faces.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace geomesh {
 
-/// Gives `label` to `start` and to all unlabelled cells that are reached from it through faces for which
-/// `is_open(FaceRef)`. `labels`: one a slot of `cells`, no_label where a cell has none. O(cells reached).
+/// Assigns `label` to `start` and to all unlabelled cells that are reached from it through faces for which
+/// `is_open(FaceRef)`. `labels` has one entry per slot of `cells`, no_label if a cell has none. O(cells reached).
 template <class Label, class IsOpen>
 void flood_cells(const TetMesh& cells, CellIndex start, std::vector<Label>& labels, Label no_label, Label label,
                  const IsOpen& is_open) {

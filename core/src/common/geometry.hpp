@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Lengths, angles and areas in doubles. Nothing that decides topology is in here: that is the predicates' task.
+/// Lengths, angles and areas in doubles. They never decide topology, which is the task of the predicates.
 #pragma once
 
 #include <array>
@@ -22,16 +22,16 @@ constexpr double squared_distance(const Vec3& a, const Vec3& b) { return dot(a -
 inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 inline double distance(const Vec3& a, const Vec3& b) { return length(a - b); }
 
-/// The direction of v, of length one; the zero vector stays.
+/// Returns the unit vector in the direction of v; the zero vector is unchanged.
 inline Vec3 unit(const Vec3& v) {
   const double l = length(v);
   return l > 0 ? (1 / l) * v : v;
 }
 
-/// Normal of a triangle. Its length is twice the triangle's area.
+/// Returns the normal of a triangle, whose length is twice the triangle's area.
 constexpr Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
-/// Newell's normal of a loop, of twice its area.
+/// Returns Newell's normal of a loop, whose length is twice its area.
 inline Vec3 loop_normal(std::span<const Vec3> points, std::span<const VertexIndex> loop) {
   Vec3 n;
   const Vec3& o = points[loop[0]];

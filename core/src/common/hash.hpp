@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Hashes for tables. No result may depend on them but where a header says so.
+/// Hashes for tables. No result may depend on them unless a header says so.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ namespace geomesh {
 inline constexpr std::array<std::uint64_t, 3> hash_factors{0x9E3779B97F4A7C15ull, 0xD6E8FEB86659FD93ull,
                                                            0xC2B2AE3D27D4EB4Full};
 
-/// Of up to three numbers, quick: its low bits will do for a table of a power of two slots.
+/// Hashes up to three numbers quickly; its low bits are good enough for a table with a power of two slots.
 template <class Number, std::size_t N>
 constexpr std::uint64_t hash_of(const std::array<Number, N>& key) {
   static_assert(N <= hash_factors.size());

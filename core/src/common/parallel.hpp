@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Loops on a given number of threads. What a loop computes may not depend on how it was shared out.
+/// Loops on a given number of threads. Results must not depend on how the work is distributed.
 #pragma once
 
 #include <tbb/blocked_range.h>
@@ -17,13 +17,13 @@
 
 namespace geomesh {
 
-/// 0 stands for all cores, which is also the most that is given.
+/// Returns the number of threads to use: 0 means all cores, and more than that is never used.
 inline unsigned thread_count(unsigned asked) {
   const auto cores = static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
   return asked == 0 || asked > cores ? cores : asked;
 }
 
-/// Calls task(k) for k in [0, n), one at a time to a thread.
+/// Calls task(k) for k in [0, n), with one call at a time on each thread.
 template <class Task>
 void for_each_task(std::size_t n, unsigned threads, const Task& task) {
   if (threads <= 1 || n <= 1) {
@@ -31,7 +31,7 @@ void for_each_task(std::size_t n, unsigned threads, const Task& task) {
     return;
   }
 #if defined(__SANITIZE_THREAD__)
-  // The sanitizer does not see into oneTBB's library, so it would not know what comes before what.
+  // The thread sanitizer does not see into oneTBB's library and would miss the order of events.
   std::atomic<std::size_t> next{0};
   std::vector<std::thread> workers;
   for (unsigned t = 0; t < threads; ++t)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t line = 64;
 
-/// Blocks from malloc. The handle is what malloc gave.
+/// Allocates with malloc, whose result is the handle.
 void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) {
   const std::ptrdiff_t shift = raw ? static_cast<char*>(data) - static_cast<char*>(raw) : 0;
   void* const moved = std::realloc(raw, bytes + line);
@@ -28,9 +28,9 @@ void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) 
 
 #if defined(__linux__) && defined(MADV_HUGEPAGE) && !defined(GEOMESH_SANITIZED)
 
-// Large blocks are mapped on their own, from the border of a huge page on. Random access over hundreds of megabytes
-// misses the TLB at nearly every step with small pages. A block grows in place, or moves by its tables of pages to
-// another such border: huge pages are neither copied nor broken up. The first line holds the length.
+// Large blocks are mapped separately, starting at the boundary of a huge page. Random access over hundreds of megabytes
+// misses the TLB at nearly every step with small pages. A block grows in place, or is remapped to another such
+// boundary: huge pages are neither copied nor split. The first line contains the length.
 
 constexpr std::size_t huge = std::size_t{1} << 21, least_mapped = 2 * huge;
 
@@ -39,7 +39,7 @@ bool is_mapped(const void* raw) { return (reinterpret_cast<std::uintptr_t>(raw) 
 char* base_of(void* raw) { return static_cast<char*>(raw) - 1; }
 std::size_t& length_of(char* base) { return *reinterpret_cast<std::size_t*>(base); }
 
-/// Null where there is no room.
+/// Returns null if there is no memory.
 char* map_aligned(std::size_t length) {
   void* const got = mmap(nullptr, length + huge, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (got == MAP_FAILED) return nullptr;
@@ -48,12 +48,12 @@ char* map_aligned(std::size_t length) {
   char* const base = static_cast<char*>(got) + before;
   if (before > 0) munmap(got, before);
   munmap(base + length, huge - before);
-  madvise(base, length, MADV_HUGEPAGE);  // advice: where it is not taken pages stay small
+  madvise(base, length, MADV_HUGEPAGE);  // only advice: if it is ignored, pages are small
   return base;
 }
 
-/// Null where there is no room. The advice goes with the pages. Where there is no room beside the old block for the
-/// new one, as under a limit of addresses, it moves to any page.
+/// Returns null if there is no memory. The advice is kept with the pages. If there is no space beside the old block for
+/// the new one, for example under a limit of the address space, it is moved to any page.
 char* grow_mapped(char* base, std::size_t length) {
   const std::size_t before = length_of(base);
   if (mremap(base, before, length, 0) != MAP_FAILED) return base;
@@ -86,7 +86,7 @@ void* resize_large(void*& raw, void* data, std::size_t used, std::size_t bytes) 
   return base + line;
 }
 
-/// Blocks grow, or go: a mapped one stays so.
+/// Grows or releases a block; a mapped block remains mapped.
 void* resize(void*& raw, void* data, std::size_t used, std::size_t bytes) {
   return bytes >= least_mapped ? resize_large(raw, data, used, bytes) : resize_small(raw, data, used, bytes);
 }

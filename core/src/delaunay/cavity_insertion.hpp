@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions:
-/// locate, find the conflict zone, stellate.
+/// locate the point, find the conflict zone, stellate.
 #pragma once
 
 #include <limits>
@@ -12,8 +12,8 @@
 
 namespace geomesh {
 
-/// The conflict test is exact and perturbed, so the cavity is star-shaped about the new point (the paper's equation 1).
-/// Builds with expensive checks assert it by P2 for every face.
+/// The conflict test is exact and perturbed, so the cavity is star-shaped with respect to the new point (the paper's
+/// equation 1). Builds with expensive checks verify this with the orientation predicate for every face.
 template <class Space, bool Shared = false>
 class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   using Base = IncrementalTriangulation<Space, Shared>;
@@ -24,7 +24,7 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
  public:
   using Base::Base;
 
-  /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex are left out (in 3D).
+  /// Inserts vertex v. Points closer than `cluster_distance` to a vertex are left out (in 3D).
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
 
  private:
@@ -50,16 +50,17 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   static constexpr unsigned table_bits = 6, table_side = 1u << table_bits;
 
   // Lists of the same size, of which the first n_cavity_ and n_boundary_ items count.
-  std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);  ///< then the slots of the new cells, by boundary face
+  /// Reused for the slots of the new cells, by boundary face.
+  std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);
   std::vector<Face> boundary_ = std::vector<Face>(256);
   std::size_t n_cavity_ = 0, n_boundary_ = 0;
-  /// Squared distance of the new point from the nearest vertex, which it will be joined to. Not known in 2D.
+  /// Squared distance of the new point from the nearest vertex, to which it will be connected. Not known in 2D.
   double nearest_ = std::numeric_limits<double>::infinity();
   std::array<VertexIndex, table_side + 1> numbered_;                 ///< vertices of the boundary by number
   std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
-  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: that on boundary vertex b, in
-  /// row 0 where the new cell's edge begins with it.
+  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: the new cell's face on
+  /// boundary vertex b, in row 0 if the new cell's edge begins with it.
   std::array<FaceRef, table_side * table_side> table_;
 };
 
@@ -203,7 +204,7 @@ void CavityInsertion<Space, Shared>::stellate(VertexIndex v) {
     flags_[cavity_[k]] = 0;
     this->slots_.give_back(cavity_[k]);
   }
-  // Euler: a sphere of F triangles has F / 2 + 2 vertices; a circle of F edges has F.
+  // By Euler's formula, a sphere of F triangles has F / 2 + 2 vertices; a circle of F edges has F.
   const std::size_t n_vertices = dimension == 3 ? n_boundary_ / 2 + 2 : n_boundary_;
   if (n_vertices <= table_side)
     link_by_table(v);
@@ -212,7 +213,7 @@ void CavityInsertion<Space, Shared>::stellate(VertexIndex v) {
   this->hint_ = cavity_[n_boundary_ - 1];
 }
 
-/// New cell k: (face k, v), without its neighbours about v.
+/// Makes new cell k from face k and v, without its neighbours around v.
 template <class Space, bool Shared>
 inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
   const Face& b = boundary_[k];
@@ -229,8 +230,8 @@ inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexInde
   flags_[c] = ghost ? ghost_flag : 0;
 }
 
-/// Numbers the vertices of the boundary from 0 as they come and returns how many there are. Whether a vertex is new is
-/// not branched on: it is as good as random.
+/// Numbers the vertices of the boundary from 0 in their order of occurrence and returns their number. The code has no
+/// branch on whether a vertex is new, because that is unpredictable.
 template <class Space, bool Shared>
 unsigned CavityInsertion<Space, Shared>::number_boundary() {
   const Face* faces = boundary_.data();
@@ -256,8 +257,8 @@ unsigned CavityInsertion<Space, Shared>::number_boundary() {
   return count;
 }
 
-/// The common path: new faces in a square table by directed edge. Each entry is written before it is read, so the table
-/// is never cleared.
+/// The common case: new faces are stored in a square table by directed edge. Each entry is written before it is read,
+/// so the table is never cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   const unsigned shift = number_boundary() <= 32 ? 5 : table_bits;
@@ -302,7 +303,7 @@ void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   }
 }
 
-/// Large cavities: faces in a map by the rest of the edge or vertex.
+/// For large cavities: faces are stored in a map by the rest of the edge or vertex.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
   std::unordered_map<std::uint64_t, FaceRef> open;
@@ -312,7 +313,7 @@ void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
     write_cell(k, v);
     const auto& u = boundary_[k].vertices;
     for (unsigned j = 0; j < dimension; ++j) {
-      // 3D: face j is on the edge that leads from vertex j + 1 to j + 2. 2D: face j is on the other vertex.
+      // 3D: face j is on the edge from vertex j + 1 to j + 2. 2D: face j is on the other vertex.
       const VertexIndex a = u[(j + 1) % dimension], b = dimension == 3 ? u[(j + 2) % dimension] : a;
       const FaceRef face(cavity_[k], j);
       const auto [at, is_new] =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cavity algorithm over all points: rounds in spatial order, large ones in parts side by side, clustered points
-/// last.
+/// The cavity algorithm for all points: rounds in spatial order, large ones in concurrent parts, clustered points last.
 #pragma once
 
 #include <cstddef>
@@ -16,25 +15,26 @@
 namespace geomesh {
 
 /// Parallel insertion after the idea of HXT (Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion
-/// tetrahedra"). A part is a stretch of the Hilbert curve. It may only change cells all of whose vertices lie on its
-/// stretch. A point that needs more waits. Other than there, the parts depend on the number of points alone and take
-/// their slots from stripes of their own. So every part does the same work whatever the threads, and the result is the
-/// same in every byte. No locks are needed.
+/// tetrahedra"). A part is a stretch of the Hilbert curve. It may only change cells with all of their vertices on its
+/// stretch; a point that needs other cells is deferred. Unlike in HXT, the parts depend only on the number of points
+/// and take their slots from stripes of their own. Every part therefore does the same work whatever the number of
+/// threads, and the result is the same in every byte. No locks are needed.
 ///
-/// Why no two parts meet: a cell that a part removes has all its vertices in it. Such a cell shares three vertices with
-/// each neighbour. So a neighbour that is not the part's own has at least two finite vertices in this part. It is no
-/// other part's own either: its vertices stay as they are. Each of its neighbour links is written by one part at most.
+/// No two parts interfere: a cell that a part removes has all its vertices in that part, and shares three vertices with
+/// each neighbour. A neighbour that the part does not own has therefore at least two finite vertices in this part, so
+/// no other part owns it either: its vertices do not change, and each of its neighbour links is written by at most one
+/// part.
 class CavityStage {
  public:
   CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,
               const RunContext& context);
 
   void start(const Tetrahedron& first) { sequential_.start(first); }
-  /// Positions [begin, end), which lie along the curve.
+  /// Inserts the positions [begin, end), which are in the order of the curve.
   void insert_round(VertexIndex begin, VertexIndex end);
-  /// The points that were too near to others. The triangulation is then complete.
+  /// Inserts the deferred points, which were too close to others. The triangulation is then complete.
   void insert_waiting();
-  /// Drops unused slots. Adds to the statistics.
+  /// Removes unused slots, and adds to the statistics.
   void finish(DelaunayStatistics& statistics);
 
   const std::vector<Twin>& twins() const { return twins_; }

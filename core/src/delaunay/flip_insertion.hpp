@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split what holds the new point, then flip
-/// link faces until all are locally Delaunay. Edelsbrunner and Shah (1996) prove that in insertion this ends with no
-/// face left over.
+/// The flip algorithm of Joe (1991; Cavalcanti and Mello 1999, section 2.1): split the cells that contain the new
+/// point, then flip link faces until all are locally Delaunay. Edelsbrunner and Shah (1996) prove that this always
+/// succeeds when a point is inserted.
 #pragma once
 
 #include <array>
@@ -15,31 +15,31 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no case of their own. A 4-4 flip
-/// with an infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip about an edge to infinity takes a
-/// vertex off the hull.
+/// The vertex at infinity takes part in flips like any other, so that hull faces need no special case. A 4-4 flip with
+/// an infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip around an edge to infinity removes a
+/// vertex from the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:
   using IncrementalTriangulation::IncrementalTriangulation;
 
-  /// Inserts vertex v. Points nearer than `cluster_distance` to a vertex of the cell that holds them are left out.
+  /// Inserts vertex v. Points closer than `cluster_distance` to a vertex of the cell that contains them are left out.
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
-  /// Splits what holds v and flips nothing: the result need not be Delaunay.
+  /// Splits the cells that contain v without flips, so that the result need not be Delaunay.
   InsertionOutcome split_only(VertexIndex v);
   /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left
-  /// (stuck). Each flip lowers the lifted surface, so this ends from any triangulation.
+  /// (stuck). Each flip lowers the lifted surface, so this terminates from any triangulation.
   std::size_t flip_all();
 
-  /// The first flip of 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not; false where
-  /// none is. (At ghosts orientations alone would let a flip dent the hull; there the conflict test is what keeps it
-  /// convex.)
+  /// Returns the first of the flips 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not;
+  /// false if none is. (At ghosts, orientations alone would allow a flip that dents the hull; there the conflict test
+  /// keeps it convex.)
   bool flip_face(FaceRef f);
 
   std::size_t stuck_faces() const { return stuck_; }
   std::size_t flips() const { return flips_; }
 
  private:
-  /// A cell as it was when it was queued: it may be gone since.
+  /// A cell as it was when it was queued; it may have been removed since.
   struct Candidate {
     CellIndex cell;
     CellVertices vertices;
@@ -63,7 +63,7 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   unsigned index_of(CellIndex c, VertexIndex v) const { return mesh_.index_of(c, v); }
 
   std::vector<CellIndex> old_;     ///< cells to be replaced
-  std::vector<CellVertices> new_;  ///< by these; after replace() their slots are in made_
+  std::vector<CellVertices> new_;  ///< their replacements; after replace() their slots are in made_
   std::vector<CellIndex> made_;
   std::vector<Candidate> queue_;
   std::size_t stuck_ = 0, flips_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1).
-/// It holds the first simplex with its ghosts, point location, and ownership of cells in parallel runs. The algorithms
-/// derive from it: cavity_insertion.hpp and flip_insertion.hpp.
+/// It contains the first simplex with its ghosts, point location, and ownership of cells in parallel runs. The
+/// algorithms are derived from it: cavity_insertion.hpp and flip_insertion.hpp.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@ namespace geomesh {
 enum class InsertionOutcome {
   inserted,
   duplicate,  ///< equals a vertex: IncrementalTriangulation::twin()
-  too_near,   ///< nearer to a vertex than the cluster distance; nothing changed
-  not_owned,  ///< the work would touch cells of another part; nothing changed
+  too_near,   ///< closer to a vertex than the cluster distance; nothing was changed
+  not_owned,  ///< the insertion would change cells of another part; nothing was changed
 };
 
-/// Inside the stage, vertices are positions in insertion order, and the infinite vertex is the one after the last.
+/// In this stage, vertices are positions in insertion order, and the infinite vertex is the one after the last.
 template <class Space, bool Shared>
 class IncrementalTriangulation {
  public:
@@ -40,10 +40,10 @@ class IncrementalTriangulation {
     refresh();
   }
 
-  /// First simplex of an empty mesh: affinely independent vertices, positively oriented.
+  /// Makes the first simplex of an empty mesh from affinely independent, positively oriented vertices.
   void start(const CellVertices& first);
 
-  /// The cell that holds p, or the ghost beyond which it lies; the next walk starts there.
+  /// Returns the cell that contains p, or the ghost beyond which it lies; the next walk starts there.
   CellIndex locate(const Vec3& p) { return hint_ = walk(p); }
   void set_hint(CellIndex c) { hint_ = c; }
   CellIndex hint() const { return hint_; }
@@ -52,17 +52,17 @@ class IncrementalTriangulation {
   const Space& space() const { return space_; }
   const SlotSource& slots() const { return slots_; }
   SlotSource& slots() { return slots_; }
-  /// To be called when the mesh has grown.
+  /// Must be called when the mesh has grown.
   void refresh() {
     cells_ = mesh_.cells();
     flags_ = mesh_.cell_flags();
   }
 
  protected:
-  /// A cell in conflict with p: the cell that contains it, or the ghost of a hull face that it lies beyond. no_cell
-  /// where the walk leaves the owned part.
+  /// Returns a cell in conflict with p: the cell that contains it, or the ghost of a hull face beyond which it lies;
+  /// no_cell if the walk leaves the owned part.
   CellIndex walk(const Vec3& p);
-  /// Vertex of c equal to p, or no_vertex.
+  /// Returns the vertex of c equal to p, or no_vertex.
   VertexIndex equal_vertex(const CellVertices& v, const Vec3& p) const;
 
   bool owns(VertexIndex v) const {
@@ -78,7 +78,7 @@ class IncrementalTriangulation {
     return true;
   }
   /// Ends a walk that has reached cell c of another part: the next one starts at an owned neighbour of c. If it started
-  /// where this one did, points along a line would be walked to over ever more cells. No part changes c, which has
+  /// where this one did, walks to points along a line would visit ever more cells. No part changes c, because it has
   /// vertices of both.
   CellIndex leave_part(CellIndex c) {
     for (const FaceRef& n : cells_[c].neighbors)
@@ -90,7 +90,7 @@ class IncrementalTriangulation {
     for (const VertexIndex u : v) r |= u == infinite_;
     return r;
   }
-  /// Room for n more cells: grows the mesh, or, where it is shared and full, returns false.
+  /// Ensures room for n more cells: grows the mesh, or, if it is shared and full, returns false.
   bool make_room(std::size_t n) {
     if (slots_.has(n)) return true;
     if constexpr (Shared) return false;
@@ -112,7 +112,7 @@ class IncrementalTriangulation {
   std::size_t walk_steps_ = 0;
 };
 
-/// Local vertices of face i in the order that makes (face, vertex i) positive.
+/// Returns the local vertices of face i in the order that makes (face, vertex i) positive.
 template <unsigned Dim>
 constexpr std::array<std::uint8_t, Dim> face_of(unsigned i) {
   if constexpr (Dim == 3)
@@ -129,7 +129,7 @@ void IncrementalTriangulation<Space, Shared>::start(const CellVertices& first) {
   flags_[inner] = 0;
   std::array<CellIndex, n_faces> ghost;
   for (unsigned i = 0; i < n_faces; ++i) {
-    // The ghost beyond face i sees that face from the other side: two of its vertices change places.
+    // The ghost beyond face i sees that face from the other side, so two of its vertices are exchanged.
     CellVertices v = first;
     v[i] = infinite_;
     std::swap(v[face_of<dimension>(i)[0]], v[face_of<dimension>(i)[1]]);
@@ -144,7 +144,8 @@ void IncrementalTriangulation<Space, Shared>::start(const CellVertices& first) {
   hint_ = inner;
 }
 
-/// Remembering walk (Devillers, Pion and Teillaud 2002): never back through the face it came by; faces in random order.
+/// Remembering walk (Devillers, Pion and Teillaud 2002): never back through the face by which it entered; faces in
+/// random order.
 template <class Space, bool Shared>
 CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
   CellIndex c = hint_;

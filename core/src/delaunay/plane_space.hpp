@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The predicates of incremental triangulation in a plane in space.
+/// The predicates of incremental triangulation in a plane that lies in space.
 #pragma once
 
 #include "delaunay/kernels/point_record.hpp"
@@ -9,7 +9,7 @@
 
 namespace geomesh {
 
-/// Drops an axis: what is left is (y, z), (z, x) or (x, y), or that with its coordinates exchanged.
+/// Drops an axis: the result is (y, z), (z, x) or (x, y), optionally with the coordinates exchanged.
 struct PlaneProjection {
   enum class Handedness { right, left };
   int axis = 2;
@@ -21,8 +21,8 @@ struct PlaneProjection {
   }
 };
 
-/// As Space3, of exactly coplanar points. Orientations are those of a projection along an axis that is not parallel to
-/// the plane.
+/// Like Space3, for exactly coplanar points. Orientations are those of a projection along an axis that is not parallel
+/// to the plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;
@@ -37,14 +37,14 @@ class PlaneSpace {
   Sign orient(VertexIndex a, VertexIndex b, VertexIndex c) const {
     return orientation(points_[a], points_[b], points_[c]);
   }
-  /// Sign of the orientation of edge `face` of a finite cell with p: negative where p is beyond it.
+  /// Returns the orientation of edge `face` of a finite cell with p: negative if p is beyond it.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) const {
     return orientation(points_[v[(face + 1) % 3]], points_[v[(face + 2) % 3]], p);
   }
   bool finite_conflict(const CellVertices& v, const Vec3& p) const {
     return in_circle_coplanar_perturbed(points_[v[0]], points_[v[1]], points_[v[2]], p) == Sign::positive;
   }
-  /// The ghost's edge has p strictly beyond it, or strictly between its ends.
+  /// Returns whether p is strictly beyond the ghost's edge, or strictly between its ends.
   bool ghost_conflict(const CellVertices& v, const Vec3& p) const {
     unsigned g = 0;
     while (v[g] != infinite_) ++g;

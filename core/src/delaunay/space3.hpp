@@ -17,20 +17,20 @@
 
 namespace geomesh {
 
-/// A space answers, about points given by their records: on which side of a face a point lies, and which cells it
-/// conflicts with. It is the one part of the incremental algorithms that differs between the plane, a facet's plane and
+/// A space decides, for points given by their records, on which side of a face a point lies, and with which cells it is
+/// in conflict. It is the only part of the incremental algorithms that differs between the plane, a facet's plane and
 /// space, apart from the dimension.
 ///
 /// Lattices and rounded data have coordinates that are multiples of one power of two. Differences of up to 512 units
-/// then make the plain determinants exact in doubles: 72 * 512^5 < 2^53. Then a tie needs no expansion.
+/// then make the plain determinants exact in doubles: 72 * 512^5 < 2^53. A tie then needs no expansion.
 class Space3 {
  public:
   static constexpr int dimension = 3;
   using Record = PointRecord;
   using CellVertices = TetMesh::CellVertices;
 
-  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter is certain of anything about it.
-  /// `unit`: the coordinates are multiples of it, or 0.
+  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter decides anything about it. `unit`:
+  /// the coordinates are multiples of it, or 0.
   Space3(PointRecord* points, VertexIndex infinite, double unit)
       : points_(points), infinite_(infinite), exact_reach_(512 * unit) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,7 @@ class Space3 {
   std::size_t exact_calls() const { return exact_calls_; }
   double exact_reach() const { return exact_reach_; }
 
-  /// Sign of the orientation of face `face` of a finite cell with p: negative where p is beyond it.
+  /// Returns the orientation of face `face` of a finite cell with p: negative if p is beyond it.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) {
     const auto& f = face_vertices[face];
     return orientation(points_[v[f[0]]], points_[v[f[1]]], points_[v[f[2]]], p);
@@ -56,12 +56,12 @@ class Space3 {
     return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
   }
 
-  /// The same where the filter is known to be undecided about `value`.
+  /// The same if the filter is known to be undecided about `value`.
   bool finite_conflict(const CellVertices& v, const Vec3& p, double value) {
     return finite_conflict_after_filter(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p, value);
   }
 
-  /// The ghost's face has p strictly beyond it, or in its plane and inside its circle.
+  /// Returns whether p is strictly beyond the ghost's face, or in its plane and inside its circumcircle.
   bool ghost_conflict(const CellVertices& v, const Vec3& p) {
     unsigned g = 0;
     while (v[g] != infinite_) ++g;
@@ -103,7 +103,7 @@ class Space3 {
   std::size_t exact_calls_ = 0;
 };
 
-/// The largest power of two that divides all coordinates, 0 where that leaves no room for exact plain determinants.
+/// Returns the largest power of two that divides all coordinates, or 0 if plain determinants would not be exact.
 double coordinate_unit(std::span<const Vec3> points);
 
 }  // namespace geomesh

@@ -15,8 +15,8 @@ struct Twin {
   VertexIndex position, vertex;
 };
 
-/// Gives each vertex the least id of the points equal to it; returns that id for each point, its own where it has no
-/// twin.
+/// Assigns to each vertex the least id of the points equal to it; returns that id for each point, its own if there is
+/// no equal one.
 inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
   std::vector<VertexIndex> representative(n);
   for (VertexIndex i = 0; i < n; ++i) representative[i] = i;
@@ -25,7 +25,7 @@ inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, Poin
     if (other < kept) std::swap(kept, other);
     representative[other] = kept;
   }
-  // A kept id is replaced by lesser ones only, so going upwards each reference is final when it is followed.
+  // A stored id is replaced only by lesser ones, so in ascending order each reference is final when it is followed.
   for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
   return representative;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A set of cells that is to be refilled. It grows over faces by a predicate (in-sphere, visibility), then gives up
+/// A set of cells that is to be refilled. It grows across faces by a predicate (in-sphere, visibility), then gives up
 /// cells until a point sees its whole border, so that the star of that point fills it.
 ///
 /// The Delaunay base has a cavity of its own (delaunay/cavity_insertion.hpp), which tests four faces at a time in
@@ -16,8 +16,8 @@
 
 namespace geomesh {
 
-/// Works on marks and a list that belong to the caller. The list is the result, and the same marks are set for exactly
-/// the cells in it.
+/// Works on marks and a list that belong to the caller. The list is the result, and the marks are set for exactly the
+/// cells in it.
 class Cavity {
  public:
   /// Begins with `bases`, which are never given up. The mesh must not change while the cavity is used.

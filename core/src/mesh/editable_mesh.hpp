@@ -70,7 +70,7 @@ class EditableMesh {
             const IsBarrier& is_barrier) const;
 
  protected:
-  static constexpr std::uint8_t region_flag = 0x80;  ///< in flags(cell): about to go
+  static constexpr std::uint8_t region_flag = 0x80;  ///< in flags(cell): the cell is about to be removed
 
   EditableMesh() = default;
   EditableMesh(TetMesh mesh, std::vector<Vec3> points)

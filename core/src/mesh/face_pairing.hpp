@@ -34,9 +34,9 @@ template <class Mark>
 class FacePairing {
  public:
   enum class Role : std::uint8_t {
-    outer,   ///< of a cell that is kept; of none if the face is on the outside
-    inner,   ///< between two removed cells: its mark alone waits
-    added,   ///< of a new cell
+    outer,   ///< belongs to a kept cell; to none if the face is on the outside
+    inner,   ///< between two removed cells: only its mark waits
+    added,   ///< belongs to a new cell
     linked,  ///< has been met
   };
   struct Entry {

@@ -18,7 +18,7 @@ constexpr std::uint8_t even_orders[4][3][4] = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 
                                                {{2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}},
                                                {{3, 0, 2, 1}, {3, 2, 1, 0}, {3, 1, 0, 2}}};
 
-/// Places of the old local vertices in the new order.
+/// New positions of the local vertices.
 struct Order {
   std::uint8_t first = 0, rotation = 0;
   unsigned operator[](unsigned i) const { return even_orders[first][rotation][i]; }

@@ -36,7 +36,7 @@ class PartFinder {
   }
 
  private:
-  /// Whether the polygon turns no other way at the begin of corner c without the edges c and d, which are one.
+  /// Returns whether the polygon turns in the same direction at the beginning of corner c if the edges c and d are one.
   bool stays_convex(Index c, Index d) const {
     const VertexIndex before = patch_.vertex(previous_[c]), after = patch_.vertex(next_[next_[d]]);
     return before != after && patch_.turn(before, patch_.vertex(c), after) != Sign::negative;

@@ -14,12 +14,14 @@
 namespace geomesh {
 
 struct ConvexPart {
-  std::vector<VertexIndex> border;    ///< turns as the triangles of the patch do; angles of 180 degrees are allowed
-  std::vector<Index> triangles;       ///< of the patch, ascending
+  /// Same orientation as the triangles of the patch; angles of 180 degrees are allowed.
+  std::vector<VertexIndex> border;
+  std::vector<Index> triangles;       ///< triangles of the patch, ascending
   std::vector<InnerEdge> left_out{};  ///< edges between them
 };
 
-/// Parts of the patch, by their least triangle. `segments` are edges that are not left out, in any order. O(n log n).
+/// Returns the parts of the patch, ordered by their smallest triangle. `segments` are edges that are not left out, in
+/// any order. O(n log n).
 std::vector<ConvexPart> convex_parts(const FlatPatch& patch, std::span<const FlatPatch::Edge> segments);
 
 }  // namespace geomesh

@@ -69,7 +69,7 @@ class Merger {
 
   const PiecewiseLinearComplex& plc_;
   const std::vector<CoplanarPatch> patches_;
-  std::vector<Index> new_row_;  ///< facets that are kept as they are
+  std::vector<Index> new_row_;  ///< new rows of the facets that are kept unchanged
   MergedFacets out_;
 };
 

@@ -11,12 +11,12 @@ namespace geomesh {
 
 namespace {
 
-/// A facet, segment or inner segment at an edge; `facet` is no_index for all that is no plain triangle.
+/// A facet, segment or inner segment at an edge; `facet` is no_index for anything but a plain triangle.
 struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  /// Uses with the same a are in order of b, and then of the facet.
+  /// Uses with the same a are ordered by b, then by facet.
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
@@ -38,7 +38,7 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    // By the first end at one go, then the few of each.
+    // Sorts by the first end in one pass, then the few uses of each.
     std::vector<Index> end(plc_.points.size() + 2, 0);
     for_each_use([&](VertexIndex a, VertexIndex b, Index, VertexIndex) { ++end[std::min(a, b) + 2]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
@@ -76,14 +76,16 @@ class EdgeUses {
   std::vector<EdgeUse> uses_;  ///< sorted
 };
 
-/// Sides of boxes and level surfaces are seen without a determinant.
+/// Returns whether four points are coplanar. Sides of boxes and horizontal surfaces are recognised without a
+/// determinant.
 bool are_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return true;
   return orient3d(a, b, c, d) == Sign::zero;
 }
 
-/// Whether nothing but two coplanar triangles of one surface lie at an edge. `provenance`: by facet.
+/// Returns whether exactly two coplanar triangles of one surface, and nothing else, meet at an edge. `provenance` is by
+/// facet.
 bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
                      std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].facet == no_index || uses[1].facet == no_index) return false;
@@ -106,7 +108,7 @@ class PatchFinder {
     });
   }
 
-  /// All patches together decide.
+  /// Decides for all patches together.
   bool are_far_from_delaunay(double most_crossings) {
     std::vector<Index> begin(plc_.n_facets() + 1, 0);
     for (Index& f : facet_of_inner_edge_) ++begin[(f = find(f)) + 1];
@@ -160,10 +162,10 @@ class PatchFinder {
   std::span<const Index> provenance_;
   EdgeUses edges_;
   std::vector<Index> patch_;  ///< union-find over facets
-  std::vector<Index> row_;    ///< in patches_, by first facet
+  std::vector<Index> row_;    ///< row in patches_, by first facet
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
-  std::vector<Index> facet_of_inner_edge_;  ///< one of the two
+  std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge
 };
 
 }  // namespace

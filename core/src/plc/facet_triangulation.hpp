@@ -23,7 +23,7 @@ struct FacetPolygon {
 struct FacetTriangulation {
   std::vector<Triangle> triangles;  ///< in the orientation of the outer loop
   bool exactly_planar = false;
-  double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero where exactly planar
+  double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero if exactly planar
 };
 
 /// Why a polygon cannot be used, with the vertices that cause it.
@@ -32,7 +32,7 @@ struct FacetFault {
   std::vector<VertexIndex> vertices;
 };
 
-/// O(n log n) plus flips. Returns no value for a polygon that cannot be used; then `fault` has the reason (zero area, a
+/// O(n log n) plus flips. Returns nothing for a polygon that cannot be used; then `fault` has the reason (zero area, a
 /// loop that crosses itself, a vertex on an edge ...).
 std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon,
                                                     FacetFault& fault);

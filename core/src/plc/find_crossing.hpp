@@ -14,15 +14,15 @@ namespace geomesh {
 /// A segment or an edge of a facet, and a triangular facet, that meet outside shared vertices and edges.
 struct PlcCrossing {
   VertexIndex a = no_vertex, b = no_vertex;  ///< the edge
-  Index edge_facet = no_index;               ///< a facet that has it, or no_index for a segment of its own
+  Index edge_facet = no_index;               ///< the facet to which it belongs, or no_index for a separate segment
   Index facet = no_index;                    ///< the facet met
 };
 
-/// Returns the first crossing, ordered by edge, then facet. Triangles are searched. Polygons and triangles with points
-/// or segments inside are not, because their declaration has checked them. O(n log n) plus the pairs whose boxes
-/// overlap along the longest axis.
+/// Returns the first crossing, ordered by edge, then facet. Only triangles are searched; polygons, and triangles with
+/// points or segments inside, were checked when they were declared. O(n log n) plus the pairs whose boxes overlap along
+/// the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
-/// All crossings, in that order.
+/// Returns all crossings in the same order.
 std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);
 
 /// Searches for crossings when they are first requested, and remembers them.

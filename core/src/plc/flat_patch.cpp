@@ -20,8 +20,8 @@ std::optional<FlatPatch> FlatPatch::of(std::span<const Vec3> points, std::vector
   return patch;
 }
 
-/// Drops the axis in which the largest triangle's normal is longest. The first triangle turns left in what remains, and
-/// all others are made to.
+/// Drops the axis in which the largest triangle's normal is longest. The first triangle is counter-clockwise in the
+/// projection, and the orientation of all others is made the same.
 bool FlatPatch::project() {
   Vec3 normal;
   for (const Triangle& t : triangles_) {
@@ -78,8 +78,8 @@ Index FlatPatch::next_on_border(Index corner) const {
   return c;
 }
 
-/// The outer loop is the one with the least vertex (by x, y, z), as that is a corner of the patch's hull. A loop may
-/// pass a vertex twice: where the patch touches itself.
+/// Returns the loops. The outer loop is the one with the least vertex (by x, y, z), because that is a corner of the
+/// patch's hull. A loop may pass a vertex twice, where the patch touches itself.
 std::vector<std::vector<VertexIndex>> FlatPatch::loops() const {
   std::vector<std::vector<VertexIndex>> out;
   std::vector<bool> is_done(opposite_.size(), false);
@@ -123,7 +123,7 @@ bool FlatPatch::holds(Index triangle, const Vec2& x) const {
   return true;
 }
 
-/// How far x is beyond the side of the triangle that it is farthest beyond.
+/// Returns how far x is beyond the side of the triangle that it is farthest beyond.
 double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   const Triangle& t = triangles_[triangle];
   double most = 0;
@@ -135,7 +135,8 @@ double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   return most;
 }
 
-/// Along the straight line from v to x. Nothing where the line leaves the patch, which only rounding of x can do.
+/// Walks along the straight line from v to x. Returns nothing if the line leaves the patch, which only happens because
+/// of rounding of x.
 std::optional<Index> FlatPatch::walk_from(VertexIndex v, const Vec2& x) const {
   const Vec2 from = flat(v);
   Index at = no_index;
@@ -160,7 +161,7 @@ Index FlatPatch::triangle_at_centroid(const std::array<Vec3, 3>& corners, std::s
     if (const auto found = walk_from(v, x)) return *found;
   for (Index t = 0; t < triangles_.size(); ++t)
     if (holds(t, x)) return t;
-  // Rounding has put the centroid beside the patch: the triangle that it is least far outside of.
+  // If rounding has moved the centroid out of the patch, the nearest triangle is returned.
   Index nearest = 0;
   double least = std::numeric_limits<double>::infinity();
   for (Index t = 0; t < triangles_.size(); ++t)

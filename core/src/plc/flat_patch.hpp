@@ -14,34 +14,35 @@
 
 namespace geomesh {
 
-/// Exactly coplanar triangles that are joined by edges. They are turned to run like the first one; corner 3 t + k is
+/// Exactly coplanar triangles that are connected by edges. They are oriented like the first one; corner 3 t + k is
 /// vertex k of triangle t.
 class FlatPatch {
  public:
   using Edge = std::array<VertexIndex, 2>;
 
-  /// Returns nothing where an edge has more than two triangles, or two on one side of it. It returns nothing either
-  /// where rounding leaves no axis along which the plane can be projected. `points` must outlive the patch.
+  /// Returns nothing if an edge has more than two triangles, or two on one side of it, or if rounding leaves no axis
+  /// along which the plane can be projected. `points` must outlive the patch.
   static std::optional<FlatPatch> of(std::span<const Vec3> points, std::vector<Triangle> triangles);
 
-  /// Whether the given triangle runs against the first one.
+  /// Returns whether the given triangle has the opposite orientation to the first one.
   bool is_turned(Index triangle) const { return is_turned_[triangle]; }
   Index n_triangles() const { return static_cast<Index>(triangles_.size()); }
-  /// As it is turned.
+  /// Returns the triangle with its new orientation.
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
-  /// Corner from which the edge that begins at `corner` runs the other way, or no_index on the border.
+  /// Returns the corner at which the reverse of the edge that begins at `corner` begins, or no_index on the border.
   Index opposite(Index corner) const { return opposite_[corner]; }
-  /// Positive where a, b, c turn as the triangles do.
+  /// Returns positive if a, b, c have the orientation of the triangles.
   Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }
   Sign turn(VertexIndex a, VertexIndex b, const Vec3& c) const { return orient2d(flat(a), flat(b), projection_(c)); }
-  /// Outer loop and holes, with the patch on the left; its vertices inside, apart from those on `segments`, which
-  /// become segments of the polygon. O(n log n).
+  /// Returns the outer loop and holes, with the patch on the left, and the inner vertices except those on `segments`,
+  /// which become segments of the polygon. O(n log n).
   FacetPolygon polygon(std::vector<Edge> segments) const;
 
-  /// The triangle that holds the centroid (rounded to doubles) of a triangle inside the patch, whose vertices are
-  /// points of the patch or on it. Exact for the rounded centroid. `near`: rows of the patch's vertices among the
-  /// corners; may be empty. O(triangles between a corner and the centroid), O(n) without a corner.
+  /// Returns the triangle that contains the centroid (rounded to doubles) of a triangle inside the patch, whose
+  /// vertices are points of the patch or on it. Exact for the rounded centroid. `near` contains rows of the patch's
+  /// vertices among the corners; it may be empty. O(triangles between a corner and the centroid), O(n) without a
+  /// corner.
   Index triangle_at_centroid(const std::array<Vec3, 3>& corners, std::span<const VertexIndex> near) const;
 
  private:
@@ -53,7 +54,7 @@ class FlatPatch {
   void sort_corners();
   static Index next(Index corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; }
   Vec2 flat(VertexIndex v) const { return projection_(points_[v]); }
-  /// Edge that ends the turn about the end of `corner`'s edge through the patch: the next one of the border.
+  /// Returns the next edge of the border, found by turning around the end of `corner`'s edge through the patch.
   Index next_on_border(Index corner) const;
   std::vector<std::vector<VertexIndex>> loops() const;
   std::span<const Index> corners_at(VertexIndex v) const;

@@ -45,8 +45,9 @@ class PatchCrossings {
     Index patch;
   };
 
-  /// Flips that make a patch Delaunay, if none of its edges is to be flipped then: each of these edges crosses one of
-  /// the Delaunay triangulation, so the patch need not be triangulated. Rounding decides only whether that is seen.
+  /// Flips the edges that are not Delaunay once. If none needs a flip afterwards, each of these edges crosses exactly
+  /// one edge of the Delaunay triangulation, so the patch need not be triangulated. Rounding only decides whether this
+  /// is detected.
   std::optional<std::size_t> flips_to_delaunay(std::span<const InnerEdge> edges) const {
     std::size_t n = 0;
     for (const InnerEdge& e : edges) {
@@ -58,8 +59,8 @@ class PatchCrossings {
     }
     return n;
   }
-  /// Whether that holds for the side a-b of a flipped edge's quadrilateral, where the flip puts `new_apex` in the place
-  /// of `apex`, and held before.
+  /// Returns whether the side a-b of a flipped edge's quadrilateral, at which the flip replaces `apex` by `new_apex`,
+  /// is locally Delaunay afterwards, and was before.
   bool is_locally_delaunay_after_flip(std::span<const InnerEdge> edges, VertexIndex a, VertexIndex b, VertexIndex apex,
                                       VertexIndex new_apex) const {
     const std::pair key{std::min(a, b), std::max(a, b)};
@@ -68,7 +69,7 @@ class PatchCrossings {
     const VertexIndex beyond = side->apex == apex ? side->other_apex : side->apex;
     return is_locally_delaunay(a, b, apex, beyond) && is_locally_delaunay(a, b, new_apex, beyond);
   }
-  /// Whether the two angles that see the edge a-b are together at most 180 degrees.
+  /// Returns whether the sum of the two angles that see the edge a-b is at most 180 degrees.
   bool is_locally_delaunay(VertexIndex a, VertexIndex b, VertexIndex apex, VertexIndex other_apex) const {
     const auto sees = [&](VertexIndex from) {
       const Vec3 to_a = points_[a] - points_[from], to_b = points_[b] - points_[from];
@@ -92,7 +93,7 @@ class PatchCrossings {
       }
   }
 
-  /// Along the axis in which the largest triangle's normal is longest.
+  /// Projects along the axis in which the largest triangle's normal is longest.
   PlaneProjection projection(std::span<const InnerEdge> edges) const {
     Vec3 normal;
     for (const InnerEdge& e : edges)
@@ -106,7 +107,7 @@ class PatchCrossings {
     return out;
   }
 
-  /// Counted up to about `most`; none where the vertices have no Delaunay triangulation.
+  /// Returns the number of crossings, counted up to about `most`; none if the vertices have no Delaunay triangulation.
   std::size_t crossings(std::span<const InnerEdge> edges, std::size_t most) {
     list_vertices(edges);
     std::vector<Vec3> points;
@@ -125,8 +126,8 @@ class PatchCrossings {
   std::span<const Vec3> points_;
   std::span<const InnerEdge> edges_;
   std::span<const Index> first_;
-  std::vector<VertexIndex> vertices_;  ///< of the patch that is looked at
-  std::vector<VertexIndex> row_;       ///< in vertices_, by point; of others anything
+  std::vector<VertexIndex> vertices_;  ///< vertices of the current patch
+  std::vector<VertexIndex> row_;       ///< rows in vertices_ by point; undefined for other points
 };
 
 }  // namespace

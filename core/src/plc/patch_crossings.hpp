@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How far patches of coplanar triangles are from Delaunay: whether it pays to recover their inner edges.
+/// Measures how far patches of coplanar triangles are from Delaunay, which determines whether recovering their inner
+/// edges is worth while.
 #pragma once
 
 #include <span>
@@ -13,17 +14,18 @@ namespace geomesh {
 /// An edge between two coplanar triangles.
 struct InnerEdge {
   VertexIndex a, b;              ///< a < b
-  VertexIndex apex, other_apex;  ///< of the two triangles
+  VertexIndex apex, other_apex;  ///< apexes of the two triangles
 };
 
-/// Edges of a triangulation of n points that a segment between two of them can cross: each joins a vertex on its left
-/// with one on its right, and a planar graph of that kind with m >= 3 vertices has at most 2 m - 4 edges.
+/// Largest number of edges of a triangulation of n points that a segment between two of them can cross: each connects a
+/// vertex on its left with one on its right, and such a bipartite planar graph with m >= 3 vertices has at most 2 m - 4
+/// edges.
 constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 1 : 2 * (n - 2) - 4; }
 
-/// Whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of the
-/// Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1, in increasing
-/// order of (a, b) with a < b; at each of its triangles is one of them. Patches are not triangulated if one flip of
-/// each edge that is to be flipped suffices, nor once those that are left can change nothing. O(n log n).
+/// Returns whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of
+/// the Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1, in
+/// increasing order of (a, b) with a < b; each of its triangles has one of them. Patches are not triangulated if one
+/// flip of each non-Delaunay edge suffices, or if the remaining patches cannot change the result. O(n log n).
 bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
                            double most);
 

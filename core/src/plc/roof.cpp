@@ -14,7 +14,8 @@ namespace geomesh {
 
 namespace {
 
-constexpr int most_bits = 20;  ///< of a place in the plane: a millionth of the polygon's size is near enough
+/// Number of bits of a place in the plane: a millionth of the polygon's size is accurate enough.
+constexpr int most_bits = 20;
 
 struct Circle {
   Vec3 centre;
@@ -59,7 +60,8 @@ class RoofBuilder {
   }
 
  private:
-  /// The largest triangle whose corners part the border in thirds spans the plane. False where none has an area.
+  /// Finds a large triangle whose corners divide the border into thirds, which defines the plane. Returns false if none
+  /// has an area.
   bool find_base(const std::vector<Vec3>& corners) {
     double largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -73,9 +75,9 @@ class RoofBuilder {
     return largest > 0;
   }
   std::array<Vec3, 3> base() const { return {points_[base_[0]], points_[base_[1]], points_[base_[2]]}; }
-  /// Lets the corners run one way from the least one on, as seen along the axis. So polygons that are stacked along it
-  /// get points above each other, which leaves the spheres about each roof's triangles empty of the other roofs'
-  /// points.
+  /// Makes the corners run in one direction from the least one on, as projected along the axis. Polygons that are
+  /// stacked along it then get points above each other, which keeps the spheres around each roof's triangles free of
+  /// the other roofs' points.
   void put_in_order() {
     const auto [a, b, c] = base();
     is_turned_ = cross(projected(b - a), projected(c - a))[axis_] < 0;
@@ -103,7 +105,7 @@ class RoofBuilder {
   }
   double distance_from_side(std::size_t i, const Vec3& p) const { return dot(inward_[i], p - flat_[i]); }
 
-  /// One in the circle of each triangle, unless one added before lies there.
+  /// Adds a point in the circumcircle of each triangle, unless one that was added before lies there.
   bool add_points(const std::vector<Triangle>& triangles) {
     const auto first = static_cast<std::ptrdiff_t>(points_.size());
     for (const Triangle& t : triangles) {
@@ -117,7 +119,8 @@ class RoofBuilder {
     }
     return true;
   }
-  /// On the way from the triangle to the centre of its circle, at most half as far as the border is in that direction.
+  /// Returns a point on the line from the triangle to the centre of its circumcircle, at most half as far as the border
+  /// in that direction.
   Vec3 towards(const Triangle& t, const Vec3& centre) const {
     const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
     double part = 1;
@@ -127,8 +130,9 @@ class RoofBuilder {
     }
     return from + part * (centre - from);
   }
-  /// A double that is accepted, exactly in the plane, and nearer to x than to the border: a sum of few bits of two
-  /// vectors in it, because the fewer these are, the rarer sums are rounded, here and in shears.
+  /// Returns an acceptable point in doubles, exactly in the plane, and nearer to x than to the border: a sum of two
+  /// vectors in the plane with factors of few bits, because sums with fewer bits are less often rounded, here and in
+  /// shears.
   template <class Accept>
   std::optional<Vec3> place_near(const Vec3& x, const Accept& is_accepted) const {
     const auto [a, b, c] = base();
@@ -162,14 +166,14 @@ class RoofBuilder {
     return out;
   }
 
-  std::vector<Vec3> points_;            ///< corners, then inner points
+  std::vector<Vec3> points_;            ///< corners, followed by inner points
   std::size_t n_;                       ///< of corners
   std::array<std::size_t, 3> base_{};   ///< corners
-  std::size_t axis_ = 0;                ///< along which the plane is projected
-  bool is_turned_ = false;              ///< the corners run against the polygon
+  std::size_t axis_ = 0;                ///< axis along which the plane is projected
+  bool is_turned_ = false;              ///< whether the corners have the opposite orientation to the polygon
   std::vector<VertexIndex> given_row_;  ///< by corner
   std::vector<Vec3> flat_;              ///< the points, projected
-  std::vector<Vec3> inward_;            ///< unit vector across each side, projected
+  std::vector<Vec3> inward_;            ///< inward unit normal of each side, projected
 };
 
 }  // namespace

@@ -99,7 +99,7 @@ class Validator {
     Index facet;
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
-  /// Triangular facets by their least vertex: those of v are in rows begin[v] to begin[v + 1].
+  /// Triangular facets by their smallest vertex: those of v are in rows begin[v] to begin[v + 1].
   std::vector<Entry> triangles_by_vertex(std::vector<std::size_t>& begin) const {
     std::vector<Entry> entries;
     for (Index f = 0; f < plc_.n_facets(); ++f) {

@@ -10,7 +10,7 @@
 namespace geomesh::exact {
 namespace {
 
-/// a - b where that is exact; false otherwise.
+/// Computes a - b if that is exact; otherwise returns false.
 bool exact_difference(double a, double b, double& d) {
   double tail;
   two_difference(a, b, d, tail);
@@ -21,12 +21,12 @@ bool exact_difference(const Vec3& a, const Vec3& b, Vec3& d) {
   return exact_difference(a.x, b.x, d.x) && exact_difference(a.y, b.y, d.y) && exact_difference(a.z, b.z, d.z);
 }
 
-/// det [a; b; c].
+/// Returns det [a; b; c].
 Expansion<24> det3(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (minor2(a.x, b.y, b.x, a.y) * c.z + minor2(b.x, c.y, c.x, b.y) * a.z) + minor2(c.x, a.y, a.x, c.y) * b.z;
 }
 
-/// det [b - a; c - a; d - a] from the coordinates themselves.
+/// Returns det [b - a; c - a; d - a], expanded in the coordinates themselves.
 Expansion<96> orient3d_expansion(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (det3(b, c, d) - det3(a, c, d)) + (det3(a, b, d) - det3(a, b, c));
 }
@@ -50,7 +50,7 @@ Expansion<8 * N> times_lift(const Expansion<N>& e, const Vec2& p) {
   return e * p.x * p.x + e * p.y * p.y;
 }
 
-/// e * f by scaling e with each term of f and summing; f is short.
+/// Multiplies e by f, which is short, by scaling e with each term of f and summing.
 template <int N>
 Expansion<12 * N> product(const Expansion<N>& e, const Expansion<6>& f) {
   Expansion<2 * N> part[6];
@@ -132,7 +132,7 @@ double permanent3(const Vector<double>& u, const Vector<double>& v, const Vector
          std::fabs(w.z) * pair(u.x, v.y, v.x, u.y);
 }
 
-/// in_sphere of a, b, c, d, given from the fifth point.
+/// Returns in_sphere of a, b, c, d, given relative to the fifth point.
 template <class Number>
 Number in_sphere_det(const Vector<Number>* p) {
   const auto lift = [](const Vector<Number>& v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; };
@@ -149,14 +149,14 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 
 }  // namespace
 
-// The bounds in doubles are those of filters.hpp against the sum of the magnitudes of the products. In TwoDouble a
-// product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 here.
+// The bounds in doubles are those of filters.hpp relative to the sum of the magnitudes of the products. In TwoDouble a
+// product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 is used.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
   if (std::fabs(det) > filter::orient3d_permanent_factor * permanent) return -sign_of(det);
-  if (permanent == 0) return Sign::zero;  // a zero factor in each product: exact (a plane across an axis)
+  if (permanent == 0) return Sign::zero;  // each product has a zero factor: exact (a plane perpendicular to an axis)
   const exact::TwoDouble fine = det3(vector_from(a, d, exact::TwoDouble{}), vector_from(b, d, exact::TwoDouble{}),
                                      vector_from(c, d, exact::TwoDouble{}));
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);

@@ -61,7 +61,7 @@ struct Expansion {
   double term[Capacity];
 
   Expansion() = default;
-  /// Copies the used terms alone.
+  /// Copies only the used terms.
   Expansion(const Expansion& other) : size(other.size) {
     for (int i = 0; i < size; ++i) term[i] = other.term[i];
   }

@@ -4,7 +4,7 @@
 /// differences of this very call. One global bound would fail nearly always on models whose spacings span many orders
 /// of magnitude.
 ///
-/// Bounds, with u = 2^-53. Each difference has relative error u. Every product of the expanded determinant passes
+/// Bounds, with u = 2^-53. Each difference has a relative error of u. Every product of the expanded determinant passes
 /// through a number of roundings. Each has relative size u of a quantity that is at most the sum of the magnitudes of
 /// the products:
 ///   orient2d : 2 products, 2 differences + product + final subtraction              = 4 u  -> 8 u X Y;
@@ -28,12 +28,12 @@ inline constexpr double orient2d_factor = 10 * unit;
 inline constexpr double orient3d_factor = 54 * unit;
 inline constexpr double in_circle_factor = 74 * unit;
 inline constexpr double in_sphere_factor = 450 * unit;
-/// Of the sum of the magnitudes of the very products, which is at most their number times X Y Z (L): 8 u and 17 u, and
-/// a little more.
+/// Factors for a bound relative to the sum of the magnitudes of the actual products, which is at most their number
+/// times X Y Z (L): slightly more than 8 u and 17 u.
 inline constexpr double orient3d_permanent_factor = 10 * unit;
 inline constexpr double in_sphere_permanent_factor = 22 * unit;
 
-/// A determinant in doubles and a bound of its error; certain where |value| > error.
+/// A determinant in doubles and a bound on its error; its sign is certain if |value| > error.
 struct Estimate {
   double value, error;
   bool certain() const { return value > error || value < -error; }
@@ -50,7 +50,7 @@ inline Estimate orient2d(double ax, double ay, double bx, double by, double cx, 
   return {ux * vy - uy * vx, orient2d_factor * x * y};
 }
 
-/// Differences from d, so that the point of a query is best given last.
+/// Computes differences from d, so the point of a query is best passed last.
 template <class P, class Q>
 inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   const double ax = a.x - d.x, ay = a.y - d.y, az = a.z - d.z;
@@ -63,7 +63,8 @@ inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   return {-det, orient3d_factor * x * y * z};
 }
 
-/// What orient3d(a, b, c, d) of many points a has in common: given b - d and c - d, asked for a - d.
+/// The part of orient3d(a, b, c, d) that is common to many points a: constructed from b - d and c - d, evaluated for a
+/// - d.
 class Orient3dOfMany {
  public:
   Orient3dOfMany(const Vec3& v, const Vec3& w)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Exact sums of doubles of any length (expansions, see expansion.hpp), for numbers whose length is not known when the
-/// program is compiled: coordinates of points that are held exactly.
+/// program is compiled: coordinates of points that are represented exactly.
 ///
 /// Precondition: every term is a multiple of 2^-300 and below 2^300, so that no product of three under- or overflows.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace geomesh::exact {
 
-/// Terms do not overlap and grow in magnitude; zero is the empty sum.
+/// Terms do not overlap and increase in magnitude; zero is the empty sum.
 class LongExpansion {
  public:
   LongExpansion() = default;
@@ -25,16 +25,16 @@ class LongExpansion {
     if (terms_.empty()) return Sign::zero;
     return terms_.back() > 0 ? Sign::positive : Sign::negative;
   }
-  /// The nearest double but for an ulp.
+  /// Returns the nearest double up to an ulp.
   double estimate() const {
     double sum = 0;
     for (const double t : terms_) sum += t;
     return sum;
   }
-  /// Of the smallest term that is not zero; 0 where all is zero.
+  /// Returns the magnitude of the smallest nonzero term; 0 if there is none.
   double least_term() const { return terms_.empty() ? 0 : std::fabs(terms_.front()); }
 
-  /// Drops terms below `least`: the rest is a number near this one.
+  /// Returns an approximation without the terms below `least`.
   LongExpansion without_below(double least) const {
     LongExpansion out;
     for (const double t : terms_)
@@ -61,7 +61,8 @@ class LongExpansion {
   }
 
  private:
-  /// As few terms as can be, the greatest within an ulp of the whole (Shewchuk 1997, figure 15).
+  /// Reduces the sum to as few terms as possible, with the greatest within an ulp of the whole (Shewchuk 1997, figure
+  /// 15).
   void compress() {
     if (terms_.size() < 2) return;
     std::vector<double> g;
@@ -104,7 +105,8 @@ class LongExpansion {
   std::vector<double> terms_;
 };
 
-/// n / d as a sum of doubles, off by less than `part` of itself and of its distance from 1. d is not zero.
+/// Returns n / d as a sum of doubles, with an error of less than `part` of itself and of its distance from 1. d is not
+/// zero.
 LongExpansion quotient(const LongExpansion& n, const LongExpansion& d, double part);
 
 }  // namespace geomesh::exact

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Numbers of twice a double's precision, from doubles alone: the same on every processor, as long double is not.
+/// Numbers with twice the precision of a double, computed with doubles only, and therefore, unlike long double, the
+/// same on every processor.
 #pragma once
 
 #include "predicates/expansion.hpp"
@@ -31,7 +32,7 @@ struct TwoDouble {
     fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
     return r;
   }
-  /// To about 100 bits; b is not zero.
+  /// Accurate to about 100 bits; b is not zero.
   friend TwoDouble operator/(const TwoDouble& a, const TwoDouble& b) {
     const double quotient = a.hi / b.hi;
     const TwoDouble rest = a - TwoDouble{quotient} * b;

@@ -13,7 +13,7 @@ namespace geomesh {
 namespace {
 
 constexpr double share_of_size = 0.25;      // a gap below this share of the target size imposes bad elements
-constexpr double angle_at_short_edge = 20;  // degrees; a smaller angle imposes bad elements
+constexpr double angle_at_short_edge = 20;  // angle in degrees; a smaller one imposes bad elements
 
 }  // namespace
 

@@ -19,7 +19,7 @@ class InputCreases {
   /// distance by which remeshing may have moved one. O(n log n).
   InputCreases(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch, double degrees, double reach);
 
-  /// Returns whether two mesh faces of the patch, along the edge (a, b) with third corners x and y, stand for a feature
+  /// Returns whether two mesh faces of the patch, along the edge (a, b) with third corners x and y, represent a feature
   /// edge of the input: they meet at a small angle, and the edge is within reach of one. O(log n).
   bool has_fold(Index patch, const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const;
 

@@ -38,12 +38,14 @@ struct Window {
   std::size_t from, to;
   std::vector<std::size_t>& end_of;  ///< by vertex, from `from` on: the end of its parts in `parts`
   std::vector<Part>& parts;
-  bool has(VertexIndex v) const { return v - from < to - from; }  // unsigned: wraps around below `from`
+  // In unsigned arithmetic, which wraps around below `from`.
+  bool has(VertexIndex v) const { return v - from < to - from; }
 };
 
 /// Adds the parts of the edges whose first vertex is in the window.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
-  if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;  // one branch, not four
+  // One branch instead of four.
+  if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
   for (const auto& e : edge_vertices) {

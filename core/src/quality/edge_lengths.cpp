@@ -16,7 +16,8 @@ namespace geomesh {
 
 namespace {
 
-constexpr std::size_t n_blocks = 8;  ///< of the vertices; a window in use takes its share of 48 bytes a tetrahedron
+/// Number of blocks of vertices; a window in use takes its share of 48 bytes per tetrahedron.
+constexpr std::size_t n_blocks = 8;
 
 /// A pair of group and component that some tetrahedron has.
 struct Part {
@@ -147,7 +148,7 @@ class EdgeBlock {
     add(0, least);
   }
 
-  /// The mean of those at both ends, as in remeshing. All edges at hand share the lower vertex.
+  /// Returns the mean of the sizes at both ends, as in remeshing. All current edges share the lower vertex.
   double size_of_edge(VertexIndex lower, VertexIndex upper, Index component) {
     if (size_here_.component != component || !(size_here_.size > 0))
       size_here_ = {component, sizes_.at(lower, component)};

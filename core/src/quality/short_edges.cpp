@@ -25,8 +25,8 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
   return least;
 }
 
-/// No longer edge can be short, because no target size is above this. Where sizes jump from one component to the next,
-/// an edge may be short for some of its cells alone, so all of them are listed.
+/// Returns the candidates. No longer edge can be short, because no target size is above this. If sizes jump from one
+/// component to the next, an edge may be short for some of its cells only, so all of them are listed.
 EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share, unsigned threads) {
   constexpr std::size_t chunk = 16384;
   using Ends = std::array<VertexIndex, 2>;
@@ -63,7 +63,7 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
   return edges;
 }
 
-/// Sizes that grow, by the gradation of `size`, from the edges that the input imposes.
+/// Returns a field of sizes that grow, by the gradation of `size`, from the edges that the input imposes.
 SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField& size) {
   std::vector<SizeSource> sources;
   for (const ShortEdge& e : edges)

@@ -12,13 +12,13 @@ namespace geomesh {
 
 namespace {
 
-/// Least angle between a direction and the sector between two others.
+/// Returns the least angle between a direction and the sector between two others.
 double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
   const double at_sides = std::min(angle_between(d, a), angle_between(d, b));
   const Vec3 n = cross(a, b);
   const double nn = dot(n, n);
   if (!(nn > 0)) return at_sides;
-  const Vec3 foot = d - (dot(d, n) / nn) * n;  // within the sector where it turns from a towards b and not beyond
+  const Vec3 foot = d - (dot(d, n) / nn) * n;  // within the sector if it turns from a towards b and not beyond
   if (dot(cross(a, foot), n) < 0 || dot(cross(foot, b), n) < 0) return at_sides;
   const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // a direction along the normal has no reliable projection
   return std::min(at_sides, std::atan2(height, length(foot)) * degrees_per_radian);

@@ -16,8 +16,8 @@ namespace geomesh {
 struct SoupEdge {
   VertexIndex other;
   Index segment;  ///< where listed
-  Index face;     ///< a mesh face at it, or no_index: it runs through the inside of a region
-  Index n_faces;  ///< constrained faces at it
+  Index face;     ///< a mesh face at it, or no_index if it runs through the interior of a region
+  Index n_faces;  ///< number of constrained faces at it
 };
 
 /// Two parts of the input that meet at a vertex, by their facets or (where listed) segments.
@@ -26,18 +26,18 @@ struct MeetingAngle {
   Index facet_a = no_index, facet_b = no_index, segment_a = no_index, segment_b = no_index;
 };
 
-/// Degrees, 0 to 180.
+/// Returns an angle in degrees, from 0 to 180.
 double angle_between(const Vec3& a, const Vec3& b);
 
 class SoupStars {
  public:
-  /// `facet_patch`: for each facet of the input, the patch that it was meshed with; empty if each was meshed alone. O(n
-  /// log n) in the faces of the mesh, which must outlive this object, as must the feature edges.
+  /// `facet_patch` is the patch with which each facet of the input was meshed; empty if each was meshed alone. O(n log
+  /// n) in the faces of the mesh, which must outlive this object, as must the feature edges.
   SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,
             const InputCreases* creases = nullptr);
 
-  /// Returns the least angle at which two facets or segments of the input meet at v: two sides; a side and a facet that
-  /// it is no side of; two facets along a common side. 180 if no two meet. O(k^2) in the faces at v.
+  /// Returns the least angle at which two facets or segments of the input meet at v: two sides; a side and a facet to
+  /// which it does not belong; two facets along a common side. 180 if no two meet. O(k^2) in the faces at v.
   MeetingAngle least_angle(VertexIndex v) const;
   std::span<const Index> faces(VertexIndex v) const { return faces_at_[v]; }
   std::span<const SoupEdge> edges(VertexIndex v) const { return edges_at_[v]; }
@@ -59,14 +59,15 @@ class SoupStars {
   Vec3 direction(VertexIndex v, VertexIndex to) const { return mesh_.points[to] - mesh_.points[v]; }
   void compare_edges(VertexIndex v, MeetingAngle& least) const;
   void compare_edge_with_fan(VertexIndex v, const SoupEdge& edge, const Fan& fan, MeetingAngle& least) const;
-  /// Angle along sides that both fans share; of a fan with itself if it is connected around a feature edge.
+  /// Measures the dihedral angle at edges that two fans of triangles have in common, or that one fan contains twice
+  /// because it is connected around a feature edge.
   void compare_fans(VertexIndex v, const Fan& a, const Fan& b, MeetingAngle& least) const;
 
   const ConstrainedTetrahedralization& mesh_;
   std::span<const Index> facet_patch_;
   const InputCreases* creases_;
   std::vector<std::vector<Index>> faces_at_;     // by vertex
-  std::vector<std::vector<SoupEdge>> edges_at_;  // by vertex, by rising other end
+  std::vector<std::vector<SoupEdge>> edges_at_;  // for each vertex, by ascending other end
 };
 
 }  // namespace geomesh

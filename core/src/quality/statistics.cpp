@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of a whole mesh, declared in geomesh/core/quality.hpp.
+// Computes statistics of a whole mesh, declared in geomesh/core/quality.hpp.
 #include <algorithm>
 #include <numeric>
 #include <optional>

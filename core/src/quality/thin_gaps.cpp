@@ -86,8 +86,8 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
-/// The end of the segment that leaves the end of the path along an edge. Points added to the segment do not end it; a
-/// corner, a turn, or the start of the path does.
+/// Returns the end of the segment that leaves the end of the path along an edge. Points added to the segment do not end
+/// it; a corner, a turn, or the start of the path does.
 VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
   VertexIndex before = way.to, at = first.other;
   while (at != way.from && mesh_.input_vertex[at] == no_vertex) {

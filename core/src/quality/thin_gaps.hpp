@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Whether an element spans a gap between parts of the input, and how wide the gap is there.
+/// Decides whether an element spans a gap between parts of the input, and measures the width of the gap there.
 #pragma once
 
 #include <limits>
@@ -30,7 +30,7 @@ struct Gap {
 class GapFinder {
  public:
   /// `angle` in degrees: parts at this angle or more are not parallel. `fixed_vertices`: whether vertices of the input
-  /// are parts by themselves, as they are where no surface may move. O(n log n) in the faces of the mesh.
+  /// are parts themselves, as they are if no surface may move. O(n log n) in the faces of the mesh.
   GapFinder(const SoupStars& stars, double angle, bool fixed_vertices);
 
   /// Returns the narrowest gap wider than `above` that the element spans; of infinite width if it spans none. O(k^2 log
@@ -38,7 +38,7 @@ class GapFinder {
   Gap narrowest(Index tetrahedron, double above) const;
 
  private:
-  /// A path from a vertex to the nearest point of a part at another.
+  /// A path from a vertex to the nearest point of a part at another vertex.
   struct Way {
     VertexIndex from, to;
     Vec3 inside;  ///< a point of the element

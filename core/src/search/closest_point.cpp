@@ -57,7 +57,7 @@ Vec3 PreparedTriangle::closest_in_needle(const Vec3& p) const {
     const Vec3& from = corners_[i];
     if (!(dot(cross(corners_[(i + 1) % 3] - from, p - from), normal_) > 0)) return on_side;
   }
-  // A turned normal leads astray if p is far off. The true place is at most the needle's width from the side.
+  // A rotated normal gives a wrong place if p is far away. The true place is at most the needle's width from the side.
   const Vec3 foot = p - dot(normal_, p - on_side) * normal_;
   return dot(foot - on_side, foot - on_side) <= square_of_width_ ? foot : on_side;
 }

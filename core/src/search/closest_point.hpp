@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Distance from points to groups of triangles or line pieces: the input surfaces and curves that a remeshed one must
-/// stay near to.
+/// Distance from points to groups of triangles or line pieces: the input surfaces and curves near which the remeshed
+/// ones must stay.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace geomesh::search {
 
-/// Squared distance of p from the nearest point of the box; 0 inside.
+/// Returns the squared distance of p from the nearest point of the box; 0 inside.
 inline double squared_distance_to(const Box3& b, const Vec3& p) {
   double s = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -24,7 +24,7 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
-/// Box around all places within reach of a triangle, and some more.
+/// Returns a box around all places within reach of a triangle, slightly enlarged.
 inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
   Box3 box;
   for (const Vec3& p : corners) {
@@ -51,13 +51,13 @@ class PreparedTriangle {
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle = 1e-5);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
-  /// The unit normal; zero for a triangle without area.
+  /// Returns the unit normal; zero for a triangle without area.
   const Vec3& normal() const { return normal_; }
 
  private:
   Vec3 closest_on_sides(const Vec3& p) const;
-  /// Used if the triangle is so narrow that barycentric coordinates lose their digits: starts along the normal, from
-  /// the side that is near.
+  /// Finds the closest point of a triangle that is so narrow that barycentric coordinates would be inaccurate. It
+  /// starts at the nearest side instead.
   Vec3 closest_in_needle(const Vec3& p) const;
 
   std::array<Vec3, 3> corners_;
@@ -93,7 +93,7 @@ class ClosestPointTrees {
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit with the rows of these items in items(), which are those of prepared().
+  /// Calls visit with the rows of these items in items(), which are also those of prepared().
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

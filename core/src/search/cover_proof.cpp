@@ -13,12 +13,12 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;             ///< items near a piece up to which it is cut without being halved first
-constexpr std::size_t most_cut = 4;         ///< nearest items whose sides are tried
-constexpr std::size_t pieces_per_item = 8;  ///< allowed for each item about a piece, and some more
+constexpr std::size_t few = 24;      ///< number of items near a piece up to which it is cut without being halved first
+constexpr std::size_t most_cut = 4;  ///< number of nearest items whose sides are tried
+constexpr std::size_t pieces_per_item = 8;  ///< number of pieces allowed for each item near a piece, plus some more
 constexpr std::size_t pieces_besides = 200;
-constexpr double least_piece = 1.0 / 64;  ///< radius, of the limit
-constexpr double on_plane = 1e-9;         ///< of the piece's radius: not cut off
+constexpr double least_piece = 1.0 / 64;  ///< least radius of a piece, as a share of the limit
+constexpr double on_plane = 1e-9;  ///< share of the piece's radius within which a point is on a plane and not cut off
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }
 
@@ -39,7 +39,7 @@ double radius_about(const Vec3& centre, const Points& points) {
 }
 
 struct Plane {
-  Vec3 point, normal;  ///< normal of length one, to the side that is over the item
+  Vec3 point, normal;  ///< point and unit normal, to the side that is above the item
 };
 
 /// Directions at right angles to the sides of the triangle (at the ends of the line piece), in its plane. None for a
@@ -155,7 +155,7 @@ bool CoverProver::covers_large(const Corners& item) {
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
-    // Among many items near a small piece, one that has all of it above itself is searched for as well.
+    // If there are many items near a small piece, one that has all of it above itself is searched too.
     const bool is_small = r <= least_piece * limit_;
     const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });

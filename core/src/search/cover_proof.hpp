@@ -4,10 +4,10 @@
 /// has large triangles and the other small ones.
 ///
 /// The distance to one triangle is a convex function, so a convex piece whose corners are within the limit of one
-/// triangle is within it as a whole. If there is no such triangle, the piece is cut by planes that stand on the sides
-/// of the triangle nearest to its middle. The part between the planes lies over that triangle, the rest over others. So
-/// along sides where two triangles take turns the piece is cut exactly there, and need not become small against the
-/// limit. Where no plane cuts, the piece is halved.
+/// triangle is within it as a whole. If there is no such triangle, the piece is cut by planes perpendicular to the
+/// triangle nearest to its centre, through the sides of that triangle. The part between the planes lies over that
+/// triangle, the rest over others. The piece is thereby cut exactly at sides between two triangles, and need not become
+/// small relative to the limit. If no plane cuts the piece, it is halved.
 #pragma once
 
 #include <vector>
@@ -19,22 +19,23 @@
 namespace geomesh::search {
 
 struct Cover {
-  bool is_proven = false;  ///< all of it is within the limit; else one of its points, `place`, is not, or that was not
-                           ///< decided about it
-  double farthest = 0;     ///< largest distance of a point looked at: corners, middles of sides, centroid, corners and
-                           ///< centroids of pieces
-  Vec3 place;              ///< where that was; of what is not proven the point in question
+  /// True if all of it is within the limit; else one of its points, `place`, is not, or was not decided.
+  bool is_proven = false;
+  /// Largest distance of an examined point: corners, midpoints of sides, centroid, corners and centroids of pieces.
+  double farthest = 0;
+  Vec3 place;  ///< place of the largest distance; if not proven, the point in question
 };
 
-/// For one thread. The rounding of cuts and distances (some ulps of the coordinates) is not accounted for, so leave it
-/// a share of the limit.
+/// Must be used by one thread only. The rounding of cuts and distances (some ulps of the coordinates) is not accounted
+/// for, so callers must reserve a share of the limit for it.
 class CoverProver {
  public:
-  /// `open_edges` of the items of the set (find_open_edges): with them, pieces over a smooth surface need no cuts.
+  /// `open_edges` are those of the items of the set (find_open_edges): with them, pieces over a smooth surface need no
+  /// cuts.
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// The limit for all proofs from now on.
+  /// Sets the limit for all proofs from now on.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Proves `item` (a line piece has its last two corners equal) against a group of the set. A piece whose distance
@@ -46,7 +47,7 @@ class CoverProver {
   using Polygon = std::vector<Vec3>;
   bool is_over_sheet(const Corners& item) const;
   bool covers_all(const Corners& item);
-  /// Searches the set anew for each half, until few of its items are near. Undecided if that takes too many halves.
+  /// Searches the set again for each half, until few of its items are near. Undecided if that takes too many halves.
   bool covers_large(const Corners& item);
   /// `rows` are rows of near_.
   bool covers(const Polygon& piece, std::vector<Index> rows);

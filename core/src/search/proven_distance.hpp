@@ -37,22 +37,22 @@ class DistanceProver {
   /// if halves down to a 16th of the limit, or a hundred of them, do not decide. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
-  /// If the last triangle was proven at once, because the set is a sheet over all of it (test d): a triangle of that
-  /// sheet; otherwise no_index. The triangles over it are all turned from it by less than 53 degrees, or all from its
-  /// other side.
+  /// Returns a triangle of the sheet if the last triangle was proven at once because the set is a sheet over all of it
+  /// (test d); otherwise no_index. All triangles over it are inclined to it by less than 53 degrees, or all of them are
+  /// on its other side.
   Index sheet_row() const { return sheet_row_; }
 
  private:
   struct Spot {
     double distance;
-    Vec3 point;  ///< of the triangle of the set that is nearest to a corner
+    Vec3 point;  ///< point of the set's triangle that is nearest to a corner
   };
-  /// A triangle of the set that may be near to a piece, and its points nearest to the corners of that piece.
+  /// A triangle of the set that may be near a piece, and its points nearest to the corners of that piece.
   struct Candidate {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// The candidates_ of one piece; those of the half that is examined follow.
+  /// The candidates_ of one piece; they are followed by those of the half that is examined.
   struct Range {
     std::size_t first, last;
   };
@@ -60,7 +60,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// A triangle of the sheet that is over all of the piece, or no_index.
+  /// Returns a triangle of the sheet that is over all of the piece, or no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;
@@ -68,8 +68,8 @@ class DistanceProver {
   double limit_;
   std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t> by_two_;  // candidates that are near to two corners
-  std::vector<Spot> centres_;        // by candidate: nearest to the middle of the piece's longest edge
+  std::vector<std::size_t> by_two_;  // candidates that are near two corners
+  std::vector<Spot> centres_;  // for each candidate: its point nearest to the midpoint of the piece's longest edge
   std::size_t n_pieces_ = 0;
   Index sheet_row_ = no_index;
 };

@@ -29,15 +29,15 @@ std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Ite
 
 /// The result of the proof for one triangle of the surface.
 enum class Over : std::uint8_t {
-  nothing,  ///< it is not over F
+  nothing,  ///< the projection of the triangle does not meet F
   part,     ///< the part over F satisfies all conditions
-  border,   ///< an open edge, too steep, or farther than the limit
+  border,   ///< it has an open edge, is too steep, or is farther than the limit
 };
 
 /// The proof for one triangle F.
 class SheetProof {
  public:
-  /// `limit` is the distance from its plane.
+  /// Triangles of the surface must be within `limit` of the triangle's plane.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
   /// Returns whether the triangle has an area.
   bool is_possible() const { return is_possible_; }
@@ -52,7 +52,7 @@ class SheetProof {
     std::array<double, 3> inside;
     double height;
   };
-  static constexpr std::size_t most_corners = 8;  ///< of what is left of a triangle between three sides
+  static constexpr std::size_t most_corners = 8;  ///< number of corners of the rest of a triangle between three sides
   /// Returns whether all of the triangle is beyond one side of F. Otherwise also returns the distances of its corners
   /// from all sides.
   bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The driver of the arrangement, declared in geomesh/geomodel/arrangement.hpp.
+// Runs the arrangement, declared in geomesh/geomodel/arrangement.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -32,8 +32,8 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
-/// Distance of mending in a round. Overlaps that remain are a few ulps thin, so new points snap to old ones nearby,
-/// from farther in each round.
+/// Snapping distance of a mending round. Overlaps that remain are a few ulps thin, so new points snap to old ones
+/// nearby, from farther away in each round.
 double mending_distance(const Complex& complex, unsigned round) {
   return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
@@ -53,11 +53,13 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   merging.facets_merged += closed.n_facets_removed;
 }
 
-/// Mends what needles that vanished have left of surfaces. `rounding` is a distance that rounding leaves.
+/// Repairs the cracks and dangling faces that vanished needles have left in surfaces. `rounding` is a distance that
+/// rounding leaves.
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
-  constexpr double flaps_of_tolerance = 2;  // a corner has moved by one more than its neighbours
+  // Factor on the tolerance: a corner has moved by one tolerance more than its neighbours.
+  constexpr double flaps_of_tolerance = 2;
   const CutFlaps cut = cut_flaps(complex, std::max(flaps_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
   result.merging.facets_collapsed += cut.vanished.size();
@@ -147,8 +149,8 @@ std::optional<Box3> bounds_of(const ArrangementOptions& options) {
   return bounds;
 }
 
-/// Returns the planes of the bounds in which triangles of sides lie; others are as far away as possible. The edges of a
-/// turned box touch its bounds.
+/// Returns the planes of the bounds in which triangles of sides lie; others are infinitely far away. The edges of a
+/// rotated box touch its bounds.
 std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, const std::optional<Box3>& bounds) {
   if (!bounds) return std::nullopt;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -165,7 +167,7 @@ std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, con
   return planes;
 }
 
-/// Facets that meet others.
+/// Marks the facets that meet others.
 std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
   std::vector<std::uint8_t> marks(complex.facets.size(), 0);
   for (const FacetContact& c : contacts.facets) {
@@ -185,7 +187,7 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
   return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
 }
 
-/// A soup that grows beyond these while it is mended will not end.
+/// Limits on the size of the soup: if it grows beyond them while it is mended, mending will not terminate.
 class MendingBounds {
  public:
   MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)
@@ -205,7 +207,7 @@ class MendingBounds {
   unsigned most_rounds_;
 };
 
-/// One arrangement: what is read in, and what its rounds have done so far.
+/// State of one arrangement: its input, and the results of its rounds so far.
 class Arrangement {
  public:
   Arrangement(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Polyline>& polylines,
@@ -324,12 +326,12 @@ class Arrangement {
   MergingBook book_{result_.merging};
   SurfaceList surfaces_;
   Ingested ingested_;
-  std::optional<Box3> bounds_;  ///< of the box or the volume
-  std::optional<Box3> planes_;  ///< those of them that are sides
+  std::optional<Box3> bounds_;  ///< bounding box of the box or the volume
+  std::optional<Box3> planes_;  ///< those bounds that are planes of sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
-  std::size_t n_booked_ = 0;   ///< facets that vanished, of which is booked what was lost with them
-  double first_rounding_ = 0;  ///< finer doubles, next to zero, keep no points off the sides of the box
+  std::size_t n_booked_ = 0;   ///< number of vanished facets whose losses were recorded
+  double first_rounding_ = 0;  ///< finer doubles, close to zero, would move points off the sides of the box
 };
 
 }  // namespace

@@ -12,9 +12,10 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double twin_share = 0.01;  // of the tolerance: surfaces that follow each other as near are duplicates
-constexpr unsigned most_passes = 8;  // what one splits may be near to more; three do mostly
-constexpr double least_ulps = 1024;  // of a tolerance: rounding may undo less
+// Share of the tolerance within which surfaces that follow each other are duplicates.
+constexpr double twin_share = 0.01;
+constexpr unsigned most_passes = 8;  // an edge that one pass splits may be near others; three passes are usually enough
+constexpr double least_ulps = 1024;  // least tolerance, since rounding might undo a smaller one
 
 std::vector<std::uint8_t> are_faults(const std::vector<TriangulatedSurface>& surfaces) {
   std::vector<std::uint8_t> are;
@@ -61,7 +62,7 @@ InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warni
   return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
 }
 
-/// From this surface on nothing merges: points keep to the sides of a box by its planes, and the sides of another
+/// Surfaces from this row on are not merged: points keep to the sides of a box by its planes, and the sides of another
 /// volume are fixed.
 Index InputJoiner::first_fixed() const { return options_.box ? no_index : static_cast<Index>(surfaces_.given.size()); }
 
@@ -73,8 +74,8 @@ JoinRule InputJoiner::join_rule(const Contacts& contacts) const {
   return rule;
 }
 
-/// Bodies and the faults that cut them coincide up to the digits of their files. Neither ends where they do, so the
-/// rule for surfaces that meet would leave a gap of these digits between them.
+/// Merges bodies with the faults that cut them, which coincide up to the digits in their files. Neither ends where they
+/// do, so the rule for surfaces that meet would leave a gap of this width between them.
 void InputJoiner::merge_bodies_with_faults(MergingBook& book) {
   std::set<SurfacePair> pairs;
   const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
@@ -121,7 +122,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
   take(book, joined, now);
 }
 
-/// Each is done until nothing changes.
+/// Repeats each of the steps until nothing changes.
 void InputJoiner::join_ends_and_sides(MergingBook& book) {
   std::vector<VertexIndex> now;
   const auto repeat = [&](auto join) {
@@ -135,7 +136,7 @@ void InputJoiner::join_ends_and_sides(MergingBook& book) {
   repeat(join_to_sides);
 }
 
-/// `now`: by vertex the one that stands for it.
+/// `now` gives for each vertex the one that replaced it.
 void InputJoiner::take(MergingBook& book, const SnapOutcome& outcome, const std::vector<VertexIndex>& now) {
   book.take(outcome);
   for (auto& vertices : ingested_.vertex_of_point)

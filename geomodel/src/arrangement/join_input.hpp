@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Merging before anything is intersected, and the record of all merging so far.
+/// Merges surfaces before anything is intersected, and records all merging so far.
 #pragma once
 
 #include <set>
@@ -13,14 +13,14 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The merging of a result, and facets that vanished.
+/// The merging of a result, and the facets that vanished.
 struct MergingBook {
   ArrangementResult::Merging& merging;
   std::vector<VanishedFacet> vanished{};
   void take(const SnapOutcome& outcome);
 };
 
-/// One arrangement's input. References must outlive it.
+/// The input of one arrangement. References must outlive it.
 class InputJoiner {
  public:
   InputJoiner(Ingested& ingested, const SurfaceList& surfaces, const ArrangementOptions& options,
@@ -28,11 +28,13 @@ class InputJoiner {
       : ingested_(ingested), surfaces_(surfaces), options_(options), joining_(joining), context_(context) {}
 
   /// Merges, within the tolerance if there is one: patches of faults, bodies with the faults that cut them, ends,
-  /// duplicates. Otherwise ends within rounding of other surfaces. Then everything on sides up to rounding. Throws
-  /// Error{usage} if the tolerance is no greater than rounding. Cost: that of snap_near, a few times.
+  /// duplicates. Without a tolerance, merges ends within rounding of other surfaces. Then moves everything near sides
+  /// onto them, up to rounding. Throws Error{usage} if the tolerance is not greater than rounding. Cost: that of
+  /// snap_near, a few times.
   void join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
 
-  /// The rule for merging within the tolerance from now on. `contacts` are those of the input as it is now.
+  /// Returns the rule for merging within the tolerance from now on. `contacts` are those of the input in its current
+  /// state.
   JoinRule rule(const Contacts& contacts) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A facet split at the vertices near it, declared in arrangement/snap/snap.hpp.
+// Splits a facet at the vertices near it, declared in arrangement/snap/snap.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Thrown out of the triangulation where two constraints cross.
+/// Thrown from the triangulation if two constraints cross.
 struct ConstraintsCross {};
 
 class FacetSplitter {
@@ -21,12 +21,12 @@ class FacetSplitter {
         frame_(frame),
         mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
 
-  /// False where two vertices are one as seen.
+  /// Returns false if two vertices coincide in the projection.
   bool add_vertices(const std::vector<VertexIndex>& border, const std::vector<VertexIndex>& inside) {
     for (const VertexIndex v : border)
       if (!rows_.contains(v) && !add(v)) return false;
     for (const VertexIndex v : inside)
-      if (!rows_.contains(v)) add(v);  // one as seen with another: left out
+      if (!rows_.contains(v)) add(v);  // a vertex that coincides with another in the projection is left out
     start_with_a_frame();
     for (int p = 0; p < n_vertices(); ++p) mesh_.insert_point(p);
     return true;
@@ -38,8 +38,9 @@ class FacetSplitter {
       if (rows_.contains(a) && rows_.contains(b)) mesh_.insert_constraint(rows_.at(a), rows_.at(b), 0);
   }
 
-  /// Returns whether each edge of the closed walk is there as a whole. Along an axis, vertices can be collinear in
-  /// another order than on their edge; the walk then alternates, and the space between its edges would be lost.
+  /// Returns whether each edge of the closed walk exists as a whole. In projection along an axis, vertices can be
+  /// collinear in another order than on their edge; the walk then runs back and forth, and the space between its edges
+  /// would be lost.
   bool has_edges_of(const std::vector<VertexIndex>& walk) const {
     for (std::size_t k = 0; k < walk.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(walk[k]), rows_.at(walk[(k + 1) % walk.size()]));
@@ -49,9 +50,9 @@ class FacetSplitter {
     return true;
   }
 
-  /// Triangles on the left of the closed walk along `border`.
+  /// Returns the triangles on the left of the closed walk along `border`.
   std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
-    std::map<std::pair<int, int>, int> walls;  // directed edge -> times walked
+    std::map<std::pair<int, int>, int> walls;  // number of times that each directed edge is walked
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(border[k]), rows_.at(border[(k + 1) % border.size()]));
       for (std::size_t s = 0; s + 1 < chain.size(); ++s) ++walls[{chain[s], chain[s + 1]}];
@@ -134,7 +135,7 @@ std::vector<EdgeKey> edges_of_walk(const std::vector<VertexIndex>& walk) {
   return edges;
 }
 
-/// Parts of the walk that go to and fro along one edge are taken out.
+/// Removes parts of the walk that run back and forth along one edge.
 void remove_spikes(std::vector<VertexIndex>& walk) {
   for (bool changed = true; changed && walk.size() > 2;) {
     changed = false;
@@ -147,7 +148,7 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
-/// Returns nothing if the walk crosses itself as seen, or winds the wrong way.
+/// Returns nothing if the walk crosses itself in the projection, or winds the wrong way.
 std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
                                                std::vector<VertexIndex> walk, const std::vector<VertexIndex>& inside,
                                                const std::vector<EdgeKey>& wanted) {
@@ -168,7 +169,8 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
   }
 }
 
-/// Seen along each axis, the one along which the walk has the largest area first; others have half of it at least.
+/// Returns projections along each axis, the one in which the walk has the largest area first; others have at least half
+/// of it.
 std::vector<Projection> frames_of_walk(const std::vector<Vec3>& points, const std::vector<VertexIndex>& walk) {
   constexpr double least_share = 0.5;
   Vec3 area;
@@ -199,7 +201,7 @@ std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points
   };
   if (auto triangles = split_as_seen(projection_of(points[facet[0]], points[facet[1]], points[facet[2]])))
     return triangles;
-  // A needle's plane differs from that of its border once near vertices have been inserted in the border.
+  // The plane of a needle differs from that of its border after near vertices have been inserted in the border.
   for (const Projection& frame : frames_of_walk(points, walk))
     if (auto triangles = split_as_seen(frame)) return triangles;
   return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The driver of the judge, declared in geomesh/geomodel/check.hpp.
+// Runs all checks of a mesh, declared in geomesh/geomodel/check.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,13 +29,13 @@ namespace {
 
 using namespace checking;
 
-/// NAME.ext -> NAME<suffix>, empty where there is no such file.
+/// Returns NAME<suffix> for NAME.ext, or an empty path if there is no such file.
 std::filesystem::path beside(const std::filesystem::path& mesh, const std::string& suffix) {
   std::filesystem::path file = mesh.parent_path() / (mesh.stem().string() + suffix);
   return std::filesystem::exists(file) ? file : std::filesystem::path{};
 }
 
-/// The report beside the mesh; nothing where there is none or it is no JSON.
+/// Returns the report beside the mesh; nothing if there is none or it is not JSON.
 std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   const std::filesystem::path file = beside(mesh, ".report.json");
   if (file.empty()) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   return report;
 }
 
-/// `open_borders` of the report.
+/// Reads `open_borders` of the report.
 std::vector<ToldGap> gaps_told_beside(const std::filesystem::path& mesh) {
   std::vector<ToldGap> told;
   const auto report = report_beside(mesh);
@@ -60,7 +60,7 @@ std::vector<ToldGap> gaps_told_beside(const std::filesystem::path& mesh) {
   return told;
 }
 
-/// The distance between neighbouring numbers at the mesh's largest coordinate.
+/// Returns the distance between neighbouring numbers at the mesh's largest coordinate.
 double unit_in_last_place(const MeshFile& mesh) {
   double largest = 0;
   for (const Vec3& p : mesh.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -69,8 +69,8 @@ double unit_in_last_place(const MeshFile& mesh) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-/// How far rounding may have moved anything: as asked, else what the rounding of crossings may bring together, and what
-/// the project's own `tolerance` may. No report of the run is asked.
+/// Returns how far rounding may have moved anything: the requested value, else what the rounding of crossings may
+/// merge, plus the project's own `tolerance`. Reports of the run are not used.
 double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Claim& claim) {
   constexpr double ulps_of_crossings = 1024, ulps_of_other_tools = 8;
   if (request.tolerance >= 0) return request.tolerance;
@@ -78,7 +78,8 @@ double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Cla
   return ulps * unit_in_last_place(mesh) + 2 * claim.merging;
 }
 
-/// What surfaces may be off their input beyond rounding: as asked, else as the project says of its meshing; 0: nothing.
+/// Returns how far surfaces may be from their input beyond rounding: the requested value, else that of the project; 0
+/// if not at all.
 double surfaces_may_be_off(const CheckRequest& request, const Claim& claim) {
   return request.within >= 0 ? request.within : claim.within;
 }
@@ -88,7 +89,7 @@ bool all_known(const std::vector<Triangle>& faces) {
                      [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) == t.end(); });
 }
 
-/// The surfaces of the claim: covered, or followed within a tolerance.
+/// Checks that the surfaces of the specification are covered, or followed within a tolerance.
 void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                     const std::vector<Triangle>& set_faces, CheckResult& result) {
   const double rounding = tolerance_of(request, mesh.file, claim), within = surfaces_may_be_off(request, claim);
@@ -108,19 +109,19 @@ void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const C
   check_volumes_within(claimed, allowed, report_beside(request.mesh), result);
 }
 
-/// The mesh, its face set and its curves, as the files have them or with fault zones closed.
+/// The mesh, its face set and its curves, either as in the files or with fault zones closed.
 struct JudgedFiles {
   const JudgedMesh& mesh;
   const FacesFile& faces;
   const std::vector<Triangle>& set_faces;
-  const CurvesFile* curves;  ///< null where there are none
+  const CurvesFile* curves;  ///< null if there are none
 };
 
 bool can_judge_contract(const JudgedFiles& files) {
   return !files.mesh.file.region.empty() && all_known(files.set_faces);
 }
 
-/// What the files say of each other.
+/// Checks the files against each other.
 void judge_files(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
   const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
   check_patches(claimed, result);
@@ -136,7 +137,7 @@ void judge_files(const CheckRequest& request, const JudgedFiles& files, const Cl
     check_report(claimed, curves ? &*curves : nullptr, *report, tolerance_of(request, files.mesh.file, claim), result);
 }
 
-/// Names, curves and arrays of the files against the project and docs/output-files.md.
+/// Checks names, curves and arrays of the files against the project and docs/output-files.md.
 void judge_contract(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
   const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
   const double rounding = tolerance_of(request, files.mesh.file, claim), reach = rounding + claim.within;
@@ -157,8 +158,8 @@ void judge_contract(const CheckRequest& request, const JudgedFiles& files, const
   if (const auto report = report_beside(request.mesh)) check_report_quality(files.mesh, *report, ulp, result);
 }
 
-/// Nine tenths of the model's volume are in tetrahedra whose longest edges are shorter. Where sizes are graded, few
-/// elements are as large as what was asked, but they fill the model. `mesh` has cells.
+/// Returns the length below which the longest edges of tetrahedra lie that fill nine tenths of the model's volume. If
+/// sizes are graded, few elements are as large as the target size, but they fill most of the model. `mesh` has cells.
 double long_edge_by_volume(const JudgedMesh& mesh) {
   std::vector<std::pair<double, double>> edge_and_volume;
   edge_and_volume.reserve(mesh.cells.size());
@@ -182,8 +183,8 @@ double long_edge_by_volume(const JudgedMesh& mesh) {
   return edge_and_volume.back().first;
 }
 
-/// Where the project leaves its sizes to a number of elements, the tolerance follows them: it is what the run promises.
-/// No promise above a twentieth of the mesh's long edges is believed.
+/// If the project only gives a number of elements, the tolerance follows the derived sizes and is taken from the
+/// report. A value above a twentieth of the mesh's long edges is rejected.
 void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, Claim& claim, CheckResult& result) {
   const auto report = report_beside(request.mesh);
   const nlohmann::json::json_pointer told("/tolerance/requested");
@@ -199,7 +200,7 @@ void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, C
   result.checks_done.emplace_back(text);
 }
 
-/// The mesh as it would be without zones, against the project.
+/// Checks the mesh as it would be without fault zones against the project.
 void judge_closed(const CheckRequest& request, const ClosedFiles& closed, const Claim& claim, CheckResult& result) {
   JudgedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
   if (!check_cells(mesh, result)) return;
@@ -226,12 +227,12 @@ void judge_with_zones(const CheckRequest& request, const JudgedFiles& files, con
   for (const std::string& text : rest.checks_done) result.checks_done.push_back("with zones closed: " + text);
 }
 
-/// The files of a mesh: surfaces and curves stand beside it, or in its own grid.
+/// The files of a mesh. Surfaces and curves are in files beside it, or in its own grid.
 struct GivenFiles {
   MeshFile mesh;
   std::optional<FacesFile> faces;
   std::optional<CurvesFile> curves;
-  /// Null where there are none, or an array of theirs is missing.
+  /// Returns null if there are no faces, or if one of their arrays is missing.
   const FacesFile* complete_faces() const { return faces && faces->missing_arrays.empty() ? &*faces : nullptr; }
 };
 
@@ -252,7 +253,7 @@ GivenFiles read_files(const std::filesystem::path& mesh) {
   return given;
 }
 
-/// With both sides of split surfaces joined, where the files tell them apart.
+/// Joins both sides of split surfaces, if the files distinguish them.
 void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
   const std::vector<Vec3>& points = given.mesh.points;
   if (claim.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
@@ -287,7 +288,7 @@ void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const Give
   if (!claim.output.fault_zones.empty()) judge_with_zones(request, files, claim, result);
 }
 
-/// As the project's attributes say.
+/// Returns the velocities that the project's attributes give.
 Velocities velocities_of(const CheckRequest& request) {
   Velocities velocities;
   if (request.project.empty()) return velocities;
@@ -296,7 +297,7 @@ Velocities velocities_of(const CheckRequest& request) {
   return velocities;
 }
 
-/// The files as they are given, against each other and against the claim where there is one.
+/// Checks the files as given, against each other and against the specification if there is one.
 void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional<Claim> claim, CheckResult& result) {
   if (claim) join_sides(*claim, given, result);
   JudgedMesh mesh{given.mesh, given.mesh.tetrahedra, {}, true};
@@ -317,7 +318,8 @@ void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
-/// The elements of a solver's file, and all else by the .vtu beside it, which has the same.
+/// Checks the elements of a solver's file itself, and everything else through the .vtu beside it, which must have the
+/// same contents.
 void judge_by_vtu(const CheckRequest& request, const MeshFile& file, Claim claim, CheckResult& result) {
   CheckResult own;
   JudgedMesh mesh{file, file.tetrahedra, {}, true};

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coverage. A mesh face stands for a part of an input triangle where all its points lie within the tolerance of the
-// triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is covered where the areas that such faces
-// have in common with it add up to the area that is due: all of it, or what of it lies in the box. What is short of
-// that must be inside a body that cuts: there the faces' open edges must run along that body (or the box or the
-// triangle's sides). Points of the triangle that no face covers must lie in the body, decided exactly.
+// Checks that mesh faces cover the input surfaces. A mesh face represents a part of an input triangle where all its
+// points lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
+// covered if the areas that such faces share with it add up to the required area: all of it, or its part inside the
+// box. Any missing area must be inside a body that cuts: there the faces' open edges must run along that body (or the
+// box or the triangle's sides). Points of the triangle that no face covers must lie in the body, which is decided
+// exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,7 +29,7 @@ namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Ends of the edges that one triangle has alone.
+/// Returns the ends of the edges that have only one triangle.
 std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Triangle& t : surface.triangles)
@@ -66,7 +67,7 @@ class CoverageJudge : public ClaimedFaces {
   bool runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const;
   double height_of(const Triangle& t) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
-  /// A triangle of the input: row of its surface, its own row there.
+  /// A triangle of the input: the row of its surface, and its own row there.
   struct Source {
     Index surface, triangle;
   };
@@ -79,10 +80,10 @@ class CoverageJudge : public ClaimedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
-  std::map<Index, BoxTree> surface_trees_;                 ///< made when first asked for
-  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< of each surface of the input
+  std::map<Index, BoxTree> surface_trees_;                 ///< trees over surfaces, made when first needed
+  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< border edges of each surface of the input
   std::vector<std::pair<VertexIndex, VertexIndex>>
-      clip_edges_;  ///< edges of faces of box sides and of bodies that cut; sorted
+      clip_edges_;  ///< edges of the faces of box sides and of bodies that cut, sorted
 };
 
 void CoverageJudge::collect_clip_edges() {
@@ -99,7 +100,7 @@ void CoverageJudge::collect_clip_edges() {
   std::sort(clip_edges_.begin(), clip_edges_.end());
 }
 
-/// Each face lies on the triangle that it names as its source.
+/// Checks that each face lies on the triangle that it names as its source.
 void CoverageJudge::check_sources(CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   double largest = 0;
@@ -135,8 +136,9 @@ void CoverageJudge::check_sources(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Whether the face's centroid is in the triangle that it names, and the rest of it on neighbours in the same plane:
-/// coplanar triangles of one surface may be meshed as one polygon. Corners and middles of edges are looked at.
+/// Returns whether the face's centroid is in the triangle that it names, and the rest of it on neighbouring triangles
+/// in the same plane: coplanar triangles of one surface may be meshed as one polygon. Corners and midpoints of edges
+/// are tested.
 bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
   if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
   const TriangulatedSurface& s = claim_.surfaces[surface];
@@ -162,7 +164,7 @@ bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, cons
   return true;
 }
 
-/// No face of a horizon or fault lies inside a body that cuts.
+/// Checks that no face of a horizon or fault lies inside a body that cuts.
 void CoverageJudge::check_bodies(CheckResult& result) {
   if (bodies_.empty()) return;
   FaultCollector inside("faces_inside_bodies");
@@ -181,7 +183,7 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0 &&
-          !is_near(body, centroid(mesh_, t), tolerance_)) {  // rounding puts it on either side
+          !is_near(body, centroid(mesh_, t), tolerance_)) {  // by rounding the centroid may be on either side
         inside.add(f, centroid(mesh_, t));
         break;
       }
@@ -205,8 +207,8 @@ std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index 
   return found;
 }
 
-/// Whether both ends are at one edge that a triangle of the input has alone: there the surface ends by itself. Where
-/// its parts overlap by rounding, a neighbour's border lies in the triangle.
+/// Returns whether both ends lie on one border edge of the input, where the surface ends anyway. If its parts overlap
+/// by rounding, a neighbour's border lies in the triangle.
 bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
   return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
     const Corners line{border[0], border[1], border[1]};
@@ -215,13 +217,13 @@ bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& 
   });
 }
 
-/// Of a needle; two thirds of it of a regular triangle.
+/// Height of a needle; for a regular triangle, two thirds of its height.
 double CoverageJudge::height_of(const Triangle& t) const {
   const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
   return 4 * triangle.area() / triangle.perimeter();
 }
 
-/// A needle between two borders that are apart by rounding has ends on either of them.
+/// A needle between two borders that are a rounding error apart has its ends on either of them.
 bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
                                                const std::vector<Index>& pieces) const {
   constexpr double thin = 2;  // tolerances
@@ -249,8 +251,7 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, In
   return true;
 }
 
-/// Judges a lattice of points of the triangle: what lies in the box and under no piece must have been taken away by
-/// rule.
+/// Tests a lattice of points of the triangle: those in the box that no piece covers must have been removed by a rule.
 bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                          Vec3& place) const {
   bool removed = true;
@@ -270,7 +271,7 @@ std::function<bool(VertexIndex, VertexIndex)> CoverageJudge::runs_along_clip_or_
   };
 }
 
-/// Whether what no piece covers may be what the rules take away; `place`: where not.
+/// Returns whether the uncovered part may be what rules remove; if not, `place` is a point of it.
 bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                    Vec3& place) const {
   if (claim_.may_be_trimmed(source.surface) || (claim_.volume && !claim_.volume->box))
@@ -287,7 +288,8 @@ void CoverageJudge::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < claim_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = claim_.surfaces[s];
-    std::optional<PiecesWithoutFaces> uncovered;  // where pieces may be taken as wholes, once there is something
+    // Set if pieces may be removed as a whole, once there is an uncovered part.
+    std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];
       const PlaneTriangle triangle(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]);

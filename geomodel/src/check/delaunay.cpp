@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Locally Delaunay across every free face is Delaunay as far as vertices see each other: along the way from inside a
-// tetrahedron to a vertex that it sees, the power of that vertex falls from cell to cell (Shewchuk 2008,
-// "General-dimensional constrained Delaunay and constrained regular triangulations", the Delaunay lemma; ties allowed).
-// So judging the faces judges guarantee 5.
+// Checks the Delaunay property. A mesh that is locally Delaunay across every free face is Delaunay as far as vertices
+// see each other: along the way from inside a tetrahedron to a vertex that it sees, the power of that vertex falls from
+// cell to cell (Shewchuk 2008, "General-dimensional constrained Delaunay and constrained regular triangulations", the
+// Delaunay lemma; ties allowed). So it suffices to check the faces.
 #include <algorithm>
 
 #include "check/exact/exact.hpp"

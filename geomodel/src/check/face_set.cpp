@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The face set against the faces of the mesh, declared in check/judged/judged_mesh.hpp.
+// Checks the face set against the faces of the mesh, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -17,7 +17,7 @@ bool less(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::
 
 std::int32_t region_of(const JudgedMesh& mesh, Index cell) { return cell == no_index ? 0 : mesh.file.region[cell]; }
 
-/// Each triangle is a mesh face, and is there once. Returns, per triangle, the mesh face (nullptr: none).
+/// Checks that each triangle is a mesh face and occurs once. Returns the mesh face of each triangle (nullptr: none).
 std::vector<const FacePair*> check_triangles(const JudgedMesh& mesh, const FacesFile& faces,
                                              const std::vector<Triangle>& triangles, CheckResult& result) {
   FaultCollector unknown_point("face_points_not_in_mesh"), no_face("faces_not_in_mesh"), repeated("repeated_faces");
@@ -44,7 +44,8 @@ std::vector<const FacePair*> check_triangles(const JudgedMesh& mesh, const Faces
   return found;
 }
 
-/// region_minus and region_plus are those of the tetrahedra at the face; the normal points from minus to plus.
+/// Checks that region_minus and region_plus are those of the tetrahedra at the face, and that the normal points from
+/// minus to plus.
 void check_sides(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                  const std::vector<const FacePair*>& found, CheckResult& result) {
   FaultCollector wrong("wrong_face_regions"), inward("boundary_faces_turned");
@@ -60,13 +61,13 @@ void check_sides(const JudgedMesh& mesh, const FacesFile& faces, const std::vect
   inward.report(result, "boundary faces have their normal pointing inwards");
 }
 
-/// A region that reaches the convex hull (`--hull`): there its border is no surface of anyone's.
+/// Returns whether a region reaches the convex hull (`--hull`), where its border belongs to no surface.
 bool is_hull(const JudgedMesh& mesh, std::int32_t region) {
   const auto name = mesh.file.region_names.find(region);
   return name != mesh.file.region_names.end() && (name->second == "hull" || name->second.starts_with("hull__"));
 }
 
-/// Every face between two regions or to the outside is in the set.
+/// Checks that every face between two regions, or to the outside, is in the set.
 void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>& found, CheckResult& result) {
   std::vector<bool> listed(mesh.faces.size(), false);
   for (const FacePair* face : found)
@@ -81,7 +82,7 @@ void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>
                  "mesh faces lie between two regions, or outside and a region, and are in no surface of the face set");
 }
 
-/// The listed faces about each region close up and enclose just its volume.
+/// Checks that the listed faces around each region form a closed surface that encloses exactly its volume.
 void check_regions_closed(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                           const std::vector<const FacePair*>& found, CheckResult& result) {
   struct Side {

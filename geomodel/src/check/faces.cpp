@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces paired between cells, declared in check/judged/judged_mesh.hpp.
+// Pairs faces between cells, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <tuple>
 #include <utility>
@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// A face as one tetrahedron has it.
+/// A face as seen from one tetrahedron.
 struct HalfFace {
   Triangle key;
   Index cell;

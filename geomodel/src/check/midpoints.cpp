@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Elements of second order, declared in check/judged/judged_mesh.hpp and check/within/within_tolerance.hpp.
+// Checks second-order elements, declared in check/judged/judged_mesh.hpp and check/within/within_tolerance.hpp.
 #include <CGAL/Mpzf.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 
 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The midpoint of each edge; edges with several are told.
+/// Returns the midpoint of each edge; reports edges with several midpoints.
 std::map<Edge, VertexIndex> midpoints_of_edges(const JudgedMesh& mesh, CheckResult& result) {
   std::map<Edge, VertexIndex> of_edge;
   std::map<VertexIndex, Edge> edge_of_node;
@@ -43,7 +43,7 @@ std::map<Edge, VertexIndex> midpoints_of_edges(const JudgedMesh& mesh, CheckResu
   return of_edge;
 }
 
-/// Bezier points of the map times two, so that no division is needed: corners, and between corners.
+/// Bezier points of the map, multiplied by two so that no division is needed: at corners, and between corners.
 template <class Number>
 struct Controls {
   std::array<std::array<std::array<Number, 3>, 4>, 4> at;
@@ -59,7 +59,7 @@ struct Controls {
     }
   }
 
-  /// Six times the Bezier coefficient of the Jacobian's determinant for the corners i, j, l, times eight.
+  /// Returns the Bezier coefficient of the Jacobian's determinant for the corners i, j, l, multiplied by 6 and 8.
   Number coefficient(std::size_t i, std::size_t j, std::size_t l) const {
     const std::size_t corner[3] = {i, j, l};
     static constexpr std::size_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -75,8 +75,8 @@ struct Controls {
   }
 };
 
-/// Floats decide where they are clear of their error; sums and products of 36 terms each round less than this many
-/// units.
+/// Decides in floating point if the values exceed their error; sums and products of 36 terms each round less than this
+/// many units.
 bool all_positive(const std::array<Vec3, 10>& nodes) {
   constexpr double unit = 1.2e-16, units_of_difference = 32, units_of_determinants = 512;
   const Controls<double> rough(nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volumes of regions and of the whole, declared in check/judged/judged_mesh.hpp.
+// Checks volumes of regions and of the whole mesh, declared in check/judged/judged_mesh.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -65,7 +65,7 @@ void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
 
 namespace {
 
-/// In long doubles: what is rounded off here must be less than what points are rounded by.
+/// Uses long doubles, since rounding here must be smaller than the rounding of points.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   using Real = long double;
   const Real dx = Real{b.x} - a.x, dy = Real{b.y} - a.y, px = Real{p.x} - a.x, py = Real{p.y} - a.y;
@@ -73,9 +73,10 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return static_cast<double>(std::hypot(px - t * dx, py - t * dy));
 }
 
-/// In the map: inside the polygon of the volume's upright sides, or nearer to one of them than `room`.
+/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to one of
+/// them.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
-  const std::size_t n = volume.sides.size() - 2;  // zmin and zmax are the last
+  const std::size_t n = volume.sides.size() - 2;  // zmin and zmax are the last two sides
   bool inside = false, near = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];
@@ -90,8 +91,8 @@ bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
 void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result) {
   const ModelVolume& volume = *claim.volume;
   const Box3& box = volume.bounds;
-  // Sides that are not along the axes are rounded, and surfaces that lie on them but for rounding are joined to them,
-  // within 32 ulps. Points between what was joined are rounded again.
+  // Largest distance of points from a side, in ulps. Sides that are not along the axes are rounded, and surfaces that
+  // lie on them up to rounding are joined to them, within 32 ulps. Points between joined surfaces are rounded again.
   constexpr double ulps_off_a_side = 40;
   double ulp = 0, side_area = 0;  // of such sides
   for (const TriangulatedSurface& side : volume.sides)

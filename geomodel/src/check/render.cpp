@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The verdict as text and as JSON, declared in geomesh/geomodel/check.hpp.
+// Formats the verdict as text and as JSON, declared in geomesh/geomodel/check.hpp.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Rows in chunks of fixed length, for loops on several threads whose results are joined in the order of rows.
+/// Divides rows into chunks of fixed length, for loops on several threads whose results are joined in the order of
+/// rows.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -12,7 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// Runs `work` where loops of oneTBB use at most the given number of threads (0: all cores).
+/// Runs `work` so that loops of oneTBB use at most the given number of threads (0: all cores).
 template <class Work>
 void in_arena(unsigned threads, const Work& work) {
   const int cores = tbb::this_task_arena::max_concurrency();
@@ -20,13 +21,13 @@ void in_arena(unsigned threads, const Work& work) {
   arena.execute(work);
 }
 
-/// Calls task(k) for k in [0, n). Tasks may not touch each other's data.
+/// Calls task(k) for k in [0, n). Tasks must not modify each other's data.
 template <class Task>
 void for_each_task(std::size_t n, unsigned threads, const Task& task) {
   in_arena(threads, [&] { parallel_for(n, [&](std::size_t k) { task(k); }); });
 }
 
-/// The rows [0, n) in chunks that do not depend on the threads.
+/// The rows [0, n) in chunks that do not depend on the number of threads.
 class Chunks {
  public:
   explicit Chunks(std::size_t n) : n_(n) {}

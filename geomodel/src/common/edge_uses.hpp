@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The edges of a set of triangles with the triangles that meet there.
+/// The edges of a set of triangles, with the triangles that meet there.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct EdgeUse {
   friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
 };
 
-/// All uses, sorted by (a, b, facet); triangle_of(row) for rows below n. O(n log n).
+/// Returns all uses, sorted by (a, b, facet); `triangle_of` returns the triangle of each row below n. O(n log n).
 template <class TriangleOf>
 std::vector<EdgeUse> sorted_edge_uses(std::size_t n, const TriangleOf& triangle_of) {
   std::vector<EdgeUse> uses;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// JSON that others wrote.
+/// Reads JSON that other programs wrote.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Discarded where the text is no JSON. What is nested deeper than any file here needs is left out: values are copied
-/// and printed by functions that call themselves, and deep ones overrun the stack.
+/// Returns a discarded value if the text is not JSON. Values nested deeper than any file here needs are dropped,
+/// because recursive functions copy and print values, and deep nesting overflows the stack.
 template <class Input>
 nlohmann::json parse_foreign_json(Input&& input) {
   constexpr int most_depth = 64;

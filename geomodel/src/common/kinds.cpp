@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of the kinds of surfaces, declared in geomesh/geomodel/surface.hpp.
+// Names the kinds of surfaces, declared in geomesh/geomodel/surface.hpp.
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {

@@ -10,34 +10,35 @@
 
 namespace geomesh::geomodel {
 
-/// Memory of the machine, or of the container around this process where that is less. 0: the system does not say.
+/// Returns the memory of the machine, or of the container around this process if that is less; 0 if the system does not
+/// report it.
 std::size_t memory_of_machine();
 
 struct ProcessUse {
-  double cpu_seconds = 0;  ///< of all threads, in the program and in the system
+  double cpu_seconds = 0;  ///< time of all threads, in user and system mode
   std::size_t peak_bytes = 0;
 };
 ProcessUse use_of_this_process();
 
 long id_of_this_process();
-/// False only where the system says that there is no such process.
+/// Returns false only if the system reports that there is no such process.
 bool may_be_running(long process);
 
-/// Empty where files can be made in the folder, else the system's reason.
+/// Returns an empty text if files can be created in the folder, else the system's reason.
 std::string why_not_writable(const std::filesystem::path& folder);
 
-/// Makes a file of that many bytes whose room on the disk is taken. False where there is no room or no access.
+/// Makes a file of that many bytes and reserves its space on the disk. Returns false if there is no space or no access.
 bool make_file_of(const std::filesystem::path& file, std::size_t bytes);
 
-/// Removes a file, if it is there, by a call that a handler of signals may make.
+/// Removes a file, if it exists, with a call that is safe in a signal handler.
 void remove_in_handler(const char* file) noexcept;
 
-/// A library loaded by its file: null, with the system's reason, where that fails.
+/// Loads a library from its file; returns null, with the system's reason, on failure.
 void* open_library(const std::filesystem::path& file, std::string& reason);
-/// Null where the library has no function of that name.
+/// Returns null if the library has no function of that name.
 void* function_of_library(void* library, const char* name, std::string& reason);
 void close_library(void* library);
-/// The program or library that holds this code, as the system names it; empty where it does not say.
+/// Returns the program or library that contains this code; empty if the system does not report it.
 std::filesystem::path file_of_code(void (*code)());
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The services of operating_system.hpp on Linux, macOS and other systems of POSIX.
+// Implements operating_system.hpp on Linux, macOS and other POSIX systems.
 #ifndef _WIN32
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -22,7 +22,7 @@ std::size_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   std::size_t bytes = pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : 0;
   std::size_t of_container = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)  // "max" is no number
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)  // "max" is not a number
     bytes = bytes == 0 ? of_container : std::min(bytes, of_container);
   return bytes;
 }
@@ -52,12 +52,12 @@ std::string why_not_writable(const fs::path& folder) {
 }
 
 bool make_file_of(const fs::path& file, std::size_t bytes) {
-  constexpr mode_t readable_by_all = 0666;  // less what the user's mask takes away
+  constexpr mode_t readable_by_all = 0666;  // without the bits that the user's mask removes
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, readable_by_all);
   if (descriptor < 0) return false;
 #if defined(_POSIX_ADVISORY_INFO) && _POSIX_ADVISORY_INFO > 0
   const int status = posix_fallocate(descriptor, 0, static_cast<off_t>(bytes));
-#else  // the option of POSIX is not offered, as on macOS: the length is set, the room is not taken
+#else  // posix_fallocate is not available, as on macOS: the length is set without reserving space
   const int status = ftruncate(descriptor, static_cast<off_t>(bytes));
 #endif
   return close(descriptor) == 0 && status == 0;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The services of operating_system.hpp on Windows.
+// Implements operating_system.hpp on Windows.
 #ifdef _WIN32
 #define NOMINMAX
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
-// After windows.h, which it needs.
+// Must follow windows.h.
 #include <psapi.h>
 
 #include <system_error>
@@ -32,7 +32,7 @@ ProcessUse use_of_this_process() {
   FILETIME created, ended, kernel, user;
   ProcessUse use;
   if (GetProcessTimes(GetCurrentProcess(), &created, &ended, &kernel, &user)) {
-    const auto seconds = [](const FILETIME& t) {  // counted in units of 100 ns
+    const auto seconds = [](const FILETIME& t) {  // in units of 100 ns
       return 1e-7 * (4294967296.0 * static_cast<double>(t.dwHighDateTime) + static_cast<double>(t.dwLowDateTime));
     };
     use.cpu_seconds = seconds(kernel) + seconds(user);
@@ -57,7 +57,7 @@ bool may_be_running(long process) {
 void remove_in_handler(const char* file) noexcept { DeleteFileA(file); }
 
 std::string why_not_writable(const fs::path& folder) {
-  // Rights of a folder are lists that only an attempt evaluates as the system does.
+  // Permissions of a folder are lists that only an attempt evaluates in the same way as the system.
   const fs::path trial = folder / (L"geomesh." + std::to_wstring(GetCurrentProcessId()) + L".part");
   const HANDLE handle = CreateFileW(trial.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS,
                                     FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How many threads loops of oneTBB may use, over a whole stage.
+/// Limits the number of threads of oneTBB loops during a whole stage.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// While it lives, loops use at most so many threads. 0 stands for all cores.
+/// While it exists, loops use at most this many threads; 0 means all cores.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned threads) {

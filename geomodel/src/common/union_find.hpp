@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// With path halving; the representative is always the smallest member.
+/// Uses path halving; the representative is always the smallest member.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }

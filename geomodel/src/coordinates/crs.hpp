@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizontal coordinate systems: their names, and conversion of those that GeographicLib serves.
+/// Horizontal coordinate systems: their names, and conversion of those that GeographicLib supports.
 #pragma once
 
 #include <string>
@@ -12,41 +12,41 @@ namespace geomesh::geomodel {
 
 struct HorizontalCrs {
   enum class Kind {
-    local,       ///< no place on the globe
-    geographic,  ///< x longitude, y latitude, degrees
-    utm,         ///< zone 0: to be found
+    local,       ///< without a position on the globe
+    geographic,  ///< x longitude, y latitude, in degrees
+    utm,         ///< zone 0: to be determined
     polar,       ///< polar stereographic
-    other,       ///< known by its name alone
+    other,       ///< only its name is known
   };
   Kind kind = Kind::local;
   int zone = 0;
   bool north = true;
   int epsg = 0;         ///< 0: not given by code
-  bool etrs89 = false;  ///< on ETRS89, else WGS84; the two are taken for one (they are less than a metre apart)
+  bool etrs89 = false;  ///< on ETRS89, else WGS84; the two are treated as equal (they differ by less than a metre)
   std::string text;     ///< as written
 
   bool converts() const { return kind == Kind::geographic || kind == Kind::utm || kind == Kind::polar; }
-  /// "utm 32N", "geographic", else as written.
+  /// Returns "utm 32N", "geographic", else the text as written.
   std::string name() const;
 };
 
-/// "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE"; case and blanks do not matter.
-/// Anything else is of kind other.
+/// Parses "local", "geographic", "utm", "utm 32N" (also "UTM zone 32N", "utm32n"), "epsg:CODE"; case and blanks are
+/// ignored. Anything else is of kind other.
 HorizontalCrs parse_crs(std::string_view text);
-/// What is wrong with such a text in a project; empty where nothing is.
+/// Returns what is wrong with such a text in a project; empty if nothing is.
 std::string complaint_about_crs(std::string_view text);
 
-/// The same system, up to the datum.
+/// Returns whether two systems are the same, up to the datum.
 bool same_system(const HorizontalCrs& a, const HorizontalCrs& b);
 
-/// Longitude and latitude in degrees. Throws Error{invalid_input} where the point is beyond the system's range.
+/// Returns longitude and latitude in degrees. Throws Error{invalid_input} if the point is outside the system's range.
 /// Precondition: crs.converts(), zone known. Accurate to a micrometre (Karney, "Transverse Mercator with an accuracy of
 /// a few nanometers", J. Geodesy 85, 2011).
 Vec2 to_geographic(const HorizontalCrs& crs, const Vec2& p);
-/// Metres, or degrees. Errors and precondition as above.
+/// Returns metres, or degrees. Errors and precondition as above.
 Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& longitude_latitude);
 
-/// The UTM system of the zone that a place lies in (with the exceptions about Norway and Svalbard).
+/// Returns the UTM system of the zone in which a place lies (with the exceptions around Norway and Svalbard).
 HorizontalCrs utm_at(const Vec2& longitude_latitude);
 
 }  // namespace geomesh::geomodel

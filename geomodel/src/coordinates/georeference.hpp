@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From the coordinates of each input to those in which the model is computed (docs/coordinates.md).
+/// Converts the coordinates of each input to those in which the model is computed (docs/coordinates.md).
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@
 
 namespace geomesh::geomodel {
 
-/// One input: its contents as read, and what the project says about it.
+/// One input: its contents as read, and the project's settings for it.
 struct SourceInput {
-  std::string name;  ///< of the entry, for messages
+  std::string name;  ///< name of the entry, for messages
   const SourceSpec* spec;
   FileContents* contents;
 };
@@ -23,23 +23,23 @@ struct SourceInput {
 /// The frame of the model: the project's system, unit and origin, elevation up.
 class ModelFrame {
  public:
-  /// Finds the zone where the project leaves it open (`utm`, `geographic`): of the box's centre where the project is
-  /// geographic and has one with corners, else of the first input in longitude and latitude. Throws Error{usage} where
-  /// it cannot be found.
+  /// Finds the zone if the project leaves it open (`utm`, `geographic`): that of the box's centre if the project is
+  /// geographic and has a box with corners, else that of the first input in longitude and latitude. Throws Error{usage}
+  /// if it cannot be determined.
   ModelFrame(const Project& project, const std::vector<SourceInput>& inputs);
 
-  /// Brings everything in the input's contents into the frame. Throws Error{invalid_input} where its coordinates
-  /// cannot be what the project says (longitude and latitude in a UTM project, a place outside the system). Throws
-  /// Error{usage} where a conversion is not offered.
+  /// Converts everything in the input's contents to the frame. Throws Error{invalid_input} if its coordinates cannot be
+  /// what the project declares (longitude and latitude in a UTM project, a place outside the system), and Error{usage}
+  /// if a conversion is not supported.
   void place(const SourceInput& input, std::vector<std::string>& notes, std::vector<std::string>& warnings) const;
 
-  /// A point of the project file.
+  /// Converts a point of the project file.
   Vec3 point(const Vec3& p) const;
-  /// The project's model volume. In a geographic project a box becomes the largest upright rectangle inside its outline
-  /// on the map, which `note` tells; corners of a polygon and centres are converted.
+  /// Converts the project's model volume. In a geographic project a box becomes the largest upright rectangle inside
+  /// its outline on the map, which `note` reports; corners of a polygon and centres are converted.
   VolumeSpec volume(const VolumeSpec& spec, std::string& note) const;
 
-  /// The system in which the mesh is written; what was found where the project left it open.
+  /// Returns the system in which the mesh is written; it was determined if the project left it open.
   const HorizontalCrs& system() const { return system_; }
 
  private:
@@ -51,10 +51,10 @@ class ModelFrame {
   void check_range(const SourceInput& input, const HorizontalCrs& from) const;
   void refuse_exchanged_degrees(const SourceInput& input, const HorizontalCrs& from) const;
 
-  HorizontalCrs given_;   ///< as the project says
+  HorizontalCrs given_;   ///< system given in the project
   HorizontalCrs system_;  ///< of the mesh
   std::string unit_;
-  double metres_ = 1;  ///< per unit of the project
+  double metres_ = 1;  ///< metres per unit of the project
   bool depth_ = false;
   Vec3 origin_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The border between conversions of coordinates and the module that makes them by PROJ (geomodel/plugins/proj.cpp).
-/// Types of C++ cross it, so both sides are of one build.
+/// The interface between conversions of coordinates and the module that implements them with PROJ
+/// (geomodel/plugins/proj.cpp). C++ types are passed through it, so both sides must come from the same build.
 #pragma once
 
 #include <memory>
@@ -11,22 +11,23 @@
 
 namespace geomesh::geomodel {
 
-/// A way from one system to another.
+/// A transformation from one system to another.
 class ProjOperation {
  public:
   virtual ~ProjOperation() = default;
-  /// In the systems' own units, x east and y north. Not finite where PROJ cannot convert the point.
+  /// Transforms a point in the systems' own units, x east and y north. The result is not finite if PROJ cannot convert
+  /// the point.
   virtual Vec2 transform(const Vec2& p) const = 0;
-  /// Why the last point could not be converted.
+  /// Returns why the last point could not be converted.
   virtual std::string reason() const = 0;
 
-  double from_metres = 1, to_metres = 1;  ///< per unit of the systems; 1 for degrees
+  double from_metres = 1, to_metres = 1;  ///< metres per unit of the systems; 1 for degrees
   std::string datum_shift;                ///< as ProjConversion::datum_shift()
 };
 
 struct ProjModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Of a system of the register.
+  /// Returns whether a system of the register is geographic.
   bool (*is_geographic)(const HorizontalCrs& crs);
   /// Throws as the constructor of ProjConversion.
   std::unique_ptr<ProjOperation> (*make)(const HorizontalCrs& from, const HorizontalCrs& to);

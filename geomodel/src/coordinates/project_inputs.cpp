@@ -19,8 +19,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The object of the list that the entry means: the one of the name asked for, the one named as the entry, the only
-/// one; nullptr else.
+/// Returns the object that the entry refers to: the one with the requested name, the one with the name of the entry, or
+/// the only one; else nullptr.
 template <class Object>
 Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool only_one) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
@@ -62,7 +62,8 @@ std::string gridding_note(const SurfaceSpec& spec, const GriddedSurface& g) {
          length_text(g.largest_residual);
 }
 
-/// What making a surface from its data moved. It takes nothing of the tolerance, which counts from the surface made.
+/// Records how far making a surface from its data moved it. This takes nothing from the tolerance, which counts from
+/// the resulting surface.
 void book(ProjectInputs& inputs, const SurfaceSpec& spec, const char* stage, double moved,
           std::optional<Vec3> place = std::nullopt) {
   ToleranceUse use{stage};
@@ -111,8 +112,8 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
   }
 }
 
-/// The lines that the entry means: those of the object asked for, of the entry's name, or all where they are of one
-/// object.
+/// Returns the lines that the entry refers to: those of the requested object, of the entry's name, or all if they
+/// belong to one object.
 std::vector<Polyline> lines_of(const FileContents& contents, const SurfaceSpec& spec, bool only_lines) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
   std::vector<Polyline> lines;
@@ -125,7 +126,7 @@ std::vector<Polyline> lines_of(const FileContents& contents, const SurfaceSpec& 
   return is_one_object ? contents.polylines : lines;
 }
 
-/// Traces on a map, and contours of one height, are no sticks.
+/// Traces on a map, and contours of one height, are not sticks.
 void refuse_one_height(const std::vector<Polyline>& lines, const SurfaceSpec& spec) {
   const double height = lines.front().points.front().z;
   for (const Polyline& line : lines)
@@ -137,8 +138,8 @@ void refuse_one_height(const std::vector<Polyline>& lines, const SurfaceSpec& sp
           ", as traces on a map do; lines that go down the surface (sticks), or at several heights, were expected");
 }
 
-/// The sticks of a fault as they are, unless a length of `gridding` or triangulation is asked for; the points of other
-/// lines, contours for one, are gridded.
+/// Uses the sticks of a fault unchanged, unless `gridding` gives a length or triangulation; the points of other lines,
+/// such as contours, are gridded.
 TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const SurfaceSpec& spec,
                                      const std::optional<Box3>& box, ProjectInputs& inputs) {
   const GriddingSpec& gridding = spec.gridding;
@@ -170,7 +171,7 @@ TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const S
   return std::move(made.surface);
 }
 
-/// The surface that the entry means, or that is made from its points or lines.
+/// Returns the surface that the entry refers to, or that is made from its points or lines.
 TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
                                 ProjectInputs& inputs) {
   const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;
@@ -210,13 +211,13 @@ void finish_surface(TriangulatedSurface& surface, const SurfaceSpec& spec, const
   surface.ends_model = spec.name == project.rules.topography || spec.name == project.rules.floor;
 }
 
-/// The horizons that are given by their thickness below another, each after the one above it.
+/// Makes the horizons that are given by their thickness below another one, each after the one above it.
 void make_below(const Project& project, std::vector<FileContents>& contents, const std::optional<Box3>& box,
                 ProjectInputs& inputs) {
   std::vector<std::size_t> waiting;
   for (std::size_t s = 0; s < project.surfaces.size(); ++s)
     if (!project.surfaces[s].below.empty()) waiting.push_back(s);
-  while (!waiting.empty()) {  // the project has been checked for circles
+  while (!waiting.empty()) {  // the project was checked for cycles
     const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](std::size_t s) {
       return std::none_of(waiting.begin(), waiting.end(),
                           [&](std::size_t other) { return project.surfaces[other].name == project.surfaces[s].below; });
@@ -231,7 +232,7 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
       below = surface_below(*above, *spec.below_by);
     } else {
       TriangulatedSurface thickness = raw_surface(contents[s], spec, box, inputs);
-      for (Vec3& p : thickness.points) p.z += project.output.origin.z;  // a thickness has no place
+      for (Vec3& p : thickness.points) p.z += project.output.origin.z;  // a thickness does not depend on the origin
       below = surface_below(*above, thickness);
     }
     if (below.surface.triangles.empty())
@@ -252,7 +253,7 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
   }
 }
 
-/// The lines of the object that is asked for, else of the one named as the entry, else all.
+/// Takes the lines of the requested object, else of the one with the entry's name, else all.
 void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyline>& wells) {
   const bool all = spec.source.object == "*";
   std::string wanted = all ? "" : spec.source.object;
@@ -278,7 +279,7 @@ void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyli
   }
 }
 
-/// The tops of the table that are on a well and of a horizon of the project, in its order.
+/// Returns the tops of the table that are on a well and belong to a horizon of the project, in its order.
 std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs) {
   std::vector<FittedTop> tops;
   std::map<std::string, std::size_t> unknown;
@@ -307,7 +308,8 @@ std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs)
   return tops;
 }
 
-/// Moves the horizons to their tops and says how far: those made by a thickness below another, or all others.
+/// Moves the horizons to their tops and reports how far: either those made by a thickness below another one, or all
+/// others.
 void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool of_below, ProjectInputs& inputs) {
   for (std::size_t s = 0; s < inputs.surfaces.size(); ++s) {
     if (project.surfaces[s].below.empty() == of_below) continue;
@@ -338,7 +340,7 @@ void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool
   }
 }
 
-/// Takes out of the horizons what lies in their fault polygons, which are read and placed as `read` does.
+/// Removes from the horizons the parts in their fault polygons, which `read` reads and places.
 template <class Read>
 void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   inputs.faults_of_polygons.resize(project.surfaces.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The files of a project, read and brought into the frame of the model.
+/// Reads the files of a project and converts them to the frame of the model.
 #pragma once
 
 #include <map>
@@ -17,19 +17,21 @@
 
 namespace geomesh::geomodel {
 
-/// Everything in the frame, less the origin.
+/// All coordinates are in the frame, minus the origin.
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
-      surfaces{};  ///< in the project's order; points have become surfaces, `smooth` and `resample` are done
+      /// Surfaces in the project's order; points have become surfaces, `smooth` and `resample` were applied.
+      surfaces{};
   std::vector<Polyline> wells{};
-  std::vector<FittedTop> tops{};  ///< horizons have been moved to pass through them
+  std::vector<FittedTop> tops{};  ///< tops to which horizons have been moved
   std::vector<NamedPoint> points{};
-  std::optional<VolumeSpec> volume{};                           ///< for make_volume with the origin (0, 0, 0)
-  std::vector<std::vector<std::string>> faults_of_polygons{};   ///< per surface: those that its fault polygons tell
+  std::optional<VolumeSpec> volume{};  ///< argument of make_volume, with the origin (0, 0, 0)
+  /// For each surface: the faults that its fault polygons indicate.
+  std::vector<std::vector<std::string>> faults_of_polygons{};
   std::map<std::size_t, std::vector<FieldPart>> field_parts{};  ///< LevelSurfaces::parts
   std::vector<std::string> notes{}, warnings{};
-  std::vector<ToleranceUse> uses{};  ///< how far surfaces are off the data that they were made from
+  std::vector<ToleranceUse> uses{};  ///< how far surfaces are from the data from which they were made
 
   /// Adds these faults to throw_at of horizons that have no list of their own.
   void add_throws(ModelRules& rules) const;
@@ -37,8 +39,8 @@ struct ProjectInputs {
   void complete_field_parts(ModelRules& rules) const;
 };
 
-/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} where a file does not hold what its
-/// entry means.
+/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} if a file does not contain what its
+/// entry refers to.
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context);
 
 }  // namespace geomesh::geomodel

@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// What a table of a well needs to know of the project.
+/// Returns the project's settings that are needed to read a table of a well.
 WellReading reading_of(const WellSpec& spec, const Project& project) {
   WellReading reading;
   reading.options = spec.source.reading;
@@ -22,7 +22,7 @@ WellReading reading_of(const WellSpec& spec, const Project& project) {
   return reading;
 }
 
-/// Files that several entries name are read once; each entry gets its own object of them.
+/// Files that several entries name are read once; each entry gets its own object from them.
 class SharedFiles {
  public:
   explicit SharedFiles(const Project& project) {
@@ -37,7 +37,7 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    if (part.surfaces.empty() && part.point_sets.empty()) part = all;  // the only one, or refused later
+    if (part.surfaces.empty() && part.point_sets.empty()) part = all;  // the only object, or rejected later
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();
     return part;
@@ -54,14 +54,14 @@ class SharedFiles {
   std::map<std::string, FileContents> read_;
 };
 
-/// What a surface's file holds.
+/// Returns the contents of a surface's file.
 FileContents contents_of(const SurfaceSpec& spec, SharedFiles& files) {
   if (spec.given) return *spec.given;
   if (spec.below_by) return {};  // a thickness without a file
   return spec.extrude.axis < 0 ? files.contents_of(spec) : read_section(spec.file, spec.extrude);
 }
 
-/// How the coordinates of a surface's file are to be understood: thicknesses count upwards from zero.
+/// Returns how to interpret the coordinates of a surface's file: thicknesses count upwards from zero.
 const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
   if (spec.below.empty()) return &spec.source;
   files.of_thicknesses.push_back(spec.source);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The files of a project's surfaces and wells, each read once.
+/// Reads the files of a project's surfaces and wells, each once.
 #pragma once
 
 #include <deque>
@@ -12,12 +12,13 @@
 namespace geomesh::geomodel {
 
 struct ReadFiles {
-  std::vector<FileContents> contents;  ///< of the surfaces in the project's order, then of the wells
-  std::vector<SourceInput> sources;    ///< those whose coordinates are to be placed
-  std::vector<std::string> notes;      ///< of level sets
+  /// Contents of the surfaces in the project's order, followed by those of the wells.
+  std::vector<FileContents> contents;
+  std::vector<SourceInput> sources;                           ///< inputs whose coordinates must be converted
+  std::vector<std::string> notes;                             ///< of level sets
   std::map<std::size_t, std::vector<FieldPart>> field_parts;  ///< LevelSurfaces::parts
-  std::vector<std::string> warnings;                          ///< of the readers, behind the names of the entries
-  std::deque<SourceSpec> of_thicknesses;                      ///< what `sources` of thicknesses point to
+  std::vector<std::string> warnings;      ///< warnings of the readers, preceded by the names of the entries
+  std::deque<SourceSpec> of_thicknesses;  ///< targets of the pointers in `sources` of thicknesses
 };
 
 /// Throws as the readers.

@@ -45,7 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // of zones that were opened earlier
+    if (!mesh.before_zones.empty())  // leave zones that were opened earlier
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -71,7 +71,7 @@ class ZoneOpener {
   }
 
  private:
-  /// Straightens edges with both ends on walls, as those of the elements between the walls are. The middle of another
+  /// Straightens edges with both ends on walls, like those of the elements between the walls. The midpoint of another
   /// curved edge moves by the mean of the movements of its ends.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
@@ -80,8 +80,8 @@ class ZoneOpener {
     });
     for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
   }
-  /// At an end of the fault all three nodes of a face are one on both sides. There is no zone, and the face exists
-  /// once, on the minus wall.
+  /// At an end of the fault all three nodes of a face may be the same on both sides. There is no zone then, and the
+  /// face exists once, on the minus wall.
   void join_closed_faces() {
     std::map<Triangle, std::size_t> first;
     std::set<std::size_t> second;
@@ -100,7 +100,7 @@ class ZoneOpener {
     std::size_t row = 0;
     std::erase_if(mesh_.faces, [&](const ModelMesh::Face&) { return second.contains(row++); });
   }
-  /// Makes room among the ids of surfaces, curves and points; renumber_ids() follows.
+  /// Shifts the ids of surfaces, curves and points to free ids for regions; renumber_ids() follows.
   void add_regions() {
     const auto n = static_cast<std::int32_t>(zones_.size());
     for (NamedSurface& s : mesh_.surfaces) s.id += n;
@@ -182,7 +182,7 @@ class ZoneOpener {
   /// If the fault ends at a side of the model, the zone appears there.
   void add_side_faces() {
     struct Side {
-      std::size_t a, b;  ///< columns, as their prism has them
+      std::size_t a, b;  ///< columns in the order of their prism
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -206,7 +206,7 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      GEOMESH_CHECK(f != no_face);  // all tetrahedra around an edge inside are one sector: the columns are closed there
+      GEOMESH_CHECK(f != no_face);  // all tetrahedra around an inner edge form one sector: the columns are closed there
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
   }
@@ -263,7 +263,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // faces of walls, and of zones on sides of the model
+  EdgeSet edges_;  // edges of faces on walls, and of zones on sides of the model
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// Assigns ids in the order of docs/output-files.md: regions as they are, from 1, then surfaces, curves, points and
-/// sets.
+/// Assigns ids in the order of docs/output-files.md: regions keep theirs, from 1, followed by surfaces, curves, points
+/// and sets.
 void renumber_ids(ModelMesh& mesh);
 
 /// Numbers patches from 1 in the order of their first faces. A patch has faces joined across edges where exactly two
@@ -21,11 +21,12 @@ void number_patches(ModelMesh& mesh);
 /// Edges by their ends, the smaller first.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
-/// Names the intersections among these edges anew, by the faces around each. Wells and tips are kept, and curves left
+/// Renames the intersections among these edges by the faces around each. Wells and tips are kept, and curves left
 /// without an edge are removed.
 void name_intersections(ModelMesh& mesh, const EdgeSet& edges);
 
-/// Computes tetrahedra and volume of each region, area of each surface, length of each curve.
+/// Computes the number of tetrahedra and the volume of each region, the area of each surface, and the length of each
+/// curve.
 void measure_again(ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -16,8 +16,9 @@ namespace geomesh::geomodel {
 /// A pair of nodes on the two sides of a fault; one node where the fault ends.
 struct ZoneColumn {
   VertexIndex minus, plus;
-  std::size_t zone;                ///< row of the first zone that has it
-  std::vector<VertexIndex> nodes;  ///< from minus to plus: one a layer and one more; minus alone where both are one
+  std::size_t zone;  ///< row of the first zone that contains it
+  /// From minus to plus, one more than there are layers; only the minus node if both are the same.
+  std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };
 
@@ -30,7 +31,7 @@ struct ZonePrism {
 struct ZoneColumns {
   std::vector<ZoneColumn> columns;
   std::vector<ZonePrism> prisms;
-  std::map<Triangle, std::size_t> zone_of_wall;  ///< of each face of a wall, by its nodes in rising order
+  std::map<Triangle, std::size_t> zone_of_wall;  ///< the zone of each wall face, by the face's nodes in ascending order
 };
 
 /// Finds columns from the prisms of a mesh split along the zones' faults. Throws Error{cannot_mesh} if more than two

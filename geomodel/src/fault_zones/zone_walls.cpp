@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Longest movement, over half of the thickness: along surfaces that may be ignored, and along sides of the model.
+/// Longest movement divided by half of the thickness: along surfaces that may be ignored, and along sides of the model.
 constexpr double longest_along_surfaces = 2, longest_along_sides = 4;
 /// Limit on the inclination of a fault's faces at a node to their mean: 60 degrees.
 constexpr double longest_miter = 2;
@@ -136,7 +136,7 @@ class WallMover {
 
   Vec3 place(const ZoneColumn& column, const WallNormal& normal, VertexIndex v, double sign) const {
     const double half = zones_[column.zone].thickness / 2 * normal.weight / normal.cosine;
-    Vec3 along = normal.direction;  // less its parts across the guides
+    Vec3 along = normal.direction;  // the normal minus its components across the guides
     std::vector<Vec3> across;       // orthonormal
     for (const auto& [key, guide] : guides_.at(v)) {
       if (!(norm(guide.area) > 0)) continue;
@@ -152,7 +152,7 @@ class WallMover {
       along = tried;
       across.push_back(n);
     }
-    // along . unit is the square of its length
+    // the dot product of `along` with the unit normal is the square of its length
     return mesh_.points[v] + (sign * half / dot(along, normal.direction)) * along;
   }
 

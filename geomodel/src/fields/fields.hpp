@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Properties from files onto the cells or points of a mesh.
+/// Maps properties from files onto the cells or points of a mesh.
 #pragma once
 
 #include <vector>
@@ -15,10 +15,11 @@ namespace geomesh::geomodel {
 ///   - A grid of any format that is read as a surface (GeoTIFF, Esri, Surfer, ZMAP ...): its values as a function of
 ///   the
 ///     place on the map. Linear between the nodes of a grid along the axes; of others, and of grids with holes, the
-///     mean of the eight nearest, weighted by one over the squared distance. Beyond the grid: as at its nearest place.
+///     mean of the eight nearest, weighted by one over the squared distance. Beyond the grid: the value at its nearest
+/// place.
 ///   - Values in space (.csv, .txt, .xyz: x y z value; .vti, .vtu, .vtp: the array of the field's name): likewise.
-/// A field whose name the mesh has already replaces it. Throws Error{usage} where a file cannot be opened,
-/// Error{invalid_input} where it holds no values.
+/// A field whose name the mesh has already replaces it. Throws Error{usage} if a file cannot be opened,
+/// Error{invalid_input} if it holds no values.
 void add_fields(ModelMesh& mesh, const std::vector<FieldSpec>& fields);
 
 }  // namespace geomesh::geomodel

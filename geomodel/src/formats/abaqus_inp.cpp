@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Abaqus / CalculiX input: nodes, elements by region, node sets, surfaces on element faces. Followed: the manuals of
-// CalculiX 2.20 (*ELEMENT, *SURFACE) and of Abaqus 6.14 (COH3D6).
+// Writes input of Abaqus and CalculiX: nodes, elements by region, node sets, surfaces on element faces. Source: the
+// manuals of CalculiX 2.20 (*ELEMENT, *SURFACE) and of Abaqus 6.14 (COH3D6).
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -18,11 +18,11 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Side of a C3D4 by the vertex it is opposite to: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
+/// Side of a C3D4 by its opposite vertex: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
 constexpr int side_opposite[] = {3, 4, 2, 1};
 
-/// CalculiX reads the first 20 characters of a number. 17 digits with sign and point fit; where small or huge
-/// magnitudes need an exponent too, the last digits give way to it.
+/// CalculiX reads only the first 20 characters of a number. 17 digits with sign and point fit; if an exponent is needed
+/// too, the last digits are dropped.
 std::string text_of_20(double value) {
   char buffer[400];
   std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
@@ -42,12 +42,13 @@ struct ElementSide {
   std::int32_t region;
 };
 
-/// Node of a C3D10 or C3D4 in Abaqus' order, which for these is VTK's; of three midpoints of a triangle likewise.
+/// Returns the node of a C3D10 or C3D4 in Abaqus' order, which equals VTK's for these elements and for the three
+/// midpoints of a triangle.
 std::size_t node_at(const CellBlock& block, std::size_t cell, std::size_t i) {
   return block.nodes[cell * block.nodes_per_cell + i] + std::size_t{1};
 }
 
-/// Element sets, node sets and surfaces have name spaces of their own.
+/// Element sets, node sets and surfaces have separate name spaces.
 class InputDeck {
  public:
   InputDeck(OutputText& text, const SolverMesh& mesh, const WriteOptions& options)
@@ -114,8 +115,8 @@ class InputDeck {
     for (const ElementSide& s : sides) text_ << s.element << ", S" << s.side << "\n";
     sidecar_.push_back({"surface", 2, 0, name, full_name, members});
   }
-  /// One surface more for each region whose elements lie at it, where there are several: a box side by unit, a side of
-  /// a fault by block.
+  /// Adds a surface for each region whose elements lie at it, if there are several: a side of the box by unit, a side
+  /// of a fault by block.
   void add_surface_by_region(const std::string& full_name, const std::vector<ElementSide>& sides,
                              const std::vector<std::int32_t>& members) {
     std::map<std::int32_t, std::vector<ElementSide>> of_region;

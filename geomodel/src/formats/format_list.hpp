@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The formats, one or a family a file of this room: each says what it is, how it is written and how it is read. A new
-/// format is a file of this room and two lines here.
+/// The list of formats. Each format, or family of formats, has one file in this folder that says what it is, how it is
+/// written and how it is read. A new format consists of a file in this folder and two lines here.
 #pragma once
 
 #include "geomesh/geomodel/formats.hpp"
@@ -39,7 +39,7 @@ Format stl_format();                // surfaces/stl.cpp
 Format seissol_format();            // modules/at_need.cpp
 Format vtkhdf_format();             // modules/at_need.cpp
 
-/// In the order of the documents. Those of modules are in it, whether or not the module is there.
+/// In the order of the documents. Formats in modules are listed whether or not the module is available.
 inline constexpr Format (*listed_formats[])() = {
     vtu_format,      gmsh41_format, gmsh41_binary_format, gmsh22_format,       gmsh22_binary_format,
     abaqus_format,   exodus_format, med_format,           xdmf_format,         ogs_format,

@@ -43,7 +43,7 @@ class FractureMesh {
       made_.surface_sets.push_back(std::move(set));
     }
   }
-  /// No region is beside a face, so that parts between different regions are one piece again.
+  /// There are no regions beside faces, so parts that differed only in their regions are combined.
   void take_faces() {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];

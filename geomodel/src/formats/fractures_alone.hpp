@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The triangles of faults and fractures without the tetrahedra around them, for solvers of fracture networks
+/// Extracts the triangles of faults and fractures without the tetrahedra around them, for solvers of fracture networks
 /// (`output.fractures_only`).
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace geomesh::geomodel {
 
-/// A mesh without tetrahedra and regions: the faces on surfaces of kind fault, the nodes of these faces, and the curves
-/// and named points on them. Surfaces and curves keep their ids, names and order, and nodes their order, so that
-/// fractures that cross share nodes as they do in the whole mesh. Arrays of cells are dropped; those of points stay.
-/// Precondition: no midpoints. Throws Error{usage} where no face is on a fault. O(points + faces + curves).
+/// Returns a mesh without tetrahedra and regions: the faces on surfaces of kind fault, the nodes of these faces, and
+/// the curves and named points on them. Surfaces and curves keep their ids, names and order, and nodes their order, so
+/// that fractures that cross share nodes as they do in the whole mesh. Arrays of cells are dropped; those of points are
+/// kept. Precondition: no midpoints. Throws Error{usage} if no face is on a fault. O(points + faces + curves).
 ModelMesh fractures_alone(const ModelMesh& mesh);
 
-/// Why a file of this format and these options cannot hold fractures alone, in words; empty where it can.
+/// Returns why a file of this format with these options cannot contain fractures alone; empty if it can.
 std::string against_fractures_alone(const Format& format, const WriteOptions& options);
 
 }  // namespace geomesh::geomodel

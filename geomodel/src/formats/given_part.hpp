@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Files of one part where no process has the whole mesh.
+/// Writes files of one part if no process has the whole mesh.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,14 @@
 
 namespace geomesh::geomodel {
 
-/// The part's own files, as write_format names and fills them; of the first part also those that all parts have in
-/// common. Formats are vtu, exodus, msh and msh-binary; throws Error{usage} for others, and where the numbers are more
-/// than the format can count.
+/// Writes the part's own files with the names and contents of write_format, and with the first part also the files that
+/// all parts share. Formats are vtu, exodus, msh and msh-binary; throws Error{usage} for others, and if numbers exceed
+/// what the format can store.
 std::vector<std::filesystem::path> write_given_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
                                                     const std::string& format, const std::filesystem::path& stem,
                                                     const WriteOptions& options);
 
-/// @name By format
-/// @{
+/// @name Writers by format @{
 std::vector<std::filesystem::path> write_vtu_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
                                                   const WriteOptions& options, const std::filesystem::path& stem);
 std::vector<std::filesystem::path> write_exodus_part(const ModelMesh& mesh, const MeshParts& parts,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gmsh MSH 2.2, text and binary, for readers that know no newer version (netgen, FreeFEM, DuMux, Elmer). Followed: the
-// reference manual of Gmsh 4.8, "MSH file format version 2 (Legacy)".
+// Writes Gmsh MSH 2.2, text and binary, for readers that know no newer version (netgen, FreeFEM, DuMux, Elmer). Source:
+// the reference manual of Gmsh 4.8, "MSH file format version 2 (Legacy)".
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -23,7 +23,7 @@ void write_nodes(OutputText& out, Encoding encoding, const SolverMesh& mesh) {
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndNodes\n";
 }
 
-/// An element is there once for each of its groups, with the group as first tag and the block as second.
+/// Writes an element once for each of its groups, with the group as first tag and the block as second.
 void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, const GmshGroups& groups) {
   std::size_t n = 0;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) n += mesh.blocks[b].n_cells() * groups.of_block[b].size();
@@ -56,8 +56,8 @@ void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, 
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndElements\n";
 }
 
-/// Nodes and elements of a part under their numbers in the whole mesh. Tags of an element: group, block, and the parts
-/// that it is in: its own from 1, then as negative numbers those that have it as a ghost.
+/// Writes the nodes and elements of a part with their numbers in the whole mesh. Tags of an element: group, block, and
+/// its parts: the owner from 1, then as negative numbers those that have it as a ghost.
 void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts, const SolverPart& part,
                 const GmshGroups& groups) {
   out << "$Nodes\n" << part.mesh.n_nodes() << "\n";

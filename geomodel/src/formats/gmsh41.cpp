@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gmsh MSH 4.1, text and binary: one entity a block, with its physical groups. Followed: the reference manual of Gmsh
+// Writes Gmsh MSH 4.1, text and binary: one entity per block, with its physical groups. Source: the reference manual of
+// Gmsh
 // 4.8, "MSH file format".
 #include <algorithm>
 
@@ -12,15 +13,17 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A block as an entity, with the nodes it owns. A node belongs to the entity of lowest dimension that has it.
+/// A block as an entity, with the nodes that it owns. A node belongs to the entity of lowest dimension that contains
+/// it.
 struct Entity {
   int dimension;
   std::size_t block;
-  std::vector<std::int32_t> boundary;  ///< of volumes: face blocks, negative where their normal points inwards
+  /// For volumes: blocks of boundary faces, negative if their normal points inwards.
+  std::vector<std::int32_t> boundary;
   std::vector<VertexIndex> owned;
 };
 
-/// Points, edges, faces, solids.
+/// Returns the entities: points, edges, faces, solids.
 std::vector<Entity> make_entities(const SolverMesh& mesh) {
   std::vector<Entity> entities;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)
@@ -48,7 +51,7 @@ std::vector<Entity> make_entities(const SolverMesh& mesh) {
   return entities;
 }
 
-/// The end of a section: bytes are not followed by a line's end of their own.
+/// Writes the end of a section; binary data have no line end of their own.
 void end_section(OutputText& out, Encoding encoding, const char* name) {
   out << (encoding == Encoding::binary ? "\n$End" : "$End") << name << "\n";
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Gmsh 4.1 in parts.
+/// Writes Gmsh 4.1 files in parts.
 #pragma once
 
 #include <filesystem>
@@ -13,20 +13,20 @@
 
 namespace geomesh::geomodel {
 
-/// Writes one part into its file.
+/// Function that writes one part into its file.
 using GmshPartBody =
     std::function<void(OutputText& out, const MeshParts& parts, const SolverPart& part, const GmshGroups& groups)>;
-/// NAME_K.msh for part K from 1, as gmsh itself names them, and the JSON beside them; with one layer of ghosts.
+/// Writes NAME_K.msh for part K from 1, with gmsh's own naming, and the JSON beside them; with one layer of ghosts.
 std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, const WriteOptions& options,
                                                     const std::filesystem::path& stem, const GmshPartBody& body);
 
-/// NAME_K.msh for part K from 1, as gmsh itself splits a partitioned mesh. Nodes and elements have their numbers in the
-/// whole mesh. Each block is an entity, and its cells of one part a partitioned entity with the block as parent.
-/// Elements of others that touch the part are in its ghost entity, with their owner in $GhostElements. Returns the
-/// files and the JSON beside them.
+/// Writes NAME_K.msh for part K from 1, in the same way as gmsh splits a partitioned mesh. Nodes and elements have
+/// their numbers in the whole mesh. Each block is an entity, and its cells in one part form a partitioned entity with
+/// the block as parent. Elements of other parts that touch the part are in its ghost entity, with their owner in
+/// $GhostElements. Returns the files and the JSON beside them.
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const WriteOptions& options,
                                                       const std::filesystem::path& stem, Encoding encoding);
-/// Those parts alone that are here; the JSON where the first is.
+/// Writes only the parts that are available here, and the JSON with the first part.
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const MeshParts& parts,
                                                       const WriteOptions& options, const std::filesystem::path& stem,
                                                       Encoding encoding);

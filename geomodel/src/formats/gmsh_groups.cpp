@@ -48,7 +48,7 @@ std::size_t gmsh_node(const CellBlock& block, std::size_t i) {
 
 namespace {
 
-/// `give` calls what it is handed with each value. Numbers of rows are 32-bit in every version.
+/// `give` calls the function that it receives with each value. Numbers of rows have 32 bits in every version.
 template <class Give>
 void write_data(OutputText& out, Encoding encoding, const char* section, const std::string& name, std::size_t n,
                 Give&& give) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What both versions of Gmsh's format share: shapes, groups, and numbers as text or as bytes.
+/// Code shared by both versions of Gmsh's format: shapes, groups, and numbers as text or binary data.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 enum class Encoding { text, binary };
 
-/// Numbers of a section: in a text separated by blanks, else as they are in memory (little endian).
+/// Writes numbers of a section: in text separated by blanks, otherwise as in memory (little endian).
 class GmshNumbers {
  public:
   GmshNumbers(OutputText& out, Encoding encoding) : out_(out), binary_(encoding == Encoding::binary) {}
@@ -26,7 +26,7 @@ class GmshNumbers {
     real(p.y);
     real(p.z);
   }
-  /// End of a line, in a text.
+  /// Ends a line, in text.
   void line() {
     if (!binary_) out_ << "\n";
     at_start_ = true;
@@ -53,8 +53,8 @@ struct GmshPhysical {
   std::string name;
 };
 
-/// Groups as Gmsh holds them. `of_block`: the tags of each block's groups; one for each block unless whole groups and
-/// pieces are both asked for.
+/// Groups as Gmsh stores them. `of_block` contains the tags of each block's groups: one for each block unless both
+/// whole groups and pieces are requested.
 struct GmshGroups {
   std::vector<GmshPhysical> physicals;
   std::vector<std::vector<std::int32_t>> of_block;
@@ -63,16 +63,16 @@ struct GmshGroups {
 GmshGroups gmsh_groups(const SolverMesh& mesh, const WriteOptions& options);
 
 int gmsh_type(const SolverMesh& mesh, CellShape shape);
-/// Node `i` of a cell in Gmsh's order: the last two midpoints of a tetrahedron are exchanged.
+/// Returns node `i` of a cell in Gmsh's order: the last two midpoints of a tetrahedron are exchanged.
 std::size_t gmsh_node(const CellBlock& block, std::size_t i);
 
-/// Cell arrays as $ElementData (of elements that are no tetrahedra NaN: a much used reader wants a value for each) and
-/// point arrays as $NodeData. `blocks`: rows in the order of the file, one as often as its cells stand there; elements
-/// are numbered from 1.
+/// Writes cell arrays as $ElementData (with NaN for elements that are not tetrahedra, because a widely used reader
+/// expects a value for each) and point arrays as $NodeData. `blocks` are rows in the order of the file, repeated as
+/// often as their cells are written; elements are numbered from 1.
 void write_gmsh_fields(OutputText& out, Encoding encoding, const SolverMesh& mesh,
                        const std::vector<std::size_t>& blocks);
 
-/// The sections before the nodes that are text in every version.
+/// Writes the sections before the nodes, which are text in every version.
 void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups);
 
 }  // namespace geomesh::geomodel

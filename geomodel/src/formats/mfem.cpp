@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements the ids of faces (inner ones
-// too); names are in the JSON beside it. Of fractures alone the elements are triangles in space, and the boundary has
-// the edges on curves. Followed: "Mesh Formats" of MFEM 4.7.
+// Writes an MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements the ids of faces
+// (inner ones too); names are in the JSON beside it. For fractures alone the elements are triangles in space, and the
+// boundary consists of the edges on curves. Source: "Mesh Formats" of MFEM 4.7.
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Elements of one dimension, `ATTRIBUTE TYPE NODES`, under a title.
+/// Writes the elements of one dimension, `ATTRIBUTE TYPE NODES`, under a title.
 void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int dimension) {
   out << "\n" << title << "\n" << mesh.count(dimension) << "\n";
   for (const CellGroup& label : mesh.labels) {

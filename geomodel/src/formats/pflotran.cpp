@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PFLOTRAN, implicit unstructured grid: NAME.ugi (cells and vertices), NAME_REGION.txt (cells of a region, for
-// REGION / FILE), NAME_SURFACE.ss (faces of a surface). Numbers from 1. Followed: PFLOTRAN's user guide, GRID card,
+// Writes an implicit unstructured grid for PFLOTRAN: NAME.ugi (cells and vertices), NAME_REGION.txt (cells of a region,
+// for REGION / FILE), NAME_SURFACE.ss (faces of a surface). Numbers from 1. Source: PFLOTRAN's user guide, GRID card,
 // TYPE unstructured, and REGION card.
 #include "formats/format_list.hpp"
 #include "solver_mesh/names.hpp"
@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Cells as `T 1 2 3 4`, faces as `T 1 2 3`, prisms as `W`.
+/// Writes cells as `T 1 2 3 4`, faces as `T 1 2 3`, prisms as `W`.
 void write_cell(OutputText& out, const CellBlock& block, std::size_t cell) {
   out << (block.shape == CellShape::prism ? "W" : "T");
   for (std::size_t i = 0; i < block.nodes_per_cell; ++i) out << " " << block.nodes[cell * block.nodes_per_cell + i] + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen's files: NAME.node, NAME.ele (attribute: the region), NAME.face and NAME.edge (marker: the surface, the
-// curve). The marker of a node is that of a named point, or 0. Numbers from 1. Followed: "File formats" of TetGen 1.5.
+// Writes TetGen's files: NAME.node, NAME.ele (attribute: the region), NAME.face and NAME.edge (marker: the surface, the
+// curve). The marker of a node is that of a named point, or 0. Numbers from 1. Source: "File formats" of TetGen 1.5.
 #include "formats/format_list.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// `NUMBER X Y Z MARKER` under `POINTS 3 0 1`.
+/// Writes `NUMBER X Y Z MARKER` under `POINTS 3 0 1`.
 void write_nodes(OutputText& out, const SolverMesh& mesh) {
   std::vector<std::int32_t> markers(mesh.n_nodes(), 0);
   for (const CellGroup& label : mesh.labels)
@@ -21,7 +21,7 @@ void write_nodes(OutputText& out, const SolverMesh& mesh) {
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << v + 1 << " " << mesh.node(v) << " " << markers[v] << "\n";
 }
 
-/// `NUMBER NODES LABEL` for the cells of one dimension, under their count and `columns`.
+/// Writes `NUMBER NODES LABEL` for the cells of one dimension, under their count and `columns`.
 void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const char* columns) {
   out << mesh.count(dimension) << columns << "\n";
   std::size_t number = 0;

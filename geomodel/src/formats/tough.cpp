@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TOUGH2, TOUGH3 and iTOUGH2: NAME.tough, the blocks ELEME and CONNE of a MESH file, by the Voronoi dual. Fixed
-// columns: names of elements have 5 characters, numbers 10. Followed: TOUGH2 User's Guide, LBNL-43134, Appendix E.
+// Writes input of TOUGH2, TOUGH3 and iTOUGH2: NAME.tough, the blocks ELEME and CONNE of a MESH file for the Voronoi
+// dual. Fixed columns: names of elements have 5 characters, numbers 10. Source: TOUGH2 User's Guide, LBNL-43134,
+// Appendix E.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,7 +18,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Three letters or digits and a number of two: what TOUGH accepts as a name of an element.
+/// Characters of element names: TOUGH accepts three letters or digits followed by a two-digit number.
 constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 constexpr std::size_t n_first = 26, n_letters = 36, most_elements = n_first * n_letters * n_letters * 100;
 
@@ -32,19 +33,19 @@ std::string element_name(std::size_t i) {
   return name;
 }
 
-/// Five characters: R and the region's number.
+/// Returns a five-character name: R and the region's number.
 std::string rock_name(std::int32_t region) {
   char text[16];
   std::snprintf(text, sizeof text, "R%04d", static_cast<int>(region));
   return text;
 }
 
-/// Ten columns, as many digits as fit: where that is too long, what is over is left out.
+/// A number in ten columns, with as many digits as fit; an overlong text is truncated.
 class Ten {
  public:
   explicit Ten(double value) {
     std::fill_n(text_, columns, ' ');
-    // Of nine digits a sign and "0." take one or two columns too many: that need not be tried.
+    // Nine digits with a sign and "0." would take one or two columns too many, so fewer digits are tried first.
     for (int digits = 9 - (std::signbit(value) ? 1 : 0) - (std::abs(value) < 1 ? 1 : 0); digits > 0;) {
       char buffer[32];
       char* const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
@@ -75,7 +76,7 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
   for (const auto& c : grid.connections) {
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
-    // Direction 1; the last number is the cosine between the line from the first element to the second and gravity.
+    // Direction 1; the last number is the cosine between gravity and the line from the first element to the second.
     const Ten half(length / 2);
     out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << Ten(c.area)
         << Ten(-along.z / length) << "\n";

@@ -14,13 +14,13 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_samples = 200;
-/// A convex cell of n corners takes n - 3 tetrahedra or more, and the cells between planes have eight corners on
+/// A convex cell with n corners needs at least n - 3 tetrahedra, and the cells between planes have eight corners on
 /// average.
 constexpr double elements_of_cell = 5;
 
 struct Plane {
   Vec3 normal, centre;
-  double radius = 0;  ///< of a sphere about the centre that holds the polygon
+  double radius = 0;  ///< radius of a sphere around the centre that contains the polygon
 
   explicit Plane(const TriangulatedSurface& s) {
     const std::vector<Vec3>& p = s.points;
@@ -40,7 +40,7 @@ struct Line {
   std::size_t first = 0, second = 0;  ///< the fractures that cross there
 };
 
-/// Part of a line, as numbers along it.
+/// Part of a line, as an interval of its parameter.
 struct Interval {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double at) {
@@ -49,8 +49,8 @@ struct Interval {
   }
 };
 
-/// The part of the line along the direction in which the plane cuts the surface; of a polygon that is not convex, from
-/// its first place to its last.
+/// Returns the part of the line along the direction in which the plane cuts the surface; for a polygon that is not
+/// convex, from its first point to its last.
 Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direction) {
   Interval found;
   for (const Triangle& t : s.triangles)
@@ -63,7 +63,7 @@ Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direc
   return found;
 }
 
-/// The part of a segment in the box.
+/// Returns the part of a segment in the box.
 std::optional<Segment> clipped(const Segment& s, const Box3& box) {
   double from = 0, to = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -131,7 +131,7 @@ class Network {
     return clipped({at(low), at(high)}, bounds_);
   }
 
-  /// Fractures that the line crosses, but for the two that it lies in.
+  /// Counts the fractures that the line crosses, except the two in which it lies.
   std::size_t count_pierced(const Line& line) const {
     const auto& [from, to] = line.segment;
     std::size_t n = 0;

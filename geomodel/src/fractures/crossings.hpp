@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How often the fractures of a network cross each other.
+/// Estimates how often the fractures of a network cross each other.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,17 @@ namespace geomesh::geomodel {
 
 struct NetworkCrossings {
   double lines = 0;   ///< pairs of fractures that cross each other in the bounds
-  double points = 0;  ///< three fractures that meet in a point there
+  double points = 0;  ///< points in which three fractures meet in the bounds
 };
 
-/// Estimated numbers. Of all fractures at most 200, and of the lines in these at most 200, are held against all
+/// Estimates the numbers. At most 200 of the fractures, and at most 200 of the lines in these, are compared with all
 /// fractures, in O(fractures). If there are no more, the numbers are exact, provided that the fractures are convex.
 /// Precondition: the surfaces are plane polygons.
 NetworkCrossings estimate_crossings(const std::vector<const TriangulatedSurface*>& fractures, const Box3& bounds);
 
-/// Throws Error{cannot_mesh} where crossings alone bring more elements than settings.max_elements. The cells that many
-/// planes divide space into are as many as the points where three meet, and take five tetrahedra or more on average.
+/// Throws Error{cannot_mesh} if the crossings alone require more elements than settings.max_elements. The number of
+/// cells into which many planes divide space equals the number of points where three meet; each takes at least five
+/// tetrahedra on average.
 void require_countable(const NetworkCrossings& crossings, std::size_t n_fractures, const RefinementSettings& settings);
 
 }  // namespace geomesh::geomodel

@@ -17,7 +17,7 @@ namespace {
   throw Error(ErrorKind::invalid_input, path.string() + ": fracture " + object + ": " + why);
 }
 
-/// The surface with one vertex for equal places, and without triangles that have no three.
+/// Returns the surface with one vertex for equal points, and without triangles that do not have three distinct ones.
 TriangulatedSurface with_shared_vertices(const TriangulatedSurface& surface) {
   TriangulatedSurface merged;
   std::map<std::array<double, 3>, VertexIndex> row;
@@ -35,7 +35,7 @@ TriangulatedSurface with_shared_vertices(const TriangulatedSurface& surface) {
   return merged;
 }
 
-/// The loops of its border; triangles need not be turned alike.
+/// Returns the loops of its border; triangles need not be consistently oriented.
 std::vector<std::vector<Vec3>> borders_of(const std::filesystem::path& path, const TriangulatedSurface& given) {
   const TriangulatedSurface surface = with_shared_vertices(given);
   std::map<VertexIndex, std::vector<VertexIndex>> next;

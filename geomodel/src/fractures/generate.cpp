@@ -14,10 +14,10 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_fractures = 200'000;
-/// Centres lie about the box as far as the largest radius, so most discs may miss it.
+/// Limit on generated discs. Centres lie around the box up to the largest radius, so most discs may miss it.
 constexpr std::size_t most_tries = 100 * most_fractures;
 
-/// Uniform numbers from 0 to below 1, the same in every library.
+/// Uniform numbers in [0, 1), the same with every standard library.
 class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : random_(seed) {}
@@ -35,7 +35,7 @@ double radius(const FractureFamily& family, Uniform& next) {
   return family.least_radius * std::pow(1 - u * (1 - std::pow(ratio, -family.exponent)), -1 / family.exponent);
 }
 
-/// Cosine of the angle to the mean pole, by inversion of its distribution.
+/// Returns the cosine of the angle to the mean pole, by inversion of its distribution.
 double cosine_of_scatter(double kappa, double u) {
   if (kappa == 0) return 1 - 2 * u;
   return std::clamp(1 + std::log(u + (1 - u) * std::exp(-2 * kappa)) / kappa, -1.0, 1.0);
@@ -52,14 +52,15 @@ Ellipse disc(const FractureFamily& family, const Box3& box, Uniform& next) {
   const Vec3 mean = cross(dip, strike);
   const double cosine = cosine_of_scatter(family.kappa, next());
   const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), turn = 2 * std::numbers::pi * next();
-  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;  // at right angles to the mean pole
+  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;  // perpendicular to the mean pole
   const Vec3 pole = cosine * mean + sine * about;
   disc.x_axis = cross(mean, about);
   disc.y_axis = cross(pole, disc.x_axis);
   return disc;
 }
 
-/// Mean area of the family's discs: the second moment of the power law between the radii, in units of the least one.
+/// Returns the mean area of the family's discs: the second moment of the power law between the radii, in units of the
+/// least one.
 double mean_area(const FractureFamily& family) {
   const double r = family.least_radius, x = family.greatest_radius / r, e = family.exponent;
   double moment = 1;
@@ -70,8 +71,8 @@ double mean_area(const FractureFamily& family) {
   return std::numbers::pi * r * r * moment;
 }
 
-/// Volume of the places that are at most half of the box's diagonal from a disc, by Steiner's formula. The centre of
-/// the box lies at one of them if the box meets the disc.
+/// Returns the volume of the places that are at most half of the box's diagonal from a disc, by Steiner's formula. If
+/// the box meets the disc, its centre is at one of them.
 double volume_about_disc(double radius, double half_diagonal) {
   const double r = radius, d = half_diagonal;
   return std::numbers::pi * d * (2 * r * r + std::numbers::pi * r * d + 4.0 / 3 * d * d);
@@ -81,9 +82,9 @@ double volume_about_disc(double radius, double half_diagonal) {
   throw Error(ErrorKind::usage, "fractures: " + text + " (family " + family.name + ")");
 }
 
-/// Refuses at once what would be refused after millions of discs. A disc whose centre lies in the box meets it, so
-/// p32 V / A discs or more are expected for a volume V and a mean area A; each disc drawn brings V / W of its area
-/// on average, if centres are drawn from a volume W.
+/// Rejects immediately what would otherwise be rejected after millions of discs. A disc whose centre lies in the box
+/// meets it, so p32 V / A discs or more are expected for a volume V and a mean area A; each generated disc adds V / W
+/// of its area on average, if centres are generated in a volume W.
 void require_drawable(const FractureFamily& family, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double volume = size.x * size.y * size.z, r = family.greatest_radius;

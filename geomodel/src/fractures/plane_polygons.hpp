@@ -9,12 +9,13 @@
 
 namespace geomesh::geomodel {
 
-/// Returns, per surface, whether it is a fault without points inside of its border, in one plane as far as files of
-/// fractures must be, whose border stays as given (`extend: none`, as for all fractures). Such a surface covers the
-/// same area after remeshing if its corners stay in their places. O(points).
+/// Returns for each surface whether it is a fault without points inside its border, plane within the accuracy of
+/// fracture files, whose border is kept as given (`extend: none`, as for all fractures). Such a surface covers the same
+/// area after remeshing if its corners are not moved. O(points).
 std::vector<bool> plane_polygons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules);
 
-/// Whether all surfaces but sides of the box are plane polygons: a network of fractures in a matrix. False without any.
+/// Returns whether all surfaces except sides of the box are plane polygons: a network of fractures in a matrix. False
+/// if there are none.
 bool is_fracture_network(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -18,7 +18,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 using Fields = std::vector<std::string_view>;
 
-/// Commas, semicolons, braces and blanks part the fields.
+/// Splits at commas, semicolons, braces and blanks.
 Fields split(std::string_view line) {
   Fields fields;
   constexpr std::string_view between = ",;{}()[] \t\r";
@@ -73,7 +73,7 @@ class FractureReader {
     return values;
   }
 
-  /// POLYGON Z ((x y z, ...)), whose last corner is the first one again.
+  /// Reads POLYGON Z ((x y z, ...)), whose last corner repeats the first one.
   void add_well_known_text(const Fields& fields) {
     const std::size_t first = fields.size() > 1 && !to_double(fields[1]) ? 2 : 1;
     add_polygon(numbers({fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end()}));
@@ -114,7 +114,8 @@ class FractureReader {
     ellipse.y_axis = std::cos(angle) * y - std::sin(angle) * x;
   }
 
-  /// As PorePy: an ellipse in the plane z = 0, turned in it, then about a line through its centre at `strike` from x.
+  /// Reads an ellipse in PorePy's form: in the plane z = 0, rotated in it, then about a line through its centre at
+  /// `strike` from x.
   void add_ellipse(const std::vector<double>& v, bool is_first) {
     if (is_first && v.size() == 6) return;  // the domain
     if (v.size() != 8 && v.size() != 9)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Files of fractures.
+/// Reads files of fractures.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,12 @@ namespace geomesh::geomodel {
 
 struct FractureFileOptions {
   enum class Layout { found, polygons, ellipses } layout = Layout::found;
-  bool degrees = false;  ///< angles of ellipses without a header
-  int n_corners = 16;    ///< of ellipses that do not say
+  bool degrees = false;  ///< whether angles of ellipses without a header are in degrees
+  int n_corners = 16;    ///< number of corners of ellipses that do not give it
   std::string name = "fracture";
 };
 
-/// Reads one fracture a line:
+/// Reads one fracture per line:
 /// - a table with a header of names: x, y, z, radius (or major and minor), dip_direction and dip, perhaps angle (of the
 ///   major axis in the plane, from the strike) and name; degrees;
 /// - polygons as PorePy's network_3d_from_csv: x, y, z of each corner, perhaps a first line with the six bounds of the
@@ -27,7 +27,8 @@ struct FractureFileOptions {
 /// - polygons as dfnWorks' polygons.dat: "nPolygons: N", then the number of corners and {x, y, z} of each;
 /// - polygons as well-known text: POLYGON Z ((x y z, ...)).
 /// Or a file of surfaces or closed lines (is_file_of_surfaces).
-/// Lines that begin with # are passed over. Throws Error{invalid_input} with file and line: no number, too few, a
+/// Lines that begin with # are ignored. Throws Error{invalid_input} with file and line for a word that is not a number,
+/// too few numbers, a
 /// polygon that is not plane or crosses itself, an axis that is not above zero.
 std::vector<Fracture> read_fracture_file(const std::filesystem::path& path, const FractureFileOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes from a file, declared in grid_sizes/size_grid.hpp.
+// Reads sizes from a file, declared in grid_sizes/size_grid.hpp.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ struct Sizes {
   std::vector<double> sizes;
 };
 
-/// What is read: the array of a VTK file, and whether values must be sizes.
+/// What to read: the array of a VTK file, and whether values must be sizes.
 struct Wanted {
   std::string array, noun;
   bool positive;
@@ -25,7 +25,7 @@ struct Wanted {
   std::string expected() const { return positive ? noun + " above zero" : "a finite " + noun; }
 };
 
-/// Four numbers of a line; nothing where they are not.
+/// Parses four numbers from a line; returns nothing if there are not four.
 std::optional<std::array<double, 4>> four_numbers(std::string_view line) {
   const Separation separation = sniff_separation(line);
   const auto fields = separation.split(line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Asked sizes at points, from a file: a background grid for refinement.
+/// Target sizes at points, read from a file as a background grid for refinement.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ namespace geomesh::geomodel {
 
 /// Sizes at points as a function of place. Points at all nodes of a lattice along the axes (any spacings): linear in
 /// each axis between them. Others: mean of the eight nearest, weighted by one over the squared distance (Shepard 1968).
-/// Beyond the points: as at the nearest place of the lattice, or by the same weights.
+/// Beyond the points: the size at the nearest place of the lattice, or by the same weights.
 class SizeGrid {
  public:
-  /// Precondition: as many sizes as points, at least one. Of points in one place the first counts.
+  /// Precondition: as many sizes as points, at least one. If points coincide, the first is used.
   SizeGrid(std::vector<Vec3> points, std::vector<double> sizes);
 
   double at(const Vec3& p) const;
@@ -39,8 +39,8 @@ class SizeGrid {
   std::vector<Vec3> points_;
   std::vector<double> sizes_;
   std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes, ascending
-  std::vector<double> lattice_;              ///< size by node, x fastest; empty: no lattice
-  std::vector<Index> order_;                 ///< rows as a balanced tree: median of a range at its middle, axes in turn
+  std::vector<double> lattice_;              ///< size by node, x fastest; empty if there is no lattice
+  std::vector<Index> order_;  ///< rows as a balanced tree: the median of a range is in its middle, and axes alternate
 };
 
 /// Reads
@@ -50,10 +50,10 @@ class SizeGrid {
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
-/// The same of any finite numbers: lines of x y z value, or the array of that name.
+/// Reads any finite numbers in the same way: lines of x y z value, or the array of that name.
 SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
 
-/// Where the sizes name a background file: reads it into base.background. `origin` was subtracted from the model's
+/// If the sizes name a background file, reads it into base.background. `origin` was subtracted from the model's
 /// coordinates, but not from the file's.
 void load_background(NamedSizes& sizes, const Vec3& origin);
 

@@ -15,21 +15,22 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double separating = 999;         // in x and y: ends a line in Irap and CPS files
-constexpr int n_levels = 9;                // at which faults are looked for in a polygon
-constexpr int n_places = 64;               // along a fault triangle at one level
-constexpr double share_of_longest = 0.25;  // of the fault that passes furthest through a polygon: others count too
-constexpr double most_of_horizon = 0.5;    // of its area in polygons, before it is warned of
-constexpr double wide_open = 0.25;         // of a line's length between its ends, before it is warned of
+constexpr double separating = 999;  // value of x and y that ends a line in Irap and CPS files
+constexpr int n_levels = 9;         // number of heights at which faults are searched in a polygon
+constexpr int n_places = 64;        // number of samples along a fault triangle at one height
+// Share of the length of the fault that passes farthest through a polygon, from which other faults count too.
+constexpr double share_of_longest = 0.25;
+constexpr double most_of_horizon = 0.5;  // share of its area in polygons from which a horizon causes a warning
+constexpr double wide_open = 0.25;  // distance of a line's ends divided by its length, from which it causes a warning
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
 
-/// Text with a point a line.
+/// Reads text with one point per line.
 class PolygonText {
  public:
   explicit PolygonText(const InputFile& file) : file_(file), lines_(file) {}
 
-  /// Empty where the file is no such text.
+  /// Returns an empty list if the file is not such a text.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {
@@ -113,7 +114,7 @@ class MapPolygon {
   const Box3& bounds() const { return bounds_; }
   Vec3 place() const { return 0.5 * (bounds_.min + bounds_.max); }
 
-  /// By the crossings of a ray.
+  /// Decides by the number of crossings of a ray.
   bool holds(const Vec2& p) const {
     if (p.x < bounds_.min.x || p.x > bounds_.max.x || p.y < bounds_.min.y || p.y > bounds_.max.y) return false;
     bool inside = false;
@@ -140,12 +141,12 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return orient2d(a, b, c) != orient2d(a, b, d) && orient2d(c, d, a) != orient2d(c, d, b);
 }
 
-/// The horizon in the map.
+/// The horizon, projected onto the map.
 class MapHorizon {
  public:
   explicit MapHorizon(const TriangulatedSurface& s) : s_(s), tree_(boxes_of(s)) {}
 
-  /// Triangles that the polygon meets, ascending.
+  /// Returns the rows of triangles that the polygon meets, ascending.
   std::set<Index> met_by(const MapPolygon& polygon) const {
     std::set<Index> met;
     tree_.boxes_meeting(polygon.bounds(), [&](Index t) {
@@ -163,7 +164,7 @@ class MapHorizon {
     return met;
   }
 
-  /// Heights of the triangles.
+  /// Returns the least and greatest height of the triangles.
   std::pair<double, double> heights(const std::set<Index>& triangles) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Index t : triangles)
@@ -179,7 +180,7 @@ class MapHorizon {
       for (const VertexIndex v : s.triangles[t]) boxes[t].add({s.points[v].x, s.points[v].y, 0});
     return boxes;
   }
-  /// An end within the triangle counts.
+  /// Returns whether the segment crosses the triangle; an end inside the triangle counts.
   bool crosses(Index t, const Vec2& a, const Vec2& b) const {
     const Triangle& v = s_.triangles[t];
     int n_left = 0, n_right = 0;
@@ -194,7 +195,7 @@ class MapHorizon {
   arrangement::BoxTree tree_;
 };
 
-/// How far the fault runs in the polygon at the level.
+/// Returns the length of the fault in the polygon at this height.
 double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault, double level) {
   double length = 0;
   for (const Triangle& t : fault.triangles) {
@@ -220,7 +221,7 @@ double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault
   return length;
 }
 
-/// Those that pass through the polygon at the heights, by row of the surfaces.
+/// Returns the rows of the faults that pass through the polygon at these heights.
 std::set<Index> faults_in(const MapPolygon& polygon, const std::pair<double, double>& heights,
                           const std::vector<TriangulatedSurface>& surfaces) {
   std::vector<double> length(surfaces.size(), 0);
@@ -235,7 +236,7 @@ std::set<Index> faults_in(const MapPolygon& polygon, const std::pair<double, dou
   return found;
 }
 
-/// Warnings of one kind: how many polygons, and where the first is.
+/// Warnings of one kind: the number of polygons, and the place of the first.
 struct Told {
   std::size_t n = 0;
   Vec3 place;

@@ -11,16 +11,17 @@
 
 namespace geomesh::geomodel {
 
-/// The frame in which points are a graph: the map, or the plane of least squares through them. w is the direction of
-/// least extent, upward where it is not horizontal.
+/// Returns the frame in which points form a graph: the map, or the plane fitted by least squares. w is the direction of
+/// least extent, upward unless it is horizontal.
 Frame graph_frame(const std::vector<Vec3>& points, GraphOver over);
 
-/// Finds the triangle over which a place of the (u, v) plane lies. Built in near-linear time; a query costs what lies
-/// in one bucket.
+/// Finds the triangle at a place of the (u, v) plane. Built in nearly linear time; a query costs the contents of one
+/// bucket.
 class TriangleFinder {
  public:
   TriangleFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  /// The height w over the place: of the first triangle that contains it (borders included); empty where there is none.
+  /// Returns the height w at the place on the first triangle that contains it (borders included); empty if there is
+  /// none.
   std::optional<double> height(double u, double v) const;
 
  private:
@@ -30,7 +31,7 @@ class TriangleFinder {
   const std::vector<Triangle>& triangles_;
   double u0_ = 0, v0_ = 0, size_ = 1;
   std::size_t n_u_ = 1, n_v_ = 1;
-  std::vector<std::size_t> first_;  ///< per bucket, into rows_
+  std::vector<std::size_t> first_;  ///< first entry of each bucket in rows_
   std::vector<Index> rows_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces from points, declared in geomesh/geomodel/gridding.hpp.
+// Interpolates surfaces from points, declared in geomesh/geomodel/gridding.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t default_most_nodes = 40'000, most_nodes = 1'000'000;
-constexpr double least_smoothing = 0.1;  ///< of the spacing: what is smaller than the grid cannot be told anyway
+/// Least smoothing as a share of the spacing, since the grid cannot represent smaller features.
+constexpr double least_smoothing = 0.1;
 
 void require_area(const std::vector<Vec3>& q) {
   if (q.size() < 3)
@@ -67,7 +68,7 @@ PlateGrid plate_over(const Box3& bounds, std::size_t n_points, double asked_spac
   return grid;
 }
 
-/// Points by square buckets of a given size: whether one lies within that distance of a place.
+/// Points in square buckets of a given size, used to test whether one lies within that distance of a place.
 class Nearness {
  public:
   Nearness(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {
@@ -108,7 +109,8 @@ void make_plate(const std::vector<Vec3>& q, const GriddingSpec& spec, const Box3
       if (!nearness.any_near(node.x, node.y)) node.z = std::numeric_limits<double>::quiet_NaN();
   }
   std::size_t n_left_out = 0;
-  made.surface = triangulate_lattice(lattice, Diagonal::from_first, n_left_out);  // as the plate was fitted
+  // The same diagonals as for the fitted plate.
+  made.surface = triangulate_lattice(lattice, Diagonal::from_first, n_left_out);
 }
 
 void make_triangulation(const std::vector<Vec3>& q, const GriddingSpec& spec, GriddedSurface& made) {

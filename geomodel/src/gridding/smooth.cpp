@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Passes of smoothing, declared in geomesh/geomodel/gridding.hpp.
+// Smooths surfaces, declared in geomesh/geomodel/gridding.hpp.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Vertices with equal coordinates are one, so that seams move as one.
+/// A surface whose vertices with equal coordinates are merged, so that seams move together.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;  ///< of each given point
+  std::vector<VertexIndex> row;  ///< merged row of each given point
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
-  std::vector<bool> fixed;                           ///< on a border, or of no triangle
+  std::vector<bool> fixed;                           ///< whether the point is on a border, or in no triangle
 };
 
 WeldedSurface weld(const TriangulatedSurface& surface) {
@@ -52,8 +52,8 @@ std::vector<Vec3> vertex_normals(const WeldedSurface& w) {
   return normals;
 }
 
-/// Height at the vertex of the plane of least squares through it and its neighbours, seen along w; 0 where there is
-/// none.
+/// Returns the height at the vertex, along w, of the plane fitted by least squares to the vertex and its neighbours; 0
+/// if there is none.
 double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, const Vec3& v_axis,
                      const Vec3& w_axis) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();

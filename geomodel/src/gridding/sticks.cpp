@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces between sticks, declared in geomesh/geomodel/sticks.hpp.
+// Interpolates surfaces between fault sticks, declared in geomesh/geomodel/sticks.hpp.
 #include "geomesh/geomodel/sticks.hpp"
 
 #include <Eigen/Dense>
@@ -13,12 +13,12 @@ namespace {
 
 struct Stick {
   std::vector<Vec3> points;
-  double place = 0;  ///< of its middle, across the sticks
+  double place = 0;  ///< position of its midpoint across the sticks
 };
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Direction of most extent of a sum of outer products; its largest component is positive.
+/// Returns the direction of largest extent from a sum of outer products; its largest component is positive.
 Eigen::Vector3d main_direction(const Eigen::Matrix3d& sum) {
   Eigen::Vector3d d = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(2);
   Eigen::Index largest = 0;
@@ -42,12 +42,12 @@ std::vector<Stick> clean_sticks(const std::vector<Polyline>& lines) {
   return sticks;
 }
 
-/// Along the sticks, and across them in the surface.
+/// Directions along the sticks, and across them in the surface.
 struct Directions {
   Eigen::Vector3d along, across;
 };
 
-/// Turns all sticks the same way, and puts them in order across.
+/// Orients all sticks in the same direction, and sorts them across it.
 Directions arrange(std::vector<Stick>& sticks) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d origin = eigen(sticks.front().points.front());
@@ -84,7 +84,7 @@ double nearest(const Stick& a, const Stick& b) {
   return least;
 }
 
-/// Triangles between two sticks whose points begin at these rows; the shorter diagonal each time.
+/// Adds triangles between two sticks whose points begin at these rows, using the shorter diagonal each time.
 void join(const Stick& a, VertexIndex first_a, const Stick& b, VertexIndex first_b, std::vector<Triangle>& triangles) {
   std::size_t i = 0, j = 0;
   const std::size_t last_a = a.points.size() - 1, last_b = b.points.size() - 1;
@@ -98,7 +98,7 @@ void join(const Stick& a, VertexIndex first_a, const Stick& b, VertexIndex first
   }
 }
 
-/// Triangles that are turned over against most others, seen on the plane of the two directions.
+/// Finds triangles with the opposite orientation to most others, projected onto the plane of the two directions.
 void find_folds(const Directions& directions, SurfaceOfSticks& made) {
   double whole = 0;
   std::vector<double> areas;

@@ -16,9 +16,9 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr double share_of_bounds = 0.2;  // the reach where none is asked for
+constexpr double share_of_bounds = 0.2;  // the reach if none is given, as a share of the horizon's bounds
 
-/// Which fields of a line hold what.
+/// The column numbers of the fields in a line of the table of tops.
 struct TopColumns {
   std::size_t well = 0, horizon = 0, depth = 0;
 };
@@ -45,14 +45,14 @@ bool says_nothing(std::string_view line) {
   return text.empty() || text.front() == '#' || text.front() == '!';
 }
 
-/// A triangle over or under a place, by shares of its corners.
+/// A triangle above or below a place, with barycentric coordinates.
 struct Hit {
   Index triangle = no_index;
   std::array<double, 3> shares{};
   double height = nowhere;
 };
 
-/// Nothing where the triangle is vertical or beside the place.
+/// Returns nothing if the triangle is vertical or beside the place.
 std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Triangle& t) {
   const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
   if (p.x < std::min({a.x, b.x, c.x}) || p.x > std::max({a.x, b.x, c.x}) || p.y < std::min({a.y, b.y, c.y}) ||
@@ -71,7 +71,7 @@ std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Tri
   return hit;
 }
 
-/// The one nearest in height; without a triangle where none is over or under the place.
+/// Returns the hit nearest in height; without a triangle if none is above or below the place.
 Hit nearest_hit(const Vec3& p, std::span<const Vec3> points, std::span<const Triangle> triangles) {
   Hit nearest;
   for (Index t = 0; t < triangles.size(); ++t) {
@@ -84,7 +84,7 @@ Hit nearest_hit(const Vec3& p, std::span<const Vec3> points, std::span<const Tri
   return nearest;
 }
 
-/// Wendland's function of the plane that is positive definite and has two derivatives: 1 at 0, nothing from 1 on.
+/// Wendland's positive definite function of the plane with two derivatives: 1 at 0, zero from 1 on.
 double wendland(double r) {
   if (r >= 1) return 0;
   const double s = 1 - r;
@@ -93,7 +93,7 @@ double wendland(double r) {
 
 double distance_in_map(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// The horizon's points in sheets: those that triangles join, equal coordinates merged.
+/// Returns the sheet of each point of the horizon: points connected by triangles, with equal coordinates merged.
 std::vector<Index> sheet_of_points(const TriangulatedSurface& horizon) {
   const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
   UnionFind joined(horizon.points.size());
@@ -113,7 +113,8 @@ double usual_reach(const TriangulatedSurface& horizon) {
   return share_of_bounds * std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
 }
 
-/// Weights of the tops' functions, of least squares and least length where they are not told by the tops.
+/// Returns the weights of the tops' functions, with least squares and minimum norm where the tops do not determine
+/// them.
 Eigen::VectorXd weights_of(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                            std::span<const FittedTop* const> tops, std::span<const Hit> hits, double reach) {
   const auto n = static_cast<Eigen::Index>(tops.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one file holds, declared in geomesh/geomodel/info.hpp.
+// Describes the contents of a file, declared in geomesh/geomodel/info.hpp.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -18,7 +18,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A legacy VTK file of cells of any kind, which stands in its fourth line.
+/// Returns whether the file is a legacy VTK file with cells of any kind, which its fourth line says.
 bool is_legacy_grid(const std::filesystem::path& path) {
   if (path.extension() != ".vtk") return false;
   std::ifstream in(path);
@@ -32,7 +32,7 @@ bool may_be_mesh(const std::filesystem::path& path) {
   return extension == ".vtu" || extension == ".msh" || extension == ".inp" || is_legacy_grid(path);
 }
 
-/// Tetrahedra and volumes by region.
+/// Counts tetrahedra and sums volumes by region.
 void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
   struct Sum {
     std::size_t n = 0;
@@ -58,7 +58,7 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
   }
 }
 
-/// False where the file holds no tetrahedra.
+/// Returns false if the file has no tetrahedra.
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   checking::MeshFile file;
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts, borders and faults of one surface, declared in geomesh/geomodel/info.hpp.
+// Measures counts, borders and faults of one surface, declared in geomesh/geomodel/info.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -14,10 +14,10 @@ namespace {
 
 struct DirectedEdge {
   VertexIndex low, high;
-  bool forward;  ///< the triangle runs from low to high
+  bool forward;  ///< whether the triangle traverses the edge from the lower to the higher vertex
 };
 
-/// Number of different sets among the given vertices.
+/// Returns the number of different sets among the given vertices.
 std::size_t count_sets(UnionFind& sets, std::vector<VertexIndex> vertices) {
   for (VertexIndex& v : vertices) v = sets.find(v);
   std::sort(vertices.begin(), vertices.end());

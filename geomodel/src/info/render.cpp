@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file holds as text and as JSON, declared in geomesh/geomodel/info.hpp.
+// Formats the description of a file as text and as JSON, declared in geomesh/geomodel/info.hpp.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -68,7 +68,7 @@ std::string mesh_text(const MeshInfo& m) {
   return text;
 }
 
-/// What the coordinates were before they came to metres with elevation up.
+/// Describes the coordinates before they were converted to metres with elevation up.
 std::string frame_text(const SourceFrame& f) {
   std::string text = f.geographic ? "x longitude, y latitude (degrees)"
                                   : "unit " + (f.unit.empty() ? "not named (m, or the project's)" : f.unit);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The text of docs/project.schema.json, so that `geomesh init` can give it to editors without a network or the
+/// The text of docs/project.schema.json, so that `geomesh init` can provide it to editors without a network or the
 /// sources.
 #pragma once
 

@@ -8,7 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The two triangles of each cell of a grid with (n+1) x (n+1) nodes stored row by row, diagonals alternating.
+/// Adds the two triangles of each cell of a grid with (n+1) x (n+1) nodes stored row by row, with alternating
+/// diagonals.
 void add_grid_triangles(TriangulatedSurface& surface, int n) {
   const auto node = [n](int i, int j) { return static_cast<VertexIndex>(j * (n + 1) + i); };
   for (int j = 0; j < n; ++j)

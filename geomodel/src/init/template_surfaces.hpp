@@ -16,27 +16,27 @@ struct MapGrid {
   int n;
 };
 
-/// z = height(x, y) on the grid.
+/// Returns the surface z = height(x, y) on the grid.
 TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
                                    const std::function<double(double, double)>& height);
 
-/// A plane sheet origin + s*u + t*v, s and t in [0, 1], of n x n cells.
+/// Returns a plane sheet origin + s*u + t*v, s and t in [0, 1], with n x n cells.
 TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, const Vec3& u, const Vec3& v, int n);
 
-/// The vertical through (x, y) from bottom to top, and how many rings and sectors a surface about it has.
+/// The vertical axis through (x, y) from bottom to top, and the number of rings and sectors of a surface around it.
 struct Axis {
   double x, y, bottom, top;
   int rings, sectors;
 };
 
-/// A closed body of revolution. Its radius is radius(t) at z = bottom + t (top - bottom), zero at t = 0 and 1.
+/// Returns a closed body of revolution. Its radius is radius(t) at z = bottom + t (top - bottom), zero at t = 0 and 1.
 TriangulatedSurface revolved_surface(const std::string& name, const Axis& axis,
                                      const std::function<double(double)>& radius);
 
-/// GOCAD PLine text of a line through points.
+/// Returns a line through points as GOCAD PLine text.
 std::string to_gocad(const Polyline& line);
 
-/// GOCAD TSurf text of a surface, doubles written so that they read back the same.
+/// Returns a surface as GOCAD TSurf text, with doubles that read back to the same values.
 std::string to_gocad(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

@@ -14,8 +14,8 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Times that a triangle is divided in four before it counts as not proven. A smaller number costs more cells of the
-/// background mesh, a larger one more time here; it decides nothing else.
+/// Number of times that a triangle is divided into four before it counts as not proven. A smaller number costs more
+/// cells of the background mesh, a larger one more time here; the result is not affected otherwise.
 constexpr int most_divisions = 4;
 constexpr std::size_t n_samples_of_surface = 20'000;
 
@@ -29,10 +29,11 @@ std::array<Corners, 4> divided(const Corners& t) {
   return {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{ab, bc, ca}};
 }
 
-/// Proves that the field is above the value (side 1) or below it (side -1) on a triangle that was moved.
+/// Proves that the field is above the isovalue (side 1) or below it (side -1) everywhere on a triangle that was
+/// shifted.
 struct OneSide {
   const ScalarField& field;
-  LinearFunction linear;  ///< what the field is about near the triangle
+  LinearFunction linear;  ///< linear approximation of the field near the triangle
   double value, side;
 
   bool holds(const Corners& moved, int divisions) const {
@@ -50,7 +51,7 @@ struct OneSide {
   }
 };
 
-/// Along the gradient of the cell, on both sides.
+/// Shifts the triangle along the gradient of the cell, to both sides, and proves each side.
 bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gradient, double value, double distance) {
   const double slope = length_of(gradient);
   if (!(slope > 0)) return false;
@@ -61,7 +62,7 @@ bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gr
   });
 }
 
-/// Two places on either side of a sample.
+/// A sample point of a triangle, with two places on either side of it.
 struct Sample {
   std::size_t triangle;
   Vec3 below, above;

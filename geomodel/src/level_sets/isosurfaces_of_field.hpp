@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// All isosurfaces of one field, within a distance of the field's own.
+/// Computes all isosurfaces of one field within a given distance of the true ones.
 #pragma once
 
 #include <string>
@@ -12,22 +12,23 @@
 namespace geomesh::geomodel {
 
 struct FieldSurfaces {
-  std::vector<Isosurface> surfaces;  ///< in the order of the values
-  double distance = 0;               ///< within which the surfaces are of the field's own; 0: the same up to rounding
-  bool is_proven = true;             ///< false: found for samples
-  std::size_t n_samples = 0;         ///< per surface, where it is not proven
-  std::vector<std::vector<Index>> beyond;  ///< per surface: triangles for which neither was reached
-  std::size_t n_cells = 0;                 ///< of the background mesh
-  std::vector<Box3> unresolved;            ///< bounds of cells in which an isosurface may have several sheets
-  Range found;                             ///< the values that the field takes at the vertices of the mesh
+  std::vector<Isosurface> surfaces;  ///< surfaces in the order of the isovalues
+  double distance = 0;               ///< distance from the true isosurfaces; 0: equal up to rounding
+  bool is_proven = true;             ///< false if the distance was tested at samples only
+  std::size_t n_samples = 0;         ///< number of samples for each surface, if it is not proven
+  /// For each surface, the triangles for which the distance was neither proven nor found at samples.
+  std::vector<std::vector<Index>> beyond;
+  std::size_t n_cells = 0;       ///< number of cells of the background mesh
+  std::vector<Box3> unresolved;  ///< bounding boxes of cells in which an isosurface may have several sheets
+  Range found;                   ///< range of the field's values at the vertices of the mesh
 };
 
 /// Meshes the box, refines the mesh where isosurfaces pass, and repeats until all triangles are within the distance.
-/// `values` rise. Throws as the field, and Error{cannot_mesh} where too many cells would be needed.
+/// `values` are ascending. Throws as the field does, and Error{cannot_mesh} if too many cells would be needed.
 FieldSurfaces isosurfaces_of(const ScalarField& field, const Box3& box, const std::vector<double>& values,
                              double distance);
 
-/// The same for a field that is linear in tetrahedra: its isosurfaces are what they are, to rounding.
+/// Computes the isosurfaces of a field that is linear in tetrahedra, which are exact up to rounding.
 FieldSurfaces isosurfaces_of(const TetrahedralField& field, const std::vector<double>& values);
 
 }  // namespace geomesh::geomodel

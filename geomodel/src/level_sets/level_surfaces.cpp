@@ -17,7 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// One of the fields of a surface: rows in Project::surfaces and SurfaceSpec::level_sets.
+/// Identifies one of the fields of a surface by its rows in Project::surfaces and SurfaceSpec::level_sets.
 struct PartKey {
   std::size_t surface, part;
   auto operator<=>(const PartKey&) const = default;
@@ -51,7 +51,8 @@ std::vector<Group> group_by_field(const Project& project) {
   return groups;
 }
 
-/// Of the project's box in the coordinates of its file; nothing where it follows from the surfaces.
+/// Returns the bounds of the project's box in the coordinates of its file; nothing if the box is derived from the
+/// surfaces.
 std::optional<Box3> bounds_of_volume(const Project& project) {
   if (!project.box) return std::nullopt;
   const VolumeSpec& volume = *project.box;
@@ -73,14 +74,14 @@ std::optional<Box3> bounds_of_volume(const Project& project) {
 
 std::string box_words(const Box3& box) { return place_words(box.min) + " to " + place_words(box.max); }
 
-/// How far the triangulation may be off the field: the share of the tolerance, or of what it would be by default.
+/// Returns the allowed distance between triangulation and field: a share of the tolerance, or of the default tolerance.
 double distance_for(const Project& project, const Box3& bounds) {
   RefinementSettings settings = project.mesh.refinement;
   if (!settings.refine || settings.honour == Honour::exact) {
     settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
     settings.derive_size = settings.derive_size || !(settings.size.base.global > 0);
   }
-  Box3 upright = bounds;  // depth counts downwards; lengths are the same
+  Box3 upright = bounds;  // depth counts downwards; lengths are the same in both directions
   settle_sizes(settings, upright, project.naming.attributes, project.output.origin);
   return level_set_share * settings.tolerance.left();
 }
@@ -90,7 +91,7 @@ std::string field_words(const LevelSetSpec& spec) {
   return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
 }
 
-/// The triangles of one field of a surface, and what is not proven of them.
+/// The triangles of one field of a surface, and those that are not proven to be close to it.
 struct MadePart {
   Isosurface surface;
   FieldPart facts;
@@ -134,7 +135,7 @@ class GroupMaker {
     return isosurfaces_of(grid, domain, values_, distance_for(project_, domain));
   }
 
-  /// The part of the grid in the box.
+  /// Returns the part of the grid inside the box.
   Box3 within_box(Box3 domain) const {
     const std::optional<Box3> box = bounds_of_volume(project_);
     if (!box) return domain;
@@ -220,7 +221,7 @@ class GroupMaker {
   std::vector<double> values_;  ///< rising, each once
 };
 
-/// All parts of the surfaces, one behind the other.
+/// Concatenates all parts of the surfaces.
 void assemble(const Project& project, const MadeParts& parts, LevelSurfaces& made) {
   for (const auto& [key, part] : parts) {
     FileContents& contents = made.contents[key.surface];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parts, borders and junctions of a triangulation.
+/// Components, borders and non-manifold edges of a triangulation.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace geomesh::geomodel {
 struct SheetTopology {
   std::size_t n_parts = 0;         ///< connected across edges
   std::size_t n_border_edges = 0;  ///< with one triangle
-  std::size_t n_bad_edges = 0;     ///< with more than two
+  std::size_t n_bad_edges = 0;     ///< number of edges with more than two triangles
   Vec3 bad_place;                  ///< of the first
 };
 
-/// O(n log n). Vertices are told apart by their rows.
+/// Counts components and borders in O(n log n). Vertices are identified by their rows.
 SheetTopology topology_of(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

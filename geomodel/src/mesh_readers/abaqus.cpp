@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Abaqus / CalculiX .inp: nodes, C3D4 and C3D10, element sets, node sets, surfaces on element sides.
+// Reads Abaqus / CalculiX .inp: nodes, C3D4 and C3D10, element sets, node sets, surfaces on element sides.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Fields between commas, blanks around them dropped; empty ones left out.
+/// Returns the fields between commas, without surrounding blanks; empty ones are omitted.
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   while (!line.empty()) {
@@ -114,7 +114,7 @@ class AbaqusReader {
     return value;
   }
   std::size_t count(std::string_view text) const {
-    constexpr double largest = 9007199254740992;  // the next one is not a double
+    constexpr double largest = 9007199254740992;  // the next integer is not a double
     const double value = number(text);
     if (!(value >= 0 && value <= largest) || value != std::floor(value))
       in_.refuse("a node's number was expected: \"" + std::string(text) + "\"");
@@ -149,7 +149,7 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    std::vector<std::string> rest;  // an element of ten nodes may go on in the next line, wherever it breaks
+    std::vector<std::string> rest;  // an element with ten nodes may continue on the next line, wherever it breaks
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();
       for (const std::string_view field : fields_of(more)) rest.emplace_back(field);
@@ -167,14 +167,14 @@ class AbaqusReader {
     row_of_element_[count(field(0))] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);
   }
-  /// Numbers of nodes or elements, or names of other sets.
+  /// Reads numbers of nodes or elements, or names of other sets.
   void read_set(const std::vector<std::string_view>& fields) {
     const bool nodes = block_ == Block::node_set;
     if (generate_ && fields.size() >= 2) {
       const std::size_t first = count(fields[0]), last = count(fields[1]),
                         step = fields.size() > 2 ? count(fields[2]) : 1;
       if (step == 0) in_.refuse("the step of a GENERATE line is 0");
-      // Elements that are not there are passed over, at once where there are far more of them than of others.
+      // Missing elements are skipped, all at once if there are far more of them than of others.
       if (!nodes && first < last && (last - first) / step > 2 * row_of_element_.size())
         return add_between(first, last, step);
       for (std::size_t i = first; i <= last; i += step) add_to_set(i, nodes);
@@ -191,7 +191,7 @@ class AbaqusReader {
       }
     }
   }
-  /// The elements that are there among first, first + step ... last.
+  /// Adds the existing elements among first, first + step ... last.
   void add_between(std::size_t first, std::size_t last, std::size_t step) {
     std::vector<std::size_t> numbers;
     for (const auto& [number, row] : row_of_element_)
@@ -199,7 +199,8 @@ class AbaqusReader {
     std::sort(numbers.begin(), numbers.end());
     for (const std::size_t number : numbers) add_to_set(number, false);
   }
-  /// Sets that name each other, or themselves, hold no more than there is: else a short file would fill all memory.
+  /// Sets that refer to each other, or to themselves, contain each item once: otherwise a short file would fill all
+  /// memory.
   void drop_repeated(std::size_t n_items) {
     std::vector<std::size_t>& rows = set_->rows;
     if (rows.size() <= n_items) return;

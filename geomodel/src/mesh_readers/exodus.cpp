@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exodus II, which is a layout of netCDF: blocks of tetrahedra, side sets, node sets, fields of the first time.
-// Followed: Schoof and Yarberry, "EXODUS II: a finite element data model" (SAND92-2137).
+// Reads Exodus II, which is a layout of netCDF: blocks of tetrahedra, side sets, node sets, fields of the first time.
+// Source: Schoof and Yarberry, "EXODUS II: a finite element data model" (SAND92-2137).
 #include <cctype>
 #include <limits>
 #include <numeric>
@@ -43,7 +43,7 @@ class ExodusReader {
   }
 
  private:
-  /// Those from 1 on where the file does not tell them.
+  /// Returns the global numbers, or those from 1 on if the file does not have them.
   std::vector<int> numbers_in_whole(const char* variable, std::size_t n) const {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 1);
@@ -58,7 +58,7 @@ class ExodusReader {
     return static_cast<int>(value);
   }
 
-  /// Three variables, or one of files before 1996.
+  /// Reads three variables, or one in files before 1996.
   void read_points() {
     const std::size_t n = file_.dimension("num_nodes");
     if (n >= no_vertex) file_.refuse("it holds more nodes than 32 bits can count");
@@ -79,7 +79,7 @@ class ExodusReader {
       file_.refuse("node " + std::to_string(number) + " is not there");
     return static_cast<VertexIndex>(number - 1);
   }
-  /// Those from 1 on where the file has none.
+  /// Returns the ids, or those from 1 on if the file has none.
   std::vector<int> ids_of(const std::string& kind, std::size_t n) const {
     return numbers_in_whole((kind + "_prop1").c_str(), n);
   }
@@ -154,7 +154,7 @@ class ExodusReader {
     set.rows.push_back(mesh_.cells[2].size() - 1);
   }
 
-  /// Of the first time. NaN where a block has no such variable.
+  /// Reads arrays of the first time step; NaN if a block does not have the variable.
   void read_cell_arrays() {
     const std::size_t n = file_.dimension("num_elem_var");
     const std::vector<std::string> names = file_.texts("name_elem_var", n);
@@ -170,7 +170,7 @@ class ExodusReader {
       mesh_.cell_arrays.push_back(std::move(array));
     }
   }
-  /// One variable each, or one of all in files before 1996.
+  /// Reads one variable for each, or one for all in files before 1996.
   void read_point_arrays() {
     const std::size_t n = file_.dimension("num_nod_var"), n_points = mesh_.points.size();
     const std::vector<std::string> names = file_.texts("name_nod_var", n);
@@ -189,7 +189,8 @@ class ExodusReader {
   NetcdfReader file_;
   RawMesh mesh_;
   std::vector<std::size_t> row_of_element_;
-  std::vector<std::vector<std::size_t>> rows_of_block_;  // of tetrahedra; none of other blocks
+  // Rows of the tetrahedra in each block; empty for blocks of other elements.
+  std::vector<std::vector<std::size_t>> rows_of_block_;
 };
 
 }  // namespace

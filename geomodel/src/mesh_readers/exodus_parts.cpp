@@ -17,14 +17,14 @@ namespace {
   throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
 }
 
-/// Rows of numbers that count from 1 without gaps.
+/// Converts numbers that count from 1 without gaps to rows.
 std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole) {
   if (number < 1 || static_cast<std::size_t>(number) > n)
     refuse(whole, "global numbers of its parts have gaps or are out of range (" + std::to_string(number) + ")");
   return static_cast<std::size_t>(number - 1);
 }
 
-/// The largest of the numbers, which is their count where there are no gaps; never more than the parts hold.
+/// Returns the largest of the numbers, which is their count if there are no gaps; never more than the parts contain.
 std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers,
                           const std::filesystem::path& whole) {
   int largest = 0;

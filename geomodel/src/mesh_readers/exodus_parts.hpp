@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Exodus files of one mesh in parts (NAME.e.N.K), put together by their global numbers.
+/// Combines Exodus files with the parts of one mesh (NAME.e.N.K) by their global numbers.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 namespace geomesh::geomodel {
 
 struct ExodusPartFiles {
-  std::filesystem::path whole;               ///< NAME.e, which need not be there
+  std::filesystem::path whole;               ///< NAME.e, which need not exist
   std::vector<std::filesystem::path> parts;  ///< NAME.e.N.0 to NAME.e.N.(N-1)
 };
-/// From the name of one part; nothing where it is no such name.
+/// Derives the files from the name of one part; returns nothing if the name has another form.
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file);
 
 /// A part with the global numbers, from 1, of its nodes and elements.
@@ -23,8 +23,8 @@ struct ExodusPartMesh {
   RawMesh mesh;
   std::vector<int> nodes, tetrahedra;
 };
-/// Nodes and elements by rising number. Throws Error{invalid_input} where a number is missing, has two places or is
-/// owned by two parts.
+/// Combines parts; nodes and elements are in ascending order of their numbers. Throws Error{invalid_input} if a number
+/// is missing, has two places or is owned by two parts.
 RawMesh merge_exodus_parts(std::vector<ExodusPartMesh> parts, const std::filesystem::path& whole);
 
 }  // namespace geomesh::geomodel

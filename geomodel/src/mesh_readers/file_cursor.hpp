@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A file in memory, read as words, lines and numbers, with the line in messages.
+/// A file in memory, read as words, lines and numbers, with the line number in messages.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class FileCursor {
 
   bool at_end() const { return at_ >= text_.size(); }
   std::size_t size() const { return text_.size(); }
-  /// The rest of this line, without its end; moves to the next.
+  /// Returns the rest of this line without its end, and advances to the next.
   std::string_view line() {
     if (at_end()) refuse("ends too early");
     line_start_ = at_;
@@ -37,7 +37,7 @@ class FileCursor {
     if (!result.empty() && result.back() == '\r') result.remove_suffix(1);
     return result;
   }
-  /// The next word, blanks and ends of lines skipped.
+  /// Returns the next word, skipping blanks and ends of lines.
   std::string_view word() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
     if (at_end()) refuse("ends too early");
@@ -55,7 +55,7 @@ class FileCursor {
       refuse("a number was expected, found \"" + std::string(text) + "\"");
     return value;
   }
-  /// Bytes as they are in memory.
+  /// Returns a value stored as bytes, as in memory.
   template <class T>
   T raw() {
     if (text_.size() - at_ < sizeof(T)) refuse("ends too early");
@@ -77,7 +77,7 @@ class FileCursor {
   std::size_t at_ = 0, line_start_ = 0;
 };
 
-/// Node numbers of a file to rows.
+/// Converts node numbers of a file to rows.
 class NodeRows {
  public:
   void add(std::size_t number, const FileCursor& in) {

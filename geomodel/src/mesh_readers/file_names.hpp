@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The JSON beside a mesh file of ours: full names and kinds for the names in the file.
+/// Reads the JSON beside a mesh file that geomesh wrote: full names and kinds for the names in the file.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// A region, surface, curve, point or other node set with the sets of the file whose union it is.
+/// A region, surface, curve, point or other node set, with the sets of the file of which it is the union.
 struct FullName {
   std::string name, kind;
   std::vector<std::string> sets;
@@ -23,7 +23,7 @@ struct FullName {
 
 struct FileNames {
   std::vector<FullName> regions, surfaces, curves, points, node_sets;
-  std::map<std::string, std::string> field_units;                  ///< by field; empty: not known
+  std::map<std::string, std::string> field_units;                  ///< units by field; empty: not known
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< ids as in `region_ids`
   std::map<std::int32_t, std::string> region_ids;
   std::string unit;
@@ -31,7 +31,7 @@ struct FileNames {
   bool empty() const { return regions.empty() && surfaces.empty(); }
 };
 
-/// Empty where there is no such file or it is not one of ours.
+/// Returns empty names if there is no such file or if geomesh did not write it.
 FileNames read_file_names(const std::filesystem::path& mesh_file);
 
 }  // namespace geomesh::geomodel

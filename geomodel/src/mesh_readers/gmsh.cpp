@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Gmsh .msh, versions 2.2 and 4.1, text and binary: nodes, simplices of first and second order, physical groups.
+// Reads Gmsh .msh, versions 2.2 and 4.1, text and binary: nodes, simplices of first and second order, physical groups.
 #include <cstdlib>
 #include <limits>
 #include <optional>
@@ -14,7 +14,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// What is known of Gmsh's element types.
+/// Properties of Gmsh's element types.
 struct ElementType {
   int dimension;
   std::size_t n_nodes;
@@ -65,7 +65,8 @@ std::optional<ElementType> element_type(int type) {
   }
 }
 
-/// Gmsh marks reversed elements and ghosts by a negative tag. The least number has no positive one and stays.
+/// Gmsh marks reversed elements and ghosts by a negative tag. The least number has no positive counterpart and is
+/// unchanged.
 std::int32_t without_sign(std::int32_t tag) {
   return tag < 0 && tag != std::numeric_limits<std::int32_t>::min() ? -tag : tag;
 }
@@ -79,7 +80,7 @@ class GmshReader {
     mesh_.format = "Gmsh";
     read_sections();
     read_other_parts(file);
-    // Data may stand before the cells and nodes that they are of, or in one of several parts.
+    // Data may precede the cells and nodes to which they belong, or be in one of several parts.
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (CellArray& array : mesh_.cell_arrays) array.values.resize(mesh_.cells[3].size(), none);
     for (PointArray& array : mesh_.point_arrays) array.values.resize(mesh_.points.size(), none);
@@ -114,7 +115,8 @@ class GmshReader {
     }
     require_format();
   }
-  /// NAME_1.msh, NAME_2.msh ... are one mesh where one of them says so. What comes again has its number.
+  /// Reads NAME_1.msh, NAME_2.msh ... as one mesh if one of them says so. Items that occur again are recognised by
+  /// their number.
   void read_other_parts(const std::filesystem::path& file) {
     static const std::regex pattern(R"((.+)_([0-9]{1,6})\.msh)");
     std::smatch match;
@@ -182,7 +184,8 @@ class GmshReader {
           for (std::size_t k = size(); k > 0; --k) integer();
       }
   }
-  /// Entities of one part each, with the groups of their parent; and where copies of others' elements are.
+  /// Reads the entities of one part with the groups of their parent, and the entities with copies of other parts'
+  /// elements.
   void read_partitioned_entities() {
     n_parts_ = std::max(n_parts_, static_cast<std::int32_t>(std::min<std::size_t>(size(), most_parts)));
     for (std::size_t k = size(); k > 0; --k) {
@@ -242,7 +245,7 @@ class GmshReader {
     }
   }
 
-  /// Reads the nodes of one element, by `node()`, and files it under its groups.
+  /// Reads the nodes of one element, by `node()`, and adds it to its groups.
   template <class F>
   void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
@@ -323,7 +326,7 @@ class GmshReader {
     }
   }
 
-  /// Of one value each; others are passed over. Rows that are not there have NaN.
+  /// Reads data with one value each; others are ignored. Missing rows have NaN.
   void read_data(bool of_nodes) {
     std::string name;
     const auto n_texts = in_.number<std::size_t>();
@@ -362,14 +365,14 @@ class GmshReader {
   RawMesh mesh_;
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;
-  std::vector<std::size_t> element_numbers_;        // of the first part
-  std::unordered_set<std::size_t> known_elements_;  // of all parts so far
+  std::vector<std::size_t> element_numbers_;        // element numbers of the first part
+  std::unordered_set<std::size_t> known_elements_;  // element numbers of all parts so far
   std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;
   bool binary_ = false;
   std::size_t n_elements_ = 0;
-  std::unordered_map<std::size_t, std::size_t> row_of_element_;                  // of tetrahedra, by number
+  std::unordered_map<std::size_t, std::size_t> row_of_element_;                  // row of each tetrahedron, by number
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;  // by dimension and entity
   std::map<std::pair<int, std::int32_t>, RawSet> sets_;                          // by dimension and tag
 };

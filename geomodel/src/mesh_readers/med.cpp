@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MED by libmedc (built only where that is there): simplices of first and second order, groups of cells and nodes.
+// Reads MED with libmedc (built only if it is available): simplices of first and second order, groups of cells and
+// nodes.
 #include <med.h>
 
 #include <fstream>
@@ -91,13 +92,13 @@ class MedReader {
     const med_entity_type entity = type == MED_NONE ? MED_NODE : MED_CELL;
     const med_int n = MEDmeshnEntity(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type,
                                      type == MED_NONE ? MED_COORDINATE : MED_CONNECTIVITY, MED_NODAL, &changed, &moved);
-    // More numbers than the file can hold, compressed as they may be (deflate: 1032 to 1), are damage.
+    // A file is damaged if it declares more numbers than it can contain even when compressed (deflate: 1032 to 1).
     if (n > 0 && static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
       refuse("sizes in it are not those of what follows: it is damaged");
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {
-    std::vector<med_int> numbers(n, 0);  // a file need not have them: then all are 0
+    std::vector<med_int> numbers(n, 0);  // optional in a file: all are then 0
     if (MEDmeshEntityFamilyNumberRd(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type, numbers.data()) < 0)
       numbers.assign(n, 0);
     return numbers;

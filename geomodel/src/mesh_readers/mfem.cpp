@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MFEM mesh v1.0 to v1.3 with vertices: tetrahedra, triangles, their attributes.
+// Reads MFEM meshes v1.0 to v1.3 with vertices: tetrahedra, triangles, their attributes.
 #include "mesh_readers/file_cursor.hpp"
 #include "mesh_readers/mesh_readers.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// Corners by MFEM's geometry type: point, segment, triangle, square, tetrahedron, cube, prism, pyramid.
+/// Number of corners by MFEM's geometry type: point, segment, triangle, square, tetrahedron, cube, prism, pyramid.
 constexpr std::array<std::size_t, 8> n_corners{1, 2, 3, 4, 4, 8, 6, 5};
 
 class MfemReader {

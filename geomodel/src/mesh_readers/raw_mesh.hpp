@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A mesh as it stands in a file of any tool: cells of each dimension and named sets of them, in the file's order.
+/// A mesh as contained in a file of any tool: cells of each dimension and named sets of them, in the file's order.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// Cells of one dimension; of cells of higher order the corners.
+/// Cells of one dimension; for cells of higher order only the corners.
 struct RawCells {
   std::size_t n_corners = 0;
   std::vector<VertexIndex> corners;
@@ -25,13 +25,13 @@ struct RawCells {
 /// A named set of cells or of nodes.
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< in the file; 0 where it has none
-  int dimension = 0;    ///< of the cells; of a set of nodes -1
+  std::int32_t id = 0;  ///< id in the file; 0 if it has none
+  int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
 
-/// How many cells and nodes the sets of a mesh file may name together. A list can be named in a few bytes, and a set of
-/// all elements as often as the file has lines: without a bound a short file fills all memory.
+/// Limits how many cells and nodes the sets of a mesh file may contain together. A list can be named in a few bytes,
+/// and a set of all elements as often as the file has lines: without a bound a short file could fill all memory.
 class SetBudget {
  public:
   static constexpr std::size_t always = 10'000'000, a_byte = 10;
@@ -39,9 +39,9 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Of one more file.
+  /// Increases the limit for one more file.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// False where `n` more are too many.
+  /// Returns false if `n` more are too many.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;
@@ -56,24 +56,24 @@ struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;
   std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};  ///< points, edges, triangles, tetrahedra
-  std::vector<std::size_t> numbers;  ///< of tetrahedra, among all cells of the file, for messages
+  std::vector<std::size_t> numbers;  ///< numbers of tetrahedra among all cells of the file, for messages
   std::vector<RawSet> sets;
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
   bool second_order = false;
-  std::vector<VertexIndex> midpoints;  ///< six a tetrahedron of second order, of the edges 01 12 20 03 13 23
-  bool single_precision = false;       ///< the file holds 32-bit coordinates
-  std::vector<std::int32_t> point_kind, input_vertex;  ///< of our own files; else empty
+  std::vector<VertexIndex> midpoints;  ///< six for each second-order tetrahedron, for the edges 01 12 20 03 13 23
+  bool single_precision = false;       ///< whether the file has 32-bit coordinates
+  std::vector<std::int32_t> point_kind, input_vertex;  ///< only in files written by geomesh, otherwise empty
   std::vector<CellArray> cell_arrays;                  ///< by tetrahedron
   std::vector<PointArray> point_arrays;                ///< by row of `points`
-  std::filesystem::path whole;     ///< of a mesh read from parts: what its one file would be called; else empty
-  std::vector<Vec3> before_zones;  ///< of our own files; else empty
+  std::filesystem::path whole;     ///< for a mesh read from parts: the name that a single file would have; else empty
+  std::vector<Vec3> before_zones;  ///< only in files written by geomesh, otherwise empty
   Vec3 origin{0, 0, 0};
 };
 
-/// The named mesh: regions from the sets of tetrahedra, surfaces from those of triangles, curves from those of edges,
-/// named points, other node sets. Where tetrahedra lie in several sets, the sets become groups of regions. Full names
-/// and kinds come from FILE.json where that is there. Points that no cell uses are dropped, tetrahedra that turn the
-/// wrong way are turned. Throws Error{invalid_input} where a solid is no tetrahedron.
+/// Converts the sets to a named mesh: regions from the sets of tetrahedra, surfaces from those of triangles, curves
+/// from those of edges, named points, other node sets. If tetrahedra lie in several sets, the sets become groups of
+/// regions. Full names and kinds come from FILE.json if it exists. Unused points are dropped, inverted tetrahedra are
+/// flipped. Throws Error{invalid_input} if a solid is not a tetrahedron.
 ModelMesh to_model_mesh(RawMesh raw, const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The reader of a mesh file by its extension.
+// Reads a mesh file with the reader that belongs to its extension.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The smallest set of each tetrahedron is its region: groups of regions are larger.
+/// The smallest set that contains a tetrahedron is its region: groups of regions are larger.
 MeshFile take(RawMesh raw) {
   MeshFile mesh;
   mesh.format = raw.format;

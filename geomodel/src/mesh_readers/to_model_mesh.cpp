@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the sets of a file to regions, surfaces, curves and named nodes.
+// Converts the sets of a file to regions, surfaces, curves and named nodes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A surface, curve or point to be, with rows of the cells it has.
+/// A surface, curve or point to be made, with the rows of its cells.
 struct Wanted {
   std::string name, kind;
   std::vector<std::size_t> rows;
@@ -51,8 +51,8 @@ std::string place(const Vec3& p) {
   return text.str();
 }
 
-/// Throws Error{invalid_input} with the point and a cell that has it: a coordinate, or one of the origin, is no finite
-/// number, or is beyond the range of the exact arithmetic. Points that no tetrahedron has are not looked at.
+/// Throws Error{invalid_input} with the point and a cell that has it if a coordinate, or one of the origin, is not a
+/// finite number or exceeds the range of the exact arithmetic. Points that no tetrahedron uses are not checked.
 void require_finite(const RawMesh& mesh, const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& what, const Vec3& p) {
     throw Error(ErrorKind::invalid_input,
@@ -136,7 +136,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Values of the arrays at a node in the middle of an edge. Nothing where all are the means of the ends.
+  /// Returns the values of the arrays at a midpoint node; nothing if all are the means of the ends.
   std::vector<double> values_at(VertexIndex middle, VertexIndex first, VertexIndex second) const {
     std::vector<double> values;
     bool are_means = true;
@@ -148,8 +148,8 @@ class ModelMeshBuilder {
     return are_means ? std::vector<double>{} : values;
   }
 
-  /// Nodes in the middle of edges that are not half-way, to the last bit, or have values of their own: what is written
-  /// of them is what was read.
+  /// Stores midpoint nodes that are not half-way, to the last bit, or have values of their own, so that they are
+  /// written as they were read.
   void add_curved_edges() {
     constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
     if (raw_.midpoints.size() != 6 * mesh_.tetrahedra.size()) return;
@@ -172,7 +172,7 @@ class ModelMeshBuilder {
                 edges.end());
   }
 
-  /// Attributes of regions by the JSON; arrays of cells and points that are none of these.
+  /// Adds attributes of regions according to the JSON, and the other arrays of cells and points.
   void add_arrays() {
     std::map<std::string, RegionAttribute> attributes;
     for (const FullName& full : names_.regions)
@@ -199,7 +199,7 @@ class ModelMeshBuilder {
       mesh_.point_arrays.push_back(std::move(kept));
     }
   }
-  /// Groups of regions that the file itself does not hold.
+  /// Adds groups of regions that the file itself does not contain.
   void add_region_groups() {
     for (const auto& [name, ids] : names_.region_groups) {
       if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(),
@@ -215,7 +215,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// The sets of one dimension, by the full names where those are known; else as they stand.
+  /// Returns the sets of one dimension, with their full names if those are known; else as in the file.
   std::vector<Wanted> wanted(int dimension, const std::vector<FullName>& full_names) const {
     std::vector<Wanted> list;
     std::map<std::string, std::size_t> row_of_name;
@@ -246,8 +246,8 @@ class ModelMeshBuilder {
     return list;
   }
 
-  /// Tetrahedra in the same sets are a region. It has the name of a set that is just this region, else the names of
-  /// its sets joined by `+`; sets of several regions become groups.
+  /// Makes a region from tetrahedra in the same sets. Its name is that of a set which contains exactly this region,
+  /// else the names of its sets joined by `+`; sets of several regions become groups.
   void add_regions() {
     const std::vector<Wanted> sets = wanted(3, names_.regions);
     std::vector<std::vector<std::size_t>> sets_of(mesh_.tetrahedra.size());
@@ -285,8 +285,7 @@ class ModelMeshBuilder {
     next_id_ = static_cast<std::int32_t>(mesh_.regions.size() + 1);
   }
 
-  /// A face is there once, with all its surfaces; its normal points from the lower region id to the higher, or
-  /// outwards.
+  /// Adds each face once, with all its surfaces; its normal points from the lower region id to the higher, or outwards.
   void add_faces() {
     std::map<Triangle, std::size_t> face_of;
     std::vector<std::vector<std::int32_t>> surfaces_of;
@@ -314,7 +313,7 @@ class ModelMeshBuilder {
         return sides[f][k].tetrahedron == no_side ? 0 : mesh_.tet_region[sides[f][k].tetrahedron];
       };
       std::int32_t minus = region(0), plus = region(1);
-      if (minus == 0 && plus == 0) continue;  // no face of a tetrahedron
+      if (minus == 0 && plus == 0) continue;  // not a face of a tetrahedron
       if (minus == 0 || (plus != 0 && plus < minus)) {
         std::swap(minus, plus);
         std::swap(faces[f][1], faces[f][2]);
@@ -343,7 +342,7 @@ class ModelMeshBuilder {
         if (v != no_vertex) mesh_.marked_points.push_back({v, next_id_++, point.name});
       }
   }
-  /// Nodes that are just those of a region, surface, curve or point under the same name are not told twice.
+  /// Omits node sets that equal the nodes of a region, surface, curve or point with the same name.
   void add_node_sets() {
     std::set<std::string> taken;
     for (const Region& r : mesh_.regions) taken.insert(r.name);
@@ -372,7 +371,7 @@ class ModelMeshBuilder {
   const std::filesystem::path& file_;
   FileNames names_;
   ModelMesh mesh_;
-  std::vector<VertexIndex> row_;  // of a point of the file in the mesh
+  std::vector<VertexIndex> row_;  // row in the mesh of each point of the file
   std::int32_t next_id_ = 1;
 };
 

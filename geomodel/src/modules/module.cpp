@@ -17,16 +17,16 @@ namespace fs = std::filesystem;
 
 void anchor() {}
 
-/// The folder of the program, or of the shared library, that holds this code.
+/// Returns the folder of the program, or of the shared library, that contains this code.
 fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
 
 #ifdef _WIN32
-constexpr char between_folders = ';';  // a colon stands behind the letter of a drive
+constexpr char between_folders = ';';  // a colon follows the letter of a drive
 #else
 constexpr char between_folders = ':';
 #endif
 
-/// In the order of search.
+/// Returns the folders of plugins in the order of search.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {
@@ -54,7 +54,7 @@ std::string listed(const std::vector<fs::path>& folders) {
   return text;
 }
 
-/// The table in the file, or null with the reason.
+/// Returns the module's table in the file, or null with the reason.
 const void* load(const fs::path& file, const ModuleName& module, bool (*fits)(const void* table), std::string& reason) {
   reason = "no reason given";
   void* const library = open_library(file, reason);

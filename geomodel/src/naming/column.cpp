@@ -11,7 +11,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Cosine of the angle between a face and its triangle below which the face shows no side.
+/// Cosine of the angle between a face and its input triangle below which the face does not show on which side of the
+/// horizon it lies.
 constexpr double least_cosine = 0.1;
 
 std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {
@@ -71,7 +72,7 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
       const Vec3& given = column.normals[h][o.triangle];
       const double agreement = dot(normal, given);
       if (std::abs(agreement) < least_cosine * norm(normal) * norm(given)) continue;
-      if ((agreement < 0) != o.reversed) continue;  // turned over by rounding
+      if ((agreement < 0) != o.reversed) continue;  // the face was inverted by rounding
       const bool facet_normal_is_up = (column.sides[h].as_stored[o.triangle] != 0) != o.reversed;
       Index lower = component_of(mesh, face.tetrahedron_below), upper = component_of(mesh, face.tetrahedron_above);
       if (!facet_normal_is_up) std::swap(lower, upper);
@@ -93,8 +94,9 @@ double area_in(const std::map<Index, double>& areas, Index h) {
   return at == areas.end() ? 0.0 : at->second;
 }
 
-/// Whether a horizon h bounds a component that has more than this area of it on one side. It does not if more of a
-/// horizon beyond it, or of itself, has the component on both sides: then the component goes on there.
+/// Returns whether horizon h bounds a component that touches one side of it with more than this area. It does not if
+/// the component lies on both sides of a horizon beyond h, or of h itself, along a larger area: then the component
+/// continues there.
 bool bounds(const HorizonContacts& contacts, double area, Index first, Index last) {
   for (const auto& [h, both] : contacts.on_both_sides)
     if (h >= first && h <= last && both > area) return false;
@@ -110,7 +112,8 @@ UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column) {
   Index first = 0, last = last_unit;
   bool bounded_above = false, bounded_below = false;
   for (const auto& [h, area] : contacts.lies_below) {
-    if (area < area_in(contacts.lies_above, h)) continue;  // repeated by a fold or thrust: the larger side speaks
+    // The horizon is repeated by a fold or thrust: the side with the larger area is used.
+    if (area < area_in(contacts.lies_above, h)) continue;
     if (!bounds(contacts, area, 0, h)) continue;
     first = std::max(first, h + 1);
     bounded_above = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horizons that have holes, stop short or are absent: which, where, and which units join there.
+// Finds horizons that have holes, stop short or are absent: which, where, and which units are connected there.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,18 +15,18 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Free edges of one horizon that hang together: one hole, or one stretch of border.
+/// Connected free edges of one horizon: one hole, or one stretch of border.
 struct FreeBorder {
   bool hole = false;
   double length = 0;
-  Vec3 place;              ///< a hole's middle; the middle of the longest edge of a border
-  Index facet = no_index;  ///< a soup facet at it
+  Vec3 place;              ///< centre of a hole; midpoint of the longest edge of a border
+  Index facet = no_index;  ///< a facet of the soup at the border
 };
 
 struct HorizonEdges {
-  std::vector<EdgeUse> free;               ///< edges of one facet of the horizon and of no other
+  std::vector<EdgeUse> free;               ///< edges with one facet of the horizon and none of another surface
   std::vector<EdgeUse> within;             ///< uses of edges with several facets of the horizon
-  std::vector<EdgeUse> ends_on_something;  ///< edges where one facet of the horizon ends on other surfaces
+  std::vector<EdgeUse> ends_on_something;  ///< edges at which one facet of the horizon ends on other surfaces
 };
 
 std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vector<std::vector<Index>>& rows_of_facet,
@@ -47,7 +47,7 @@ std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vect
   return result;
 }
 
-/// Its facet is one that is there in the mesh, if any is: remeshing may have left none of a narrow one.
+/// Prefers a facet that is present in the mesh: remeshing may have removed those of a narrow border.
 FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges,
                           const std::vector<Index>& component_at) {
   FreeBorder border;
@@ -75,8 +75,8 @@ FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& e
   return border;
 }
 
-/// Splits the free edges into borders. A closed border is a hole, but for the longest one of a sheet that ends on
-/// nothing else.
+/// Splits the free edges into borders. A closed border is a hole, except for the longest one of a sheet that ends on no
+/// other surface.
 std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges& edges,
                                      const std::vector<Index>& component_at) {
   UnionFind by_vertex(soup.points.size()), sheets(soup.facets.size());
@@ -89,7 +89,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   std::map<Index, bool> anchored;
   for (const EdgeUse& e : edges.ends_on_something) anchored[sheets.find(e.facet)] = true;
   std::vector<FreeBorder> borders;
-  std::map<Index, std::size_t> outer;  // longest closed border by floating sheet
+  std::map<Index, std::size_t> outer;  // longest closed border of each sheet without contact to other surfaces
   for (const auto& [vertex, group] : groups) {
     borders.push_back(measure_border(soup, group, component_at));
     const Index sheet = sheets.find(borders.back().facet);
@@ -101,7 +101,8 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// Describes a border of the horizon by the component at it; the caller adds how many there are, and where.
+/// Describes a border of the horizon by the component at it; the caller adds the number of such borders and their
+/// place.
 OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
   OpenBorders open;
   open.horizon = name;
@@ -112,8 +113,8 @@ OpenBorders open_in(Index component, Index horizon, const std::string& name, con
   return open;
 }
 
-/// "tertiary and chalk join" or "it ends inside chalk". `within`: the area of the horizon that has the region on both
-/// sides.
+/// Describes the effect of an open border: "tertiary and chalk join" or "it ends inside chalk". `within` is the area of
+/// the horizon that has the region on both sides.
 std::string consequence(const OpenBorders& open, Index component, double within, const Column& column,
                         const NamedRegions& named) {
   if (open.region.empty()) return "outside of all regions";
@@ -136,7 +137,7 @@ std::string in_words(const OpenBorders& open) {
          (open.count == 1 ? "near " : "the longest near ") + to_text(open.place) + "): ";
 }
 
-/// Holes, or borders, in one component.
+/// Combines the holes, or the borders, in one component.
 OpenBorders together(OpenBorders open, const std::vector<FreeBorder>& borders) {
   const FreeBorder& longest = *std::ranges::max_element(borders, {}, &FreeBorder::length);
   CompensatedSum length;
@@ -163,7 +164,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
         if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
           rows_of_facet[f].push_back(h);
   std::vector<Index> component_at(soup.facets.size(), no_index);
-  std::map<std::pair<Index, Index>, double> within;  // area by horizon and component on both sides
+  std::map<std::pair<Index, Index>, double> within;  // area by horizon and by the component on both of its sides
   for (const auto& face : mesh.faces) {
     const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
     const Index c = below != no_index ? below : above;
@@ -186,7 +187,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
                          column.units[h + 1] + " are not divided by it");
       continue;
     }
-    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // hole first, then by component
+    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // holes first, then by component
     for (const FreeBorder& border : find_borders(soup, edges[h], component_at))
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
     for (const auto& [key, borders] : by_kind) {

@@ -11,17 +11,19 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::size_t most_asked = 64;   // places in a component
-constexpr double least_majority = 0.75;  // of the volume about those that tell anything
-constexpr double least_telling = 0.25;   // of the volume about all
+constexpr std::size_t most_asked = 64;   // number of places sampled in a component
+constexpr double least_majority = 0.75;  // share of the volume around those samples that give an answer
+constexpr double least_telling = 0.25;   // share of the volume around all samples
 
-/// What the horizons leave of `possible` about the largest tetrahedra of a component, and their volume there.
+/// Which of the `possible` units the horizons allow around one of the largest tetrahedra of a component, and its
+/// volume.
 struct Answer {
   UnitRange units{};
   double volume = 0;
 };
 
-/// Answers of the largest tetrahedra; sorts them by volume. Units that are not possible make the range empty.
+/// Returns the answers at the largest tetrahedra, which are sorted by volume. If a unit is not possible, the range is
+/// empty.
 std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
                                const std::function<UnitRange(const Vec3&)>& units_at, const UnitRange& possible) {
   const std::size_t n = std::min(cells.size(), most_asked);
@@ -38,7 +40,7 @@ std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, con
   return answers;
 }
 
-/// The volume of those answers that `counts` takes.
+/// Returns the total volume of the answers that `counts` accepts.
 template <class Predicate>
 double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   double volume = 0;
@@ -47,11 +49,11 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   return volume;
 }
 
-/// The units that most answers leave: one, if most of those that leave one agree; else bounds that most of those that
-/// narrow `possible` keep. `possible` where too few tell anything.
+/// Returns the units on which most answers agree: one unit, if most answers with a single unit agree on it; else bounds
+/// that most answers which narrow `possible` keep. Returns `possible` if too few give an answer.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
-  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty one, too, counts
+  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty range counts too
   const auto tells = [&](const UnitRange& units) { return units != possible; };
   const double of_one = volume_of(answers, tells_one), telling = volume_of(answers, tells);
   for (Index unit = possible.first; unit <= possible.last && of_one >= least_telling * all; ++unit)
@@ -73,7 +75,7 @@ UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& pos
   return left.empty() ? possible : left;
 }
 
-/// Takes into the verdict what the horizons as they were laid down leave of what was possible.
+/// Restricts the verdict to the units that the order of deposition of the horizons leaves possible.
 void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& left) {
   if (left == possible) return;
   if (left.first == left.last) {
@@ -93,7 +95,8 @@ void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& le
 void judge_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules, const Column& column,
                       std::vector<UnitVerdict>& verdicts) {
   if (!rules.units_at) return;
-  std::map<Index, std::vector<std::pair<double, Index>>> cells;  // of components to be asked: volume, row
+  // Volume and row of the tetrahedra of each component to be sampled.
+  std::map<Index, std::vector<std::pair<double, Index>>> cells;
   for (std::size_t c = 0; c < verdicts.size(); ++c)
     if (verdicts[c].kind == UnitVerdict::Kind::incomplete || verdicts[c].kind == UnitVerdict::Kind::vertical)
       cells[static_cast<Index>(c)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Units of components by the horizons as they were laid down.
+/// Determines units of components from the horizons in their order of deposition.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel {
 
-/// Asks the horizons as they were laid down (NamingRules::units_at) about components whose faces leave several units,
-/// or none: the verdicts of kind `incomplete` and `vertical`. Where most places leave one unit, it is that. Where they
-/// leave several, the verdict's bounds are narrowed to these, and its unit becomes the nearest of them. A component is
-/// asked at its 64 largest tetrahedra. O(tetrahedra) for all.
+/// Uses NamingRules::units_at, the order of deposition of the horizons, for components whose faces leave several units
+/// possible, or none: the verdicts of kind `incomplete` and `vertical`. If most places have one unit, it is chosen. If
+/// they have several, the verdict's bounds are narrowed to these, and its unit becomes the nearest of them. A component
+/// is sampled at its 64 largest tetrahedra. O(tetrahedra) for all components.
 void judge_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules, const Column& column,
                       std::vector<UnitVerdict>& verdicts);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the soup to the complex, declared in geomesh/geomodel/build_model.hpp.
+// Converts the soup to a piecewise linear complex, declared in geomesh/geomodel/build_model.hpp.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The surfaces of all facets at an edge, ascending.
+/// Returns the surfaces of all facets at an edge, ascending.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
   std::vector<Index> all;
   for (const EdgeUse& use : edge) {
@@ -33,14 +33,14 @@ bool inside_patch(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
   return edge.size() == 2 && sets.of_facet[edge[0].facet] == sets.of_facet[edge[1].facet];
 }
 
-/// The curve that an edge belongs to, or none inside a patch.
+/// Returns the curve to which an edge belongs, or nothing inside a patch.
 std::optional<SoupCurve> curve_at(std::span<const EdgeUse> edge, const SurfaceSets& sets,
                                   const std::vector<TriangulatedSurface>& surfaces) {
   if (inside_patch(edge, sets)) return std::nullopt;
   return curve_of(surfaces_at(edge, sets), edge.size(), surfaces);
 }
 
-/// Segments of the PLC by end points, with the names of their curves before these have rows.
+/// Segments of the PLC by their end points, with the names of their curves, which have no rows yet.
 class SegmentTable {
  public:
   void add_edge(VertexIndex a, VertexIndex b, const SoupCurve& curve) {
@@ -80,7 +80,7 @@ class SegmentTable {
   std::map<std::pair<VertexIndex, VertexIndex>, Names> segments_;
 };
 
-/// Patches numbered from 1 in the order of their first facet.
+/// Numbers patches from 1 in the order of their first facet.
 std::vector<Index> number_patches(UnionFind& joined, std::size_t n_facets) {
   std::vector<Index> patch(n_facets);
   Index n_patches = 0;

@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::size_t most_of_one_name = 10;  // regions, before a warning says what would help
+// Number of regions with one name from which a warning explains the remedy.
+constexpr std::size_t most_of_one_name = 10;
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "
     "with thin_layers: collapse), of small_regions: merge with a min_volume, and of names by fault block "
@@ -25,15 +26,15 @@ constexpr const char* what_would_help =
 
 enum Class : Index { column_class, body_class, hint_class, seed_class, unnamed_class, hull_class };
 
-/// What a component is called before suffixes, and where it stands in the order of ids.
+/// The name of a component before suffixes, and its position in the order of ids.
 struct Label {
   Class order = unnamed_class;
   Index rank = 0;  ///< within the class
   std::string name;
 };
 
-/// Bodies (kind body) or, for files without rules, any surface: per component, the rows of closed ones it lies in,
-/// ascending.
+/// For each component, returns the rows of the closed surfaces in which it lies, ascending: bodies (kind body) or, for
+/// files without rules, any surface.
 std::vector<std::vector<Index>> bodies_around(const std::vector<ComponentFacts>& facts,
                                               const std::vector<TriangulatedSurface>& surfaces,
                                               std::vector<std::string>& warnings) {
@@ -61,14 +62,14 @@ std::vector<std::vector<Index>> bodies_around(const std::vector<ComponentFacts>&
   return around;
 }
 
-/// The innermost of the bodies about component c: one that lies within all others that hold all of its components; of
-/// several the first.
+/// Returns the innermost body around component c: one that lies within all other bodies which contain all of its
+/// components; if there are several, the first.
 Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& around,
                      const std::vector<TriangulatedSurface>& surfaces) {
   const auto holds = [&](std::size_t component, Index body) {
     return std::binary_search(around[component].begin(), around[component].end(), body);
   };
-  // `inner` is strictly within `outer`: every component in inner is in outer, and not the other way round.
+  // `inner` is strictly within `outer`: all components in inner are in outer, but not vice versa
   const auto within = [&](Index inner, Index outer) {
     bool all = true, strict = false;
     for (std::size_t k = 0; k < around.size(); ++k) {
@@ -86,7 +87,7 @@ Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& aroun
   return no_index;
 }
 
-/// Per component: the hint whose boundary faces it with the largest area, or no_index.
+/// For each component, returns the hint whose boundary faces it with the largest area, or no_index.
 std::vector<Index> hinted(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                           const std::vector<RegionHint>& hints) {
   std::map<std::pair<Index, Index>, std::vector<std::pair<Index, bool>>> at_triangle;
@@ -154,7 +155,7 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
   }
 }
 
-/// Units of components that touch no horizon.
+/// Determines the units of components that touch no horizon.
 void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
                        const std::vector<TriangulatedSurface>& surfaces, const Column& column,
                        std::vector<UnitVerdict>& verdicts) {
@@ -167,8 +168,8 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
   }
 }
 
-/// If the faces of a region leave several units between an unconformity and a horizon below it, the region is the unit
-/// that was laid down on that horizon, because the others were eroded.
+/// If the faces of a region leave several units possible between an unconformity and a horizon below it, the region is
+/// the unit deposited directly on that horizon, because the others were eroded.
 void judge_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
                                 const Column& column, std::vector<UnitVerdict>& verdicts) {
   for (UnitVerdict& verdict : verdicts) {
@@ -180,7 +181,7 @@ void judge_below_unconformities(const NamingRules& rules, const std::vector<Tria
   }
 }
 
-/// Rows of components in the order of their regions' ids.
+/// Returns the rows of components in the order of their regions' ids.
 std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -194,25 +195,27 @@ std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::v
   return order;
 }
 
-/// Whether no two regions of a unit lie in one fault block (`block`, by component): faults alone part it then.
+/// Returns whether no two regions of a unit lie in the same fault block (`block`, by component), so that only faults
+/// separate them.
 bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vector<std::size_t>& order,
                          const std::vector<Index>& block) {
   std::set<Index> blocks;
   return std::ranges::all_of(members, [&](std::size_t r) { return blocks.insert(block[order[r]]).second; });
 }
 
-/// Regions in their order, with what decides their numbers and warnings.
+/// Regions in their final order, with the data that determine their numbers and warnings.
 struct NumberedRegions {
-  const std::vector<std::size_t>& order;  ///< components by row of region
+  const std::vector<std::size_t>& order;  ///< components by row of the region
   const std::vector<Label>& labels;
   const std::vector<ComponentFacts>& facts;
   const std::vector<Index>& block;  ///< by component
 };
 
-/// Gives every region its final name: `__k` where several share one. Warns where anything but faults parts a unit.
+/// Gives every region its final name, with `__k` if several share one. Warns if a unit is divided by anything but
+/// faults.
 void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
   const auto& [order, labels, facts, block] = numbered;
-  std::map<std::string, std::vector<std::size_t>> rows;  // region rows by name
+  std::map<std::string, std::vector<std::size_t>> rows;  // rows of regions by name
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
   for (const auto& [name, members] : rows)
@@ -237,14 +240,14 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// What is known of each component before it has a name: its facts, the bodies around it, its unit of the column.
+/// What is known about each component before it has a name: its facts, the bodies around it, its unit of the column.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;
   const std::vector<UnitVerdict>& verdicts;
 };
 
-/// Labels of all components by the rules; warns of what the column cannot tell.
+/// Returns the labels of all components by the rules; warns of components that the column does not determine.
 std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& known, const NamingRules& rules,
                                const Column& column, std::vector<std::string>& warnings) {
   const ConstrainedTetrahedralization& mesh = model.mesh;
@@ -284,9 +287,9 @@ std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& 
   return labels;
 }
 
-/// `Unit__B2` for units of the column, where faults make more than one block.
+/// Adds block numbers such as `Unit__B2` to units of the column, if faults form more than one block.
 void add_blocks(const std::vector<Index>& block, std::vector<Label>& labels) {
-  std::map<Index, Index> number;  // of blocks that hold a unit, in the order of place
+  std::map<Index, Index> number;  // numbers of the blocks that contain a unit, in the order of their position
   for (std::size_t c = 0; c < labels.size(); ++c)
     if (labels[c].order == column_class) number[block[c]] = 0;
   if (number.size() < 2) return;
@@ -296,7 +299,7 @@ void add_blocks(const std::vector<Index>& block, std::vector<Label>& labels) {
     if (labels[c].order == column_class) labels[c].name += "__B" + std::to_string(number[block[c]]);
 }
 
-/// Which component's region each one joins; reports or merges what is smaller than min_volume.
+/// Returns which component's region each component joins; reports or merges regions smaller than min_volume.
 std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
                                  const NamingRules& rules, const std::vector<Label>& labels,
                                  std::vector<std::string>& warnings) {
@@ -304,7 +307,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) {  // what is small then is what settling the stack left over, or a body, which stays
+  if (rules.join_pieces) {  // small regions are then remnants of settling the stack, or bodies, which are kept
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }
@@ -317,7 +320,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
-/// Names of units of the column, with their fault block; empty for all else.
+/// Returns the names of units of the column with their fault block; empty for all other components.
 std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
   std::vector<std::string> names;
   for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");

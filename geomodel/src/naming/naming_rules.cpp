@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules that move components before they are named: air above the topography, seed points, fault blocks, small regions.
+// Rules that change components before they are named: air above the topography, seed points, fault blocks, small
+// regions.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -14,7 +15,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Keeps the components that `keep` says, renumbered in their order; points that nothing kept uses go.
+/// Keeps the components for which `keep` is set, renumbered in their order, and removes points that are no longer used.
 ConstrainedTetrahedralization keep_components(const ConstrainedTetrahedralization& mesh,
                                               const std::vector<bool>& keep) {
   ConstrainedTetrahedralization out;
@@ -51,7 +52,7 @@ ConstrainedTetrahedralization keep_components(const ConstrainedTetrahedralizatio
     if (below != no_index || above != no_index)
       out.faces.push_back({{row[f.vertices[0]], row[f.vertices[1]], row[f.vertices[2]]}, f.facet, below, above});
   }
-  // An edge stays where it is an edge of a kept tetrahedron; its two points alone may be kept for other reasons.
+  // An edge is kept if it is an edge of a kept tetrahedron; that both of its points are kept is not sufficient.
   std::vector<std::pair<VertexIndex, VertexIndex>> wanted;
   for (const auto& e : mesh.edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
   std::sort(wanted.begin(), wanted.end());
@@ -82,8 +83,8 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
   return true;
 }
 
-/// Per component the area of horizons at it, but for the end itself. All of them are cut at the end, so that what lies
-/// beyond it has none.
+/// Returns for each component the area of horizons at it, except for the end itself. All horizons are cut at the end,
+/// so that components beyond it have none.
 std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
                                            const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
                                            const std::string& end) {
@@ -105,10 +106,10 @@ std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& 
   return area;
 }
 
-/// Whether the component goes round the end. It has the end on both sides. More of the end lies so than parts it from
-/// something else, or other horizons are beside it.
+/// Returns whether the component surrounds the edge of the end surface: it lies on both sides of the end, and either
+/// that area exceeds the area at which the end separates it from others, or other horizons touch it.
 bool lies_about(const HorizonContacts& contacts, const ModelEnd& end, double other_horizons) {
-  constexpr double least = 0.01;  // of the end's area at the component
+  constexpr double least = 0.01;  // share of the end's area at the component
   const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
   const auto area = [](const std::map<Index, double>& at) { return at.contains(0) ? at.at(0) : 0.0; };
   const double both = area(contacts.on_both_sides), one = area(parting), little = least * (both + one);
@@ -227,7 +228,7 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   });
   std::vector<Index> rank(facts.size());
   for (Index k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  for (Index c : order) {  // a component only ever joins a larger one, so chains end
+  for (Index c : order) {  // a component only joins a larger one, so chains are finite
     if (facts[c].volume >= min_volume) continue;
     double best = 0;
     for (auto at = shared.lower_bound({c, 0}); at != shared.end() && at->first.first == c; ++at)

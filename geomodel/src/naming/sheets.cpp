@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A directed edge of a triangle on merged points; `forward` where it runs from a to b, a < b.
+/// A directed edge of a triangle on merged points; `forward` if it runs from a to b, a < b.
 struct DirectedEdge {
   VertexIndex a, b;
   Index triangle;
@@ -47,7 +47,7 @@ void for_each_group(const std::vector<DirectedEdge>& edges, F&& visit) {
 
 struct Link {
   Index to;
-  bool same_side;  ///< stored normals point to the same side of the sheet
+  bool same_side;  ///< whether stored normals point to the same side of the sheet
 };
 
 std::vector<std::vector<Link>> sheet_links(const TriangulatedSurface& surface) {

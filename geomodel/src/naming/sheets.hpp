@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Orientation of surfaces as read: closed or not, and which side of an open sheet is up.
+/// Orientation of surfaces as read: whether they are closed, and which side of an open sheet is up.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace geomesh::geomodel {
 
-/// True where every edge (equal coordinates merged) is run through as often in one direction as in the other: then
-/// winding numbers are defined for every point off the surface. An empty surface is not closed.
+/// Returns true if every edge (equal coordinates merged) is traversed as often in one direction as in the other, so
+/// that winding numbers are defined for every point off the surface. An empty surface is not closed.
 bool is_closed(const TriangulatedSurface& surface);
 
-/// Which triangles have their upper side where their stored normal points. Triangles joined through edges of exactly
-/// two triangles form a sheet; a sheet is oriented as one, so that overturned folds keep their sides. Up is where most
-/// of its area, seen from above and with sign, says so. Where a sheet cannot be oriented (a Moebius band) each of its
-/// triangles speaks for itself.
+/// For each triangle, returns whether its stored normal points to the upper side. Triangles joined through edges of
+/// exactly two triangles form a sheet; a sheet is oriented as one, so that overturned folds keep their sides. The upper
+/// side is the one that has the larger horizontal projection of its signed area. If a sheet cannot be oriented (a
+/// Moebius band), each of its triangles is decided separately.
 struct UpwardSides {
   std::vector<std::uint8_t> as_stored;  ///< per triangle
   std::size_t n_unorientable_sheets = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horizons above and below a place, declared in naming/column.hpp.
+// Finds horizons above and below a place, declared in naming/column.hpp.
 #include <limits>
 
 #include "geomesh/core/predicates.hpp"
@@ -8,7 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Height of the triangle over the point of the map, if that lies in it; the inclusion is exact, the height rounded.
+/// Returns the height of the triangle above the point of the map, if the point lies in it; inclusion is decided
+/// exactly, the height is rounded.
 double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const auto map = [](const Vec3& q) { return Vec2{q.x, q.y}; };
   bool positive = false, negative = false;
@@ -22,11 +23,11 @@ double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
 }
 
-/// The horizons next to a point on its vertical.
+/// Finds the horizons next to a point on its vertical.
 class Nearest {
  public:
   explicit Nearest(const Vec3& p) : p_(p) {}
-  /// Where horizons coincide, the oldest has the unit below it, the youngest the unit above it.
+  /// If horizons coincide, the oldest has the unit below them and the youngest the unit above them.
   void look_at(Index horizon, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double z = height_at(a, b, c, p_);
     if (z >= p_.z && (z < over_ || (z == over_ && horizon > above_))) over_ = z, above_ = horizon;
@@ -50,7 +51,7 @@ class Nearest {
 
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p) {
-  std::map<Index, Index> row;  // of the column, by surface
+  std::map<Index, Index> row;  // row in the column for each surface
   for (Index h = 0; h < column.horizons.size(); ++h) row[column.horizons[h]] = h;
   Nearest nearest(p);
   for (Index f = 0; f < soup.facets.size(); ++f)

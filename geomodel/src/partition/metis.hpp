@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parts of a mesh for processors, by METIS.
+/// Divides a mesh into parts for processors with METIS.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 /// Weights of cells and faces. Each part gets about the same sum of cell weights, and as little as possible of face
 /// weights is cut.
 struct PartWeights {
-  std::vector<double> of_cell;                 ///< by tetrahedron, 1 or more; empty: all alike
+  std::vector<double> of_cell;                 ///< weight by tetrahedron, 1 or more; empty: all equal
   std::vector<std::array<double, 4>> of_face;  ///< weight of the face to each neighbour, the same from both sides
 };
 

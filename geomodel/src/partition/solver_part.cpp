@@ -7,10 +7,10 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Number in the part of each solid of the whole mesh, or no_cell. Solids are numbered block by block.
+/// Number of each solid of the whole mesh in the part, or no_cell. Solids are numbered block by block.
 struct Solids {
-  std::vector<std::size_t> row;      ///< of each solid: its tetrahedron
-  std::vector<std::uint32_t> local;  ///< of each solid: its number in the part
+  std::vector<std::size_t> row;      ///< tetrahedron of each solid
+  std::vector<std::uint32_t> local;  ///< number of each solid in the part
 };
 
 Solids solids_of(const SolverMesh& whole, const MeshPart& part) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The notes and warnings of a run.
+/// Collects the notes and warnings of a run.
 #pragma once
 
 #include <string>
@@ -11,17 +11,17 @@
 
 namespace geomesh::geomodel {
 
-/// Notes and warnings are kept for the report, in the order in which stages tell them, and passed on to the log at
-/// once.
+/// Notes and warnings are kept for the report, in the order in which stages give them, and are passed to the log
+/// immediately.
 class Journal {
  public:
-  /// The context outlives the journal.
+  /// The context must outlive the journal.
   explicit Journal(const RunContext& context) : context_(context) {}
 
-  /// The caller's context: log, progress, cancellation, threads.
+  /// Returns the caller's context: log, progress, cancellation, threads.
   const RunContext& context() const { return context_; }
 
-  /// Findings before meshing, and changes by rules.
+  /// Adds a finding before meshing, or a change by rules.
   void note(std::string text) {
     context_.note(LogLevel::info, text);
     notes_.push_back(std::move(text));
@@ -33,7 +33,7 @@ class Journal {
   void warn_all(std::vector<std::string> texts) {
     for (std::string& text : texts) warn(std::move(text));
   }
-  /// Warnings that the log has already.
+  /// Keeps warnings that were already passed to the log.
   void keep_warnings(const std::vector<std::string>& texts) {
     warnings_.insert(warnings_.end(), texts.begin(), texts.end());
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Measures the stages of a job for the report while passing everything on to the caller's context.
+/// Measures the stages of a job for the report while passing everything to the caller's context.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,19 @@
 
 namespace geomesh::geomodel {
 
-/// Thrown at the beginning of the stage that follows the one to stop after. Internal to the pipeline; never leaves it.
+/// Thrown at the beginning of the stage after the one to stop after. Internal to the pipeline; it never leaves it.
 struct StopRequested {};
 
-/// Keep it alive as long as `context()` is in use.
+/// Must be kept alive as long as `context()` is in use.
 class StageRecorder {
  public:
-  /// `stop_after`: empty to run to the end.
+  /// `stop_after` is empty to run to the end.
   StageRecorder(const RunContext& outer, std::string stop_after);
   StageRecorder(const StageRecorder&) = delete;
   StageRecorder& operator=(const StageRecorder&) = delete;
 
   const RunContext& context() const { return inner_; }
-  /// One record a stage name, in the order of their first beginning; a stage that ran twice adds up.
+  /// Returns one record per stage name, in the order of their first start; a stage that ran twice is summed.
   const std::vector<StageRecord>& records() const { return records_; }
   const std::string& stop_after() const { return stop_after_; }
 
@@ -39,9 +39,9 @@ class StageRecorder {
   double cpu_start_ = 0;
 };
 
-/// User plus system seconds of all threads of this process so far.
+/// Returns user plus system seconds of all threads of this process so far.
 double process_cpu_seconds();
-/// Peak resident size of this process so far, in bytes.
+/// Returns the peak resident size of this process so far, in bytes.
 std::size_t process_peak_bytes();
 
 }  // namespace geomesh::geomodel

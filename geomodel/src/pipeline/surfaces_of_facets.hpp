@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which surfaces facets of the complex stand for, in words.
+/// Describes the surfaces to which facets of the complex belong.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// The names of the surfaces, in the order of the project, with commas between them.
+/// Returns the names of the surfaces in the order of the project, separated by commas.
 std::string surfaces_of_facets(const std::vector<Index>& facets, const Arranged& arranged);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The factor by which z is multiplied while meshing (crs.z_scale).
+/// Multiplies z by a factor during meshing (crs.z_scale).
 #pragma once
 
 #include <cmath>
@@ -11,9 +11,9 @@
 
 namespace geomesh::geomodel {
 
-/// Powers of two are applied and undone exactly. Other factors round once each way; what was given comes back as it
-/// was, as the height behind each scaled one is kept. Of two heights that scale to the same double, which are
-/// neighbours, the first is kept. Precondition: factor > 0.
+/// Powers of two are applied and undone exactly. Other factors round once in each direction; given heights are restored
+/// exactly, because the height of each scaled one is stored. If two neighbouring heights scale to the same double, the
+/// first is kept. Precondition: factor > 0.
 class ZScale {
  public:
   explicit ZScale(double factor) : factor_(factor) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horizons and the column, declared in plausibility/doubts.hpp.
+// Checks horizons against the column, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -10,14 +10,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_samples = 500;  // triangles of a horizon in no column
-/// Share of the samples on one side of a horizon of the column, from which on the two do not cross.
+constexpr std::size_t most_samples = 500;  // number of triangles sampled on a horizon outside the column
+/// Share of the samples that must be on one side of a horizon of the column for the two not to cross.
 constexpr double nearly_all = 0.98;
 
 using HeightMap = std::function<double(double)>;
 double as_given(double z) { return z; }
 
-/// 1: above, -1: below, 0: the two cross, or lie nowhere over each other. Heights of the surface are mapped first.
+/// Returns 1 if the surface is above, -1 if below, 0 if the two cross or do not overlap in the map. Heights of the
+/// surface are converted first.
 int side_of(const TriangulatedSurface& surface, const MapLocator& other, const HeightMap& map = as_given) {
   const std::size_t step = 1 + surface.triangles.size() / most_samples;
   std::size_t above = 0, below = 0;
@@ -34,7 +35,7 @@ int side_of(const TriangulatedSurface& surface, const MapLocator& other, const H
   return static_cast<double>(above) >= least ? 1 : static_cast<double>(below) >= least ? -1 : 0;
 }
 
-/// The horizons of the column, from the youngest to the oldest.
+/// Returns the horizons of the column, from the youngest to the oldest.
 std::vector<const TriangulatedSurface*> horizons_in_column(const Inspected& model) {
   std::vector<const TriangulatedSurface*> horizons;
   const std::vector<std::string>& column = model.project.column;
@@ -50,12 +51,13 @@ std::vector<MapLocator> locators_of(const std::vector<const TriangulatedSurface*
   return locators;
 }
 
-/// A horizon in feet that is read as metres lies inside a model that is deep enough: then the column alone tells.
+/// In a deep model, a horizon in feet that is read as metres still lies inside the box: only the column reveals the
+/// error.
 void doubt_units(const Inspected& model, std::vector<Finding>& findings) {
   const std::vector<const TriangulatedSurface*> horizons = horizons_in_column(model);
-  if (horizons.size() < 3) return;  // of two it is not known which is meant
+  if (horizons.size() < 3) return;  // with two horizons it is unknown which is meant
   const std::vector<MapLocator> locators = locators_of(horizons);
-  // Whether the horizons lie the other way round than the column has them.
+  // whether two horizons have the opposite order to that in the column
   const auto is_against = [&](std::size_t one, std::size_t other, const HeightMap& map) {
     return side_of(*horizons[one], locators[other], map) == (other < one ? 1 : -1);
   };
@@ -100,7 +102,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // the nearest ones of the column
+    std::string above, below;  // the nearest horizons of the column
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);
@@ -108,7 +110,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
       if (side < 0) above = names[k];
       if (side > 0 && below.empty()) below = names[k];
     }
-    if (!in_order) continue;  // it crosses what was deposited: an isotherm, a contact of fluids
+    if (!in_order) continue;  // it crosses the horizons: an isotherm, or a contact of fluids
     left_out.push_back(s.name);
     places += (places.empty() ? "" : ", ") + s.name +
               (above.empty()   ? " above " + below

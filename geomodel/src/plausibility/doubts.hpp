@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The kinds of doubts, one function each.
+/// The kinds of doubts about inputs, one function for each.
 #pragma once
 
 #include "plausibility/plausibility.hpp"
@@ -9,33 +9,34 @@ namespace geomesh::geomodel {
 
 inline constexpr double foot = 0.3048;  // metres
 
-/// What the functions look at.
+/// The inputs that the functions examine.
 struct Inspected {
   const Project& project;
   const ProjectInputs& inputs;
   const std::optional<Box3>& volume;
 };
 
-/// Surfaces and wells that lie wholly beside, above or below the model, or (where a margin about the data makes it)
-/// beside all other surfaces: with the exchange, unit or direction that would bring them in.
+/// Finds surfaces and wells that lie entirely beside, above or below the model, or (if the box is a margin around the
+/// data) beside all other surfaces, with the exchange of coordinates, unit or direction that would move them inside.
 void doubt_places(const Inspected& model, std::vector<Finding>& findings);
 
-/// A box many times as long as all horizons together, or, in one laid about the data, a horizon many times as long as
-/// all others together, unless one of them says how it is extended.
+/// Finds a box many times as long as all horizons together, or, if the box is placed around the data, a horizon many
+/// times as long as all others together, unless one of them says how it is extended.
 void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings);
 
-/// Horizons that are as much lower and more level than all others as if their heights were in another unit.
+/// Finds horizons that are lower and flatter than all others by the same factor, as if their heights were in another
+/// unit.
 void doubt_heights(const Inspected& model, std::vector<Finding>& findings);
 
-/// Horizons that stand upright, faults that cover the map, bodies that are open inside the model or enclose nothing,
-/// surfaces that are given twice, single vertices of horizons far above or below all neighbours.
+/// Finds horizons that are vertical, faults that cover the map, bodies that are open inside the model or enclose
+/// nothing, duplicate surfaces, and single vertices of horizons far above or below all neighbours.
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings);
 
-/// Horizons that stand in no column and yet lie in the order of its horizons, and one that lies against that order but
-/// would not if its heights were in feet (or in metres, in a project in feet).
+/// Finds horizons outside the column that fit into its order, and one that contradicts that order but would not if its
+/// heights were in feet (or in metres, for a project in feet).
 void doubt_column(const Inspected& model, std::vector<Finding>& findings);
 
-/// "top, base and 3 more".
+/// Formats a list of names: "top, base and 3 more".
 std::string few_of(const std::vector<std::string>& names);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs that lie elsewhere than the model, declared in plausibility/doubts.hpp.
+// Detects inputs that do not lie near the model, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -28,14 +28,14 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
 
 struct Factor {
   double factor;
-  const char* words;  ///< in which unit the coordinates would then be
+  const char* words;  ///< the unit that the coordinates would then have
 };
 constexpr Factor factors[] = {{foot, "feet where metres were understood"},
                               {1 / foot, "metres where feet were understood"},
                               {1000, "kilometres where metres were understood"},
                               {0.001, "metres where kilometres were understood"}};
 
-/// Why an input may lie where it lies, and what to do about it. Coordinates with the project's origin added.
+/// A possible reason for the position of an input, and the remedy. Coordinates include the project's origin.
 struct Guess {
   std::string cause, text, remedy;
 };
@@ -92,7 +92,7 @@ std::optional<Guess> guess_in_height(const Box3& b, const Box3& model) {
   return std::nullopt;
 }
 
-/// An input with its bounds.
+/// An input with its bounding box.
 struct Placed {
   std::string name;
   Box3 bounds;
@@ -105,7 +105,7 @@ struct Outside {
   Guess guess;
   std::vector<std::string> names;
   Box3 bounds;
-  bool of_map = false;  ///< told by where it is in the map; else by its heights
+  bool of_map = false;  ///< whether the input lies outside the box on the map; if not, its heights do
 };
 
 std::string range(double from, double to) { return short_words(from) + " to " + short_words(to); }
@@ -129,7 +129,7 @@ std::vector<Placed> placed_inputs(const Inspected& model) {
   return placed;
 }
 
-/// A surface that is continued to the box may come into it, where it is not too far away to be meant.
+/// Returns whether a surface that is continued to the box may reach it, because it is not absurdly far away.
 bool may_come_in(const Placed& input, const Box3& box) {
   if (input.extend == Extend::none) return false;
   const Box3& b = input.bounds;
@@ -140,14 +140,14 @@ bool may_come_in(const Placed& input, const Box3& box) {
   return input.extend == Extend::tangent || overlap(b.min.z, b.max.z, box.min.z, box.max.z);
 }
 
-/// Share of the heights from a to b that lie within those of the box.
+/// Returns the share of the heights from a to b that lie within those of the box.
 double share_within(double a, double b, const Box3& box) {
   const double low = std::max(std::min(a, b), box.min.z), high = std::min(std::max(a, b), box.max.z);
   return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);
 }
 
-/// A well begins near the top of the box, so that one with depths for elevations touches it: most of its path lies
-/// above, and would lie inside with z counted the other way.
+/// A well begins near the top of the box, so one with depths instead of elevations touches the box: most of its path
+/// lies above, and would lie inside with the opposite direction of z.
 bool is_well_upside_down(const Placed& input, const Box3& box) {
   constexpr double few = 0.1, most = 0.5;
   const Box3& b = input.bounds;
@@ -171,7 +171,8 @@ void add_outside(const Placed& input, const Box3& model, std::vector<Outside>& g
   group->bounds.add(input.bounds.max);
 }
 
-/// The box is a thousandth of the surfaces, and would hold them if it were given in kilometres.
+/// Returns whether the box is a thousandth of the surfaces in size, and would contain them if it were given in
+/// kilometres.
 bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
   Box3 all;
   bool any = false, every = true;
@@ -182,7 +183,7 @@ bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
     all.add(input.bounds.min);
     all.add(input.bounds.max);
   }
-  constexpr double least = 50;  // a box may be a part of what the surfaces cover, but no thousandth of it
+  constexpr double least = 50;  // a box may be a part of the area of the surfaces, but not a thousandth of it
   return any && every && all.max.x - all.min.x > least * (box.max.x - box.min.x) &&
          all.max.y - all.min.y > least * (box.max.y - box.min.y);
 }
@@ -200,7 +201,7 @@ Finding finding_of(const Outside& group, const Box3& box, const std::string& uni
   return finding;
 }
 
-/// Whether the model would hold no horizon of its column, or nothing at all.
+/// Returns a text if the model would contain no horizon of its column, or nothing at all.
 std::string nothing_left(const Inspected& model, const std::vector<std::string>& outside) {
   const auto is_outside = [&](const std::string& name) {
     return std::find(outside.begin(), outside.end(), name) != outside.end();
@@ -246,7 +247,7 @@ void doubt_places_in(const Inspected& model, const std::vector<Placed>& inputs, 
   }
 }
 
-/// Where the box is laid about the data: a surface beside all others, with a reason that would bring it to them.
+/// If the box is placed around the data: finds a surface beside all others, with a reason that would move it to them.
 void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>& findings, const std::string& unit) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     Box3 others;
@@ -266,7 +267,7 @@ void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>&
                         map_range(others) + ", " + unit + "); " + guess->text,
                     guess->remedy};
     findings.push_back(std::move(finding));
-    if (inputs.size() == 2) return;  // one of the two, and which is not known
+    if (inputs.size() == 2) return;  // one of the two is misplaced, and it is unknown which
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Doubts about the inputs of a project, before anything is built: data that cannot be what they are taken for.
+/// Doubts about the inputs of a project before anything is built: data that cannot be what they are declared to be.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,31 @@
 
 namespace geomesh::geomodel {
 
-/// One doubt: what is odd, about which inputs, how sure it is, and which key mends it. Causes are told once, with all
-/// the inputs that they concern.
+/// One doubt: what is odd, which inputs it concerns, how certain it is, and which key corrects it. Each cause is
+/// reported once, with all inputs that it concerns.
 struct Finding {
   enum class Sureness {
-    certain,   ///< no model can come of it: the run ends
+    certain,   ///< no model is possible: the run ends
     probable,  ///< a warning
-    possible,  ///< a note: it may be meant
+    possible,  ///< becomes a note, because it may be intended
   };
   Sureness sureness = Sureness::probable;
-  std::string cause;                ///< "outside", "open body", ...: one word or two, for programs
+  std::string cause;                ///< one or two words for programs: "outside", "open body", ...
   std::vector<std::string> inputs;  ///< surfaces or wells
-  std::string text;                 ///< for a person: what, where
+  std::string text;                 ///< text for a person: what is odd, and where
   std::string remedy;               ///< what the user can do, with the key
 };
 
-/// All doubts, the most certain first, then in the order of the surfaces. `volume`: bounds of the model in the frame of
-/// the inputs; nothing where the project has no box. Cost: near-linear in the points and triangles.
+/// Returns all doubts, the most certain first, then in the order of the surfaces. `volume` is the bounding box of the
+/// model in the frame of the inputs; nothing if the project has no box. Cost: nearly linear in the points and
+/// triangles.
 std::vector<Finding> find_doubts(const Project& project, const ProjectInputs& inputs,
                                  const std::optional<Box3>& volume);
 
-/// "top, base lie outside the box ...; REMEDY".
+/// Formats a finding: "top, base lie outside the box ...; REMEDY".
 std::string to_text(const Finding& finding);
 
-/// Throws Error{invalid_input} with all certain findings where there are any.
+/// Throws Error{invalid_input} with all certain findings if there are any.
 void refuse_nonsense(const std::vector<Finding>& findings);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs whose shape does not fit their kind, declared in plausibility/doubts.hpp.
+// Detects inputs whose shape does not fit their kind, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,17 +16,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Area over the map divided by true area, from which on a horizon stands upright (dips of more than 80 degrees in the
-/// mean). Overturned folds and flanks of salt are flatter in the mean.
+/// Ratio of map area to true area below which a horizon counts as vertical (mean dip of more than 80 degrees).
+/// Overturned folds and flanks of salt have a flatter mean.
 constexpr double upright = 0.17;
-/// The same where a steep surface passes through most of the box and covers little of the map, as faults do.
+/// The same limit for a steep surface that passes through most of the box and covers little of the map, as faults do.
 constexpr double steep = 0.6, most_of_height = 0.5, little_of_map = 0.35;
-/// A fault nearly level (dips below 5 degrees in the mean) over nearly all of the map.
+/// A fault counts as horizontal if its mean dip is below 5 degrees over nearly all of the map.
 constexpr double level = 0.996, all_of_map = 0.95;
-/// How far inside the box an open end may lie that counts as one that leaves the box: some edges of the end, within
-/// these parts of the box's diagonal. Coarse bodies have edges as long as the body.
+/// How far inside the box an open end may lie to count as leaving the box: some edges of the end, within these shares
+/// of the box's diagonal. Coarse bodies have edges as long as the body.
 constexpr double most_edges_inside = 3, least_share_inside = 0.01, most_share_inside = 0.03;
-/// A closed surface of less volume than this, over the cube of its diagonal, encloses nothing.
+/// A closed surface with a smaller volume than this, relative to the cube of its diagonal, encloses nothing.
 constexpr double least_volume = 1e-12;
 
 struct Areas {
@@ -73,7 +73,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  const bool is_fracture = s.file == "fractures";  // its kind is not the user's word
+  const bool is_fracture = s.file == "fractures";  // the kind of a fracture was not chosen by the user
   if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",
@@ -82,7 +82,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         "if it is one, give kind: horizon, and its place in the column"});
 }
 
-/// Border edges of a surface, equal coordinates merged.
+/// Border edges of a surface, with equal coordinates merged.
 struct Border {
   std::vector<std::pair<VertexIndex, VertexIndex>> edges;
 };
@@ -106,7 +106,7 @@ Border border_of(const TriangulatedSurface& s) {
   return border;
 }
 
-/// One open end: its border, how far it lies inside of the side of the box that the whole of it is nearest to.
+/// One open end: its border, and how far it lies inside the side of the box to which the whole of it is nearest.
 struct OpenEnd {
   Box3 bounds;
   double length = 0;
@@ -151,7 +151,7 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
         std::clamp(most_edges_inside * mean_edge, least_share_inside * diagonal, most_share_inside * diagonal);
     if (inside <= allowed) continue;
     const Vec3 middle = 0.5 * (end.bounds.min + end.bounds.max);
-    // Salt that is rooted below what was interpreted ends so too: it is drawn out to the box, and a warning says it.
+    // Salt whose roots were not interpreted ends in this way too: it is extruded to the box, and a warning says so.
     findings.push_back({Finding::Sureness::probable,
                         "open body",
                         {s.name},
@@ -160,7 +160,7 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
                             short_words(inside) + " " + model.project.crs.unit +
                             " before the nearest side of the box, to which it is drawn out straight",
                         "close it (fill_holes: all in its entry puts a lid on it), or let it go on beyond the box"});
-    return;  // one end tells it
+    return;  // one end suffices
   }
 }
 
@@ -207,7 +207,7 @@ void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
   }
 }
 
-/// Wells of one and the same path.
+/// Finds wells with identical paths.
 void doubt_twin_wells(const Inspected& model, std::vector<Finding>& findings) {
   std::map<std::vector<std::tuple<double, double, double>>, std::string> known;
   for (const Polyline& well : model.inputs.wells) {
@@ -236,7 +236,7 @@ void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vec
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
-  std::set<std::string> elsewhere;  // in other units the shape is another: one cause, one finding
+  std::set<std::string> elsewhere;  // in other units the shape would differ: one cause, one finding
   for (const Finding& finding : findings) elsewhere.insert(finding.inputs.begin(), finding.inputs.end());
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = model.inputs.surfaces[s];

@@ -25,7 +25,7 @@ std::optional<bool> read_direction(const YamlValue& value) {
   return word ? std::optional(*word == "depth") : std::nullopt;
 }
 
-/// A system by its text; what cannot be understood at all is a problem, what is known by name alone is not.
+/// Reads a coordinate system; text that is not understood at all is a problem, a system known only by name is not.
 void read_system(const YamlValue& value, std::string& text) {
   const auto word = value.text();
   if (!word) return;

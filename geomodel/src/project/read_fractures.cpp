@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The key `fractures` of a project, declared in project/read_gridding.hpp.
+// Reads the key `fractures` of a project, declared in project/read_gridding.hpp.
 #include "fractures/read_fractures.hpp"
 
 #include <algorithm>

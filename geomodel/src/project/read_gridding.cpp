@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys gridding, resample and smooth of an entry of `surfaces`, declared in project/read_reading.hpp, and the keys
-// of fields, declared in project/read_gridding.hpp.
+// Reads the keys gridding, resample and smooth of an entry of `surfaces`, declared in project/read_reading.hpp, and the
+// keys of fields, declared in project/read_gridding.hpp.
 #include "project/read_gridding.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void read_method(const YamlValue& value, SurfaceSpec& spec) {
   }
 }
 
-/// One length for all axes, or one for each.
+/// Reads one length for all axes, or one for each.
 std::optional<Vec3> read_spacing(const YamlValue& value) {
   std::optional<Vec3> spacing;
   if (value.is_list()) {
@@ -134,7 +134,7 @@ void refuse_keys_of_first_entry(const YamlMap& map, const SurfaceSpec& first) {
 
 namespace {
 
-/// The domains of the fields of one surface.
+/// Reads the domains of the fields of one surface.
 class DomainReader {
  public:
   DomainReader(const YamlValue& root, Project& project, SurfaceSpec& spec)
@@ -164,7 +164,7 @@ class DomainReader {
   void problem(const std::string& text) const { root_.problem("surface '" + spec_.name + "': " + text); }
 
   static bool overlap(const FieldPart& a, const FieldPart& b) {
-    if (a.block && b.block) return false;  // the same block is seen when the places are
+    if (a.block && b.block) return false;  // whether both places lie in the same block is checked later
     for (const auto& [fault, is_above] : a.sides)
       for (const auto& [other, is_other_above] : b.sides)
         if (fault == other && is_above != is_other_above) return false;
@@ -211,7 +211,7 @@ class DomainReader {
     spec_.rules.field_parts.push_back(std::move(part));
   }
 
-  /// A horizon lies above those that are older.
+  /// Reports a horizon that is declared to lie above a younger one or below an older one.
   void check_column(const std::string& name, bool is_above) const {
     const auto& column = project_.column;
     const auto own = std::find(column.begin(), column.end(), spec_.name);

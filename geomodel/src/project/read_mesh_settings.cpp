@@ -16,7 +16,7 @@ void read_positive(const YamlValue& value, double& target) {
   target = *number;
 }
 
-/// A size, or {size: S, radius: R}.
+/// Reads a size, or {size: S, radius: R}.
 AskedSize read_asked(const YamlValue& value) {
   AskedSize asked;
   if (!value.is_map()) {
@@ -29,7 +29,7 @@ AskedSize read_asked(const YamlValue& value) {
   return asked;
 }
 
-/// NAME: size, NAME: {size, radius}. `known` empty: names can only be checked later.
+/// Reads NAME: size, or NAME: {size, radius}. If `known` is empty, names can only be checked later.
 void read_named(const YamlValue& value, const std::vector<std::string_view>& known, const char* what,
                 std::map<std::string, AskedSize>& sizes) {
   for (const auto& [name, entry] : named_entries(value, "NAME: size")) {
@@ -41,7 +41,7 @@ void read_named(const YamlValue& value, const std::vector<std::string_view>& kno
   }
 }
 
-/// `at`: [x, y, z], or the name of an entry of `points`.
+/// Reads `at`: [x, y, z], or the name of an entry of `points`.
 bool read_place(const YamlValue& value, const Project& project, Vec3& place) {
   if (value.is_list()) {
     const auto p = value.point();
@@ -60,7 +60,7 @@ bool read_place(const YamlValue& value, const Project& project, Vec3& place) {
   return true;
 }
 
-/// `at: points`: every entry of `points`.
+/// The value `at: points`, which stands for every entry of `points`.
 constexpr std::string_view all_points = "points";
 
 void read_near(const YamlValue& value, const Project& project, NamedSizes& sizes) {
@@ -94,7 +94,7 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
     value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
 }
 
-/// 5 or 5 Hz.
+/// Reads a frequency: 5 or 5 Hz.
 void read_frequency(const YamlValue& value, double& frequency) {
   const std::string text = value.scalar();
   const std::size_t end = text.find_last_not_of(" Hhz");
@@ -105,7 +105,7 @@ void read_frequency(const YamlValue& value, double& frequency) {
   frequency = number;
 }
 
-/// [[depth, size], ...], depths rising.
+/// Reads [[depth, size], ...] with ascending depths.
 void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
   for (const YamlValue& row : value.items()) {
     const std::vector<YamlValue> pair = row.items();
@@ -119,7 +119,8 @@ void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
   }
 }
 
-/// With surfaces within a tolerance: edges are at most two and a half times as long as a layer is thick.
+/// Elements across a layer by default, if surfaces have a tolerance: edges are at most two and a half times as long as
+/// a layer is thick.
 constexpr double default_gap_layers = 0.4;
 
 const std::vector<std::string_view>& size_keys() {
@@ -131,7 +132,7 @@ const std::vector<std::string_view>& size_keys() {
   return keys;
 }
 
-/// Which keys of `size` are given whose default depends on whether surfaces are kept.
+/// Which keys of `size` are given among those whose default depends on whether surfaces are kept exactly.
 struct SizeKeysGiven {
   bool input_edges = false, gap_layers = false, gradation = false;
 };
@@ -177,7 +178,7 @@ SizeKeysGiven read_size(const YamlValue& value, const Project& project, Refineme
   return {map.find("input_edges").has_value(), map.find("gap_layers").has_value(), map.find("gradation").has_value()};
 }
 
-/// What the project says of its surfaces; empty where it says nothing.
+/// Returns the value of `honour`; empty if it is not given.
 std::optional<std::string> read_honour(const YamlMap& mesh, RefinementSettings& settings,
                                        std::vector<std::string>& notes) {
   const auto honour = mesh.find("honour"), tolerance = find_renamed(mesh, "surfaces_within", "tolerance", notes);
@@ -224,13 +225,14 @@ const std::vector<std::string_view>& refinement_keys() {
 
 namespace {
 
-/// Whether the project asks for something that a refinement with surfaces within a tolerance contradicts.
+/// Returns whether the project requests something that is incompatible with a refinement that moves surfaces within a
+/// tolerance.
 bool excludes_default(const Project& project) {
   const RecoverOptions& recover = project.mesh.options.recover;
   return recover.mode == MeshMode::conforming || recover.preserve_boundary || project.crs.z_scale != 1;
 }
 
-/// Surfaces may be remeshed, as far as the sizes say; nobody asks for the edges of the input.
+/// Allows surfaces to be remeshed according to the sizes, without regard to the edges of the input.
 void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
   SizeOptions& base = settings.size.base;
   settings.refine = true;

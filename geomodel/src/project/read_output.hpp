@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `output` of a project file.
+/// Reads `output` of a project file.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// `folder`: of the project file. The surfaces are already read: `split` names some of them.
+/// `folder` is that of the project file. The surfaces were already read, since `split` names some of them.
 void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project);
 
 }  // namespace geomesh::geomodel

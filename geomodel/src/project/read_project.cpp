@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The project file: every key of docs/project-file.md, all mistakes of one run together.
+// Reads the project file: every key of docs/project-file.md, reporting all mistakes in one run.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -20,7 +20,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// What most often stands behind YAML that cannot be read near that line (counted from 0).
+/// Returns the most frequent cause of a YAML syntax error near that line (counted from 0).
 std::string yaml_advice(const std::string& text, int line) {
   std::size_t begin = 0;
   std::string near;
@@ -39,7 +39,8 @@ std::string yaml_advice(const std::string& text, int line) {
   return "; keys of one entry begin in the same column, and brackets and quotes are closed";
 }
 
-/// Messages about a text that a program composed: `NAME:LINE:COLUMN: ` at the beginning of a line becomes `NAME: `.
+/// For messages about a text that a program composed: replaces `NAME:LINE:COLUMN: ` at the beginning of a line by
+/// `NAME: `.
 std::string without_places(const std::string& messages, const std::string& name) {
   std::string result;
   const auto is_of_place = [](char c) { return c == ':' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -108,7 +109,8 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
-    if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});  // a wrong one is told
+    // A wrong box is reported when it is read.
+    if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
     }
@@ -141,15 +143,15 @@ class ProjectReader {
     if (const auto v = map.find("output")) read_output(*v, folder_, project_);
   }
 
-  /// " (line 7)"; nothing where a program composed the text, whose lines mean nothing to anybody.
+  /// Returns " (line 7)", or nothing if a program composed the text, since its line numbers mean nothing to the user.
   std::string on_line(int line) const {
     std::string text;
     if (!given_) text.append(" (line ").append(std::to_string(line)).append(")");
     return text;
   }
 
-  /// Names go into files of many formats, and into their names: not too long, no control characters, quotes, commas or
-  /// blanks at the ends.
+  /// Names appear in files of many formats and in file names, so they must not be too long, or contain control
+  /// characters, quotes, commas or blanks at the ends.
   static bool read_name(const YamlValue& value, std::string& name) {
     const auto text = value.text();
     if (!text) return false;
@@ -161,7 +163,7 @@ class ProjectReader {
                     " holds a quote, a comma, a slash, a control character or a blank at its end");
       return false;
     }
-    constexpr std::size_t longest_name = 200;  // file systems hold 255 bytes; endings are added
+    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added
     if (text->size() > longest_name) {
       value.problem("the name " + in_quotes(*text) + " has " + std::to_string(text->size()) + " bytes; at most " +
                     std::to_string(longest_name) + " are taken, as files are named by it");
@@ -171,7 +173,7 @@ class ProjectReader {
     return true;
   }
 
-  /// Surfaces, box sides, wells and points share one space of names.
+  /// Surfaces, box sides, wells and points must have distinct names.
   void claim_name(const YamlValue& value, const std::string& name) {
     if (std::find(box_sides.begin(), box_sides.end(), name) != box_sides.end()) {
       value.problem("'" + name + "' is the name of a side of the box; choose another");
@@ -180,7 +182,7 @@ class ProjectReader {
     }
   }
 
-  /// The path against the project's folder; reports a missing file.
+  /// Resolves the path against the project's folder; reports a missing file.
   void read_file(const YamlValue& value, std::filesystem::path& file, std::string& as_written) {
     const auto text = value.text();
     if (!text) return;
@@ -195,7 +197,7 @@ class ProjectReader {
     }
   }
 
-  /// Where the content of an entry (a surface, a well) comes from: its file, or what was given in memory.
+  /// Reads where the content of an entry (a surface, a well) comes from: its file, or an input given in memory.
   template <class Spec>
   void read_content(const YamlMap& map, const char* what, Spec& spec) {
     const auto given = given_ ? given_->find(spec.name) : GivenInputs::const_iterator{};
@@ -209,14 +211,14 @@ class ProjectReader {
     }
   }
 
-  /// The field that a program gave for the surface; null: none.
+  /// Returns the function that a program gave for the surface; null if none.
   std::shared_ptr<FieldFunction> given_field(const std::string& name) const {
     if (!given_fields_) return nullptr;
     const auto at = given_fields_->find(name);
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// The entry before this one that has the same name, where both have fields with domains; null: none.
+  /// Returns the earlier entry with the same name, if both have fields with domains; null if none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });
@@ -225,7 +227,7 @@ class ProjectReader {
     return is_further ? &*first : nullptr;
   }
 
-  /// One more field of a surface, which holds on another side of a fault than those before.
+  /// Reads a further field of a surface, which is valid on another side of a fault than the previous ones.
   void read_further_field(const YamlMap& map, SurfaceSpec& first) {
     refuse_keys_of_first_entry(map, first);
     if (const auto v = map.require("kind", "horizon, fault or body"))
@@ -239,7 +241,8 @@ class ProjectReader {
     if (!spec.level_sets.empty()) first.file_as_written += ", " + spec.file_as_written;
   }
 
-  /// Triangles or points, or a field whose level set it is. `entry`: which of the entries of one name it is, from 1.
+  /// Reads how the surface is defined: by triangles or points, or as a level set of a field. `entry` is the number,
+  /// from 1, among the entries of one name.
   void read_shape(const YamlMap& map, SurfaceSpec& spec, std::size_t entry = 1) {
     const auto field = map.find("field");
     const std::shared_ptr<FieldFunction> function = given_field(further_field(spec.name, entry));
@@ -271,7 +274,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // until it is known: what goes with which kind cannot be said
+    spec.kind = SurfaceKind::surface;  // until the kind is known, keys cannot be checked against it
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)
@@ -293,7 +296,7 @@ class ProjectReader {
     }
   }
 
-  /// `object: "*"`: an entry for each object of the file; bodies also make a group of the entry's name.
+  /// Handles `object: "*"`: adds an entry for each object of the file; bodies also form a group with the entry's name.
   void add_all_objects(const YamlValue& value, const SurfaceSpec& spec) {
     for (SurfaceSpec& entry : entries_of_all_objects(spec)) {
       claim_name(value, entry.name);
@@ -363,7 +366,7 @@ class ProjectReader {
     project_.points.push_back(std::move(point));
   }
 
-  /// unit, horizon, unit, ..., unit.
+  /// Reads the column: unit, horizon, unit, ..., unit.
   void read_column(const YamlValue& value) {
     const std::vector<YamlValue> items = value.items();
     if (!value.is_list()) return;

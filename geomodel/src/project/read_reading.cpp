@@ -12,7 +12,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A list names the columns in their order ("-": no meaning); a map gives each meaning its column.
+/// Reads `columns`. A list gives the meaning of each column in order ("-": none); a map gives the column of each
+/// meaning.
 void read_columns(const YamlValue& value, ReadOptions& options) {
   if (value.is_list()) {
     const std::vector<YamlValue> items = value.items();

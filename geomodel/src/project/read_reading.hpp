@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The keys of an entry that say what is in its file and how a surface is made from it: columns, no_data, gridding,
+/// Reads the keys of an entry that describe its file and how a surface is made from it: columns, no_data, gridding,
 /// below, extrude, object: "*".
 #pragma once
 
@@ -9,28 +9,28 @@
 
 namespace geomesh::geomodel {
 
-/// Keys gridding, resample and smooth.
+/// Reads the keys gridding, resample and smooth.
 void read_gridding(const YamlMap& map, SurfaceSpec& spec);
 
-/// Keys columns and no_data.
+/// Reads the keys columns and no_data.
 void read_reading(const YamlMap& map, ReadOptions& options);
 
-/// Keys below and extrude of a surface, and thickness where it goes with below. `read_file` reads a value as the path
-/// of the entry's file.
+/// Reads the keys below and extrude of a surface, and thickness if it belongs to below. `read_file` reads a value as
+/// the path of the entry's file.
 template <class ReadFile>
 void read_made_surface(const YamlMap& map, SurfaceSpec& spec, const ReadFile& read_file);
 
-/// Whether the text is a number, as YAML reads it without quotes.
+/// Returns whether the text is a number, as YAML reads it without quotes.
 bool is_number(const std::string& text);
 
 /// Key extrude.
 void read_extrude(const YamlValue& value, SurfaceSpec& spec);
 
-/// One entry for each surface and point set of the entry's file, named ENTRY.OBJECT, with its part of the contents in
-/// place of the file. Throws as the readers, and Error{invalid_input} where the file holds none.
+/// Returns one entry for each surface and point set of the entry's file, named ENTRY.OBJECT, with its part of the
+/// contents in place of the file. Throws as the readers, and Error{invalid_input} if the file contains none.
 std::vector<SurfaceSpec> entries_of_all_objects(const SurfaceSpec& spec);
 
-/// Whether `below` names horizons of the project without going round in a circle.
+/// Reports a `below` that does not name a horizon of the project, or that forms a cycle.
 void finish_below(const YamlValue& root, const Project& project);
 
 template <class ReadFile>

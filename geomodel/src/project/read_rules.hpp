@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The rules of a project file (docs/model-building.md): of one surface, and of the model.
+/// Reads the rules of a project file (docs/model-building.md), for single surfaces and for the model.
 #pragma once
 
 #include "geomesh/geomodel/project.hpp"
@@ -8,26 +8,26 @@
 
 namespace geomesh::geomodel {
 
-/// Keys of rules in an entry of `surfaces`.
+/// Names of the keys for rules in an entry of `surfaces`.
 const std::vector<std::string_view>& surface_rule_keys();
 
-/// Key cuts: of bodies `all` or `none`; of faults `all` or a list of units.
+/// Reads the key cuts: `all` or `none` for bodies; `all` or a list of units for faults.
 void read_cuts(const YamlValue& value, SurfaceSpec& spec);
 
-/// The other keys of surface_rule_keys(), of an entry whose name and kind are known.
+/// Reads the other keys of surface_rule_keys() for an entry whose name and kind are known.
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
 
 /// Key `rules`.
 void read_model_rules(const YamlValue& value, Project& project);
-/// Key `regions`: own names by seed points.
+/// Reads the key `regions`: names assigned by seed points.
 void read_region_seeds(const YamlValue& value, Project& project);
-/// Keys `groups` and `attributes`.
+/// Reads the keys `groups` and `attributes`.
 void read_groups(const YamlValue& value, Project& project);
 void read_attributes(const YamlValue& value, Project& project);
-/// Key `colours`, once units and surfaces are known.
+/// Reads the key `colours`, after units and surfaces are known.
 void read_colours(const YamlValue& value, Project& project);
 
-/// What can be checked once everything is read: names in rules, a box where one is needed. Fills project.rules from the
+/// Checks what requires the whole project: names in rules, and the box if a rule needs it. Fills project.rules from the
 /// rest.
 void finish_rules(const YamlValue& root, Project& project);
 

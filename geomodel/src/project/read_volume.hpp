@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Key `box` of a project file: the model volume (docs/project-file.md).
+/// Reads the key `box` of a project file: the model volume (docs/project-file.md).
 #pragma once
 
 #include "geomesh/geomodel/model_volume.hpp"
@@ -9,10 +9,10 @@
 
 namespace geomesh::geomodel {
 
-/// Nothing where the key is wrong (reported).
+/// Returns nothing if the key is wrong (which is reported).
 std::optional<VolumeSpec> read_volume(const YamlValue& value);
 
-/// Names in it, once the surfaces are known. Hands surfaces that close the volume on to project.naming.
+/// Resolves names in it after the surfaces are known. Passes surfaces that close the volume to project.naming.
 void finish_volume(const YamlValue& root, Project& project);
 
 }  // namespace geomesh::geomodel

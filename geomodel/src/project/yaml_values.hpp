@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Typed reading of YAML with a place for every complaint. Included by the few files that read the project.
+/// Typed reading of YAML with a place for every error message. Included by the few files that read the project.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -15,8 +15,8 @@
 
 namespace geomesh::geomodel {
 
-/// A node with its name in the project ("surfaces[2].file"). Each reading reports what is wrong and then returns
-/// nothing.
+/// A node with its path in the project ("surfaces[2].file"). Each reading function reports what is wrong and then
+/// returns nothing.
 class YamlValue {
  public:
   YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback);
@@ -25,19 +25,19 @@ class YamlValue {
   const std::string& name() const { return name_; }
   bool is_list() const { return node_.IsSequence(); }
   bool is_map() const { return node_.IsMap(); }
-  /// The scalar as written; empty for lists, maps and null.
+  /// Returns the scalar as written; empty for lists, maps and null.
   std::string scalar() const { return node_.IsScalar() ? node_.Scalar() : std::string(); }
   void problem(const std::string& message) const { problems_->add(place_, name_ + ": " + message); }
 
-  /// Any scalar, not empty.
+  /// Returns any scalar that is not empty.
   std::optional<std::string> text() const;
-  /// A finite decimal number; a leading zero (octal in older YAML) and quotes are refused.
+  /// Returns a finite decimal number; a leading zero (octal in older YAML) and quotes are refused.
   std::optional<double> number() const;
   std::optional<bool> boolean() const;
   std::optional<std::string> choice(const std::vector<std::string_view>& words) const;
   /// [x, y, z].
   std::optional<Vec3> point() const;
-  /// The items of a list.
+  /// Returns the items of a list.
   std::vector<YamlValue> items() const;
 
   const YAML::Node& node() const { return node_; }
@@ -52,8 +52,8 @@ class YamlValue {
   Place place_;
 };
 
-/// A map with known keys; the constructor reports duplicates, unknown keys (with the nearest known one) and keys of a
-/// later version.
+/// A map with known keys. The constructor reports duplicates, unknown keys (with the most similar known one) and keys
+/// of a later version.
 class YamlMap {
  public:
   YamlMap(const YamlValue& value, const std::vector<std::string_view>& known,
@@ -61,7 +61,7 @@ class YamlMap {
 
   bool is_map() const { return is_map_; }
   std::optional<YamlValue> find(std::string_view key) const;
-  /// Reports where the key is missing.
+  /// Reports an error if the key is missing.
   std::optional<YamlValue> require(std::string_view key, const char* what) const;
   Place place() const { return value_.place(); }
   const YamlValue& value() const { return value_; }
@@ -72,21 +72,21 @@ class YamlMap {
   std::vector<std::pair<std::string, YamlValue>> entries_;
 };
 
-/// A key that was given another name: under its name or the former one, of which a note is left. Reports where both are
-/// given.
+/// Finds a key that was renamed: under its name or its former one, for which a note is recorded. Reports an error if
+/// both are given.
 std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
                                       std::vector<std::string>& notes);
 
-/// Entries of a map whose keys are the user's own names; `expected` is told where it is no map.
+/// Returns the entries of a map whose keys are names chosen by the user; `expected` is reported if it is not a map.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
-  YAML::Node first;  ///< null where there is none
+  YAML::Node first;  ///< null if there is none
   bool has_more = false;
 };
 
-/// Asks for two documents and no more: where a comma begins one, yaml-cpp (0.7) finds empty documents without end.
-/// Throws YAML::Exception.
+/// Reads at most two documents, since yaml-cpp (0.7) finds empty documents without end if a comma begins one. Throws
+/// YAML::Exception.
 YamlDocuments read_yaml_documents(const std::string& text);
 
 }  // namespace geomesh::geomodel

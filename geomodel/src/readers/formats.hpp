@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The readers, one format a file. `is_...` looks at the content (and at the extension only where the content cannot
-/// tell); `read_...` throws Error{invalid_input} with file and line.
+/// The readers, one for each format. `is_...` examines the content (and the extension only if the content does not
+/// decide); `read_...` throws Error{invalid_input} with file and line.
 #pragma once
 
 #include "geomesh/geomodel/readers.hpp"
@@ -80,8 +80,8 @@ FileContents read_charisma(const InputFile& file);
 bool is_xyz(const InputFile& file);
 FileContents read_xyz(const InputFile& file);
 
-/// The wells of a table, one polyline for each name in its column of wells, or one alone. Throws Error{invalid_input}
-/// where the columns are not known, or a survey has no head.
+/// Reads the wells of a table: one polyline for each name in its column of wells, or a single one. Throws
+/// Error{invalid_input} if the columns are not known, or if a survey has no head.
 FileContents read_well_table(const InputFile& file, const WellReading& reading);
 
 }  // namespace geomesh::geomodel

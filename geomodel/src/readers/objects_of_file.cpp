@@ -25,7 +25,7 @@ FileContents with_surface(const FileContents& contents, const TriangulatedSurfac
   return part;
 }
 
-/// One for the lines of each name, in the order in which the names come first.
+/// Returns one object for the lines of each name, in the order in which the names first occur.
 std::vector<FileContents> objects_of_lines(const FileContents& contents) {
   std::vector<FileContents> objects;
   std::map<std::string, std::size_t> row_of;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A file that holds several objects, one by one.
+/// Splits a file into the objects that it contains.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace geomesh::geomodel {
 
-/// One FileContents for each surface and each point set, with the file's format and frame; the file's warnings and
-/// notes go with the first one.
+/// Returns one FileContents for each surface and each point set, with the file's format and frame; the file's warnings
+/// and notes are in the first one.
 std::vector<FileContents> objects_of_file(const FileContents& contents);
 
-/// The contents with nothing but the surface or point set of this name; empty objects where there is none.
+/// Returns the contents with only the surface or point set of this name; without objects if there is none.
 FileContents object_named(const FileContents& contents, const std::string& name);
 
 }  // namespace geomesh::geomodel

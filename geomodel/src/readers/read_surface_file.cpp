@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which reader reads a file: its content decides, its extension only where the content cannot tell.
+// Chooses the reader of a file: by its content, and by its extension only if the content does not decide.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,8 @@ struct Format {
   FileContents (*read)(const InputFile&);
 };
 
-/// In the order of asking: formats that say who they are before those that are recognised by the look of their lines.
+/// In the order in which they are tried: formats that identify themselves before those that are recognised by the form
+/// of their lines.
 constexpr std::array formats{
     Format{"GOCAD", ".ts .ml .pl .vs .wl .mx .gp", is_gocad, read_gocad},
     Format{"PLY", ".ply", is_ply, read_ply},
@@ -49,7 +50,7 @@ constexpr std::array formats{
     Format{"points (XYZ, CSV)", ".xyz .csv .txt .dat .pts", is_xyz, read_xyz},
 };
 
-/// The format that the extension stands for, or nullptr.
+/// Returns the format that belongs to the extension, or nullptr.
 const Format* by_extension(const InputFile& file) {
   const std::string wanted = file.extension();
   if (wanted.empty()) return nullptr;
@@ -60,9 +61,9 @@ const Format* by_extension(const InputFile& file) {
   return nullptr;
 }
 
-/// Formats that hold no surface that could be read, and what to do with them.
+/// Formats from which no surface can be read, and what to do with them.
 struct Stranger {
-  std::string_view begins;  ///< first bytes of the file; empty: told by the extension alone
+  std::string_view begins;  ///< first bytes of the file; empty if only the extension identifies it
   const char* extensions;   ///< blank-separated
   const char* advice;
 };
@@ -108,7 +109,7 @@ void refuse_strangers(const InputFile& file) {
 
 namespace {
 
-/// Leaves out the points that no triangle uses; the others keep their order.
+/// Removes the points that no triangle uses; the others keep their order.
 void keep_used_points(TriangulatedSurface& surface) {
   std::vector<VertexIndex> row(surface.points.size(), no_vertex);
   for (const Triangle& t : surface.triangles)
@@ -124,8 +125,9 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Whether the triangles without these heights are most of a surface that lies under the map once, as a horizon does.
-/// The flat foot of a fault or of a body is far from its other vertices too, and belongs to nearly all triangles.
+/// Returns whether the triangles without these heights are most of a surface that has one height over each place of the
+/// map, like a horizon. Otherwise the flat base of a fault or of a body, which is far from its other vertices too,
+/// would be removed.
 bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
                       std::span<const OddHeight> odd) {
   const auto is_odd = [&](VertexIndex v) {
@@ -143,7 +145,7 @@ bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& h
   return std::abs(signed_area) > nearly_all * area && area_without > most * area;
 }
 
-/// Heights as the numbers of the file: formats other than grids and tables convert while they read.
+/// Returns heights in the numbers of the file: formats other than grids and tables convert while reading.
 std::vector<double> heights_in_file(const std::vector<Vec3>& points, const SourceFrame& frame) {
   const std::string& unit = frame.z_unit.empty() ? frame.unit : frame.z_unit;
   const double factor = length_unit_in_metres(unit).value_or(1) * (frame.depth ? -1 : 1);
@@ -160,7 +162,7 @@ void keep_no_data_alone(std::vector<OddHeight>& odd) {
   std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
 }
 
-/// Adds what is said of the odd heights to the warnings, once.
+/// Adds the message on unusual heights to the warnings, once.
 void tell_odd(const std::string& name, const std::vector<Vec3>& points, const std::vector<OddHeight>& odd,
               const char* what, FileContents& contents) {
   for (std::string& text :
@@ -169,8 +171,8 @@ void tell_odd(const std::string& name, const std::vector<Vec3>& points, const st
       contents.warnings.push_back(std::move(text));
 }
 
-/// Points on lines whose heights stand for "no value" are left out. Heights of all lines are compared together, because
-/// one line may have few points.
+/// Removes points on lines whose heights mean "no value". Heights of all lines are examined together, because one line
+/// may have few points.
 void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
   std::vector<Vec3> points;
   for (const Polyline& line : contents.polylines) points.insert(points.end(), line.points.begin(), line.points.end());
@@ -185,8 +187,8 @@ void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
   std::erase_if(contents.polylines, [](const Polyline& line) { return line.points.size() < 2; });
 }
 
-/// Vertices and points whose heights stand for "no value" are left out, and others that hardly can be heights are told.
-/// Grids and tables have done this as they were read.
+/// Removes vertices and points whose heights mean "no value", and reports others that are implausible. For grids and
+/// tables this was done while reading.
 void drop_no_data(const InputFile& file, FileContents& contents) {
   for (TriangulatedSurface& surface : contents.surfaces) {
     const bool from_grid = std::any_of(contents.grids.begin(), contents.grids.end(),
@@ -203,7 +205,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     });
     if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
     keep_used_points(surface);
-    contents.regions.clear();  // they name triangles by their rows
+    contents.regions.clear();  // regions refer to triangles by their rows
   }
   for (PointSet& set : contents.point_sets) {
     const std::vector<double> heights = heights_in_file(set.points, contents.frame);
@@ -215,7 +217,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
   drop_no_data_of_lines(file, contents);
 }
 
-/// Names and messages in UTF-8, whatever the file was written in.
+/// Converts names and messages to UTF-8, whatever the file's encoding.
 void names_in_utf8(FileContents& contents) {
   const auto fix = [](std::string& text) { text = as_utf8(text); };
   for (auto& s : contents.surfaces) fix(s.name);
@@ -233,7 +235,8 @@ void names_in_utf8(FileContents& contents) {
 static InputFile load(const std::filesystem::path& path, const ReadOptions& options) {
   InputFile file = load_input_file(path);
   file.options = options;
-  if (file.text().starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);  // the mark that Windows writes before UTF-8
+  // The byte order mark that Windows writes before UTF-8.
+  if (file.text().starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);
   return file;
 }
 

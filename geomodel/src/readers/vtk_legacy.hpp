@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Surfaces and lines in legacy VTK files (.vtk); as readers/formats.hpp says of the others.
+/// Surfaces and lines in legacy VTK files (.vtk); the functions are like those in readers/formats.hpp.
 #pragma once
 
 #include "geomesh/geomodel/surface.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What of a mesh bears a name, as reports list it.
+/// The named parts of a mesh, as reports list them.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// `regions`, `surfaces` and `curves` (named points among them) with ids, kinds and measures.
+/// Returns `regions`, `surfaces` and `curves` (including named points) with ids, kinds and measures.
 nlohmann::ordered_json named_parts_json(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

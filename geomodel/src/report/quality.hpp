@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// The member `quality` of the report. `mesh` names the regions.
+/// Returns the member `quality` of the report. `mesh` gives the names of regions.
 nlohmann::ordered_json quality_json(const QualityReport& quality, const ModelMesh* mesh);
 /// The member `refinement`.
 nlohmann::ordered_json refinement_json(const RefineStatistics& statistics);

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 30;
 
-/// From the section's coordinates to those of the picture, y downwards.
+/// Transformation from the section's coordinates to those of the picture, y downwards.
 struct Frame {
-  Vec2 low, high;  ///< of the model in the plane
+  Vec2 low, high;  ///< bounds of the model in the plane
   double scale_u, scale_v;
 
   double u(double x) const { return margin_left + (x - low.x) * scale_u; }
@@ -38,7 +38,7 @@ Frame frame_of(const Section& section, const Box3& bounds) {
   return frame;
 }
 
-/// A round step that gives three to eight ticks over the range.
+/// Returns a round step that gives three to eight ticks over the range.
 double tick_step(double range) {
   const double rough = range / 5, power = std::pow(10.0, std::floor(std::log10(rough)));
   for (double factor : {1.0, 2.0, 5.0})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pictures of the page as SVG text.
+/// Draws pictures of the page as SVG text.
 #pragma once
 
 #include <cstdint>
@@ -13,23 +13,23 @@
 
 namespace geomesh::geomodel::page {
 
-/// `&`, `<`, `>` and quotes made harmless.
+/// Escapes `&`, `<`, `>` and quotes.
 std::string escape(std::string_view text);
 
-/// A number as a person reads it: four significant digits, without an exponent from 1e-4 to 1e15, thousands parted.
+/// Formats a number for a person: four significant digits, no exponent from 1e-4 to 1e15, separated thousands.
 std::string number(double value);
 
-/// A coordinate with all its digits and no exponent, rounded to a millionth of `range`.
+/// Formats a coordinate with all its digits and no exponent, rounded to a millionth of `range`.
 std::string coordinate(double value, double range);
 
-/// A length in a picture: pixels with a decimal.
+/// Formats a length in a picture: pixels with one decimal.
 std::string pixels(double value);
 
-/// A section as a picture with axes: units filled in their colours (by region id - 1), mesh edges thin, surfaces dark.
-/// `bounds` are the model's.
+/// Draws a section as a picture with axes: units filled in their colours (by region id - 1), mesh edges thin, surfaces
+/// dark. `bounds` are the model's.
 std::string draw_section(const Section& section, const Box3& bounds, const std::vector<Colour>& colours);
 
-/// A bar chart; bar k counts values from k * width to (k + 1) * width.
+/// Draws a bar chart; bar k counts values from k * width to (k + 1) * width.
 std::string draw_histogram(const std::vector<std::size_t>& counts, double width, std::string_view quantity);
 
 }  // namespace geomesh::geomodel::page

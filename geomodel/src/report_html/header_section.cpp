@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// "27 November 2026, 15:48 UTC".
+/// Returns a date such as "27 November 2026, 15:48 UTC".
 std::string date_words() {
   static constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",
                                                       "May",       "June",     "July",     "August",
@@ -65,7 +65,7 @@ std::string system_words(const Json& crs, const Vec3& origin) {
   return out;
 }
 
-/// What was asked for, and the edges that came.
+/// Describes the requested size, and the resulting edges.
 std::string size_words(const Report& report, const Json& asked) {
   std::string out;
   const std::string& unit = report.mesh->unit;

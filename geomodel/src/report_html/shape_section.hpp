@@ -9,12 +9,12 @@
 
 namespace geomesh::geomodel::page {
 
-/// Statistics of the whole and of each region in a table; histograms of the whole, and of the least angles by region.
-/// Those of the whole are least dihedral angles as in the paper's Figure 11, all dihedral angles, radius ratios, edges
-/// against the asked size; the worst elements with place and cause.
+/// Returns a table with statistics of the whole mesh and of each region; histograms of the whole mesh, and of the least
+/// angles by region. Those of the whole mesh are least dihedral angles as in the paper's Figure 11, all dihedral
+/// angles, radius ratios, and edges relative to the target size; then the worst elements with place and cause.
 std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
 
-/// What solvers will make of the mesh.
+/// Returns the section on what solvers will do with the mesh.
 std::string solver_section(const SolverVerdict& verdict);
 
 }  // namespace geomesh::geomodel::page

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules before the arrangement, in order, declared in geomesh/geomodel/model_rules.hpp.
+// Applies the rules before the arrangement in their order, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
 
 #include "geomesh/core/error.hpp"
@@ -17,7 +17,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The box, and in the map the horizons with throw, so that no sheet goes round a continuation beyond the box.
+/// Returns the box enlarged, in the map, by the horizons with throw, so that no sheet continues around a fault's
+/// extension beyond the box.
 Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
   Box3 reach = *rules.box;
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)
@@ -26,7 +27,7 @@ Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules)
   return reach;
 }
 
-/// Faults across which a horizon has throw and that are kept as given are continued beyond where they end inside the
+/// Faults across which a horizon has throw, and which are otherwise kept as given, are extended if they end inside the
 /// box.
 void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
   built.rows.first_only_parting.assign(built.surfaces.size(), no_index);
@@ -42,11 +43,11 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
       if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
-        part.resize(fault.triangles.size(), 0);  // it goes with what parts blocks
+        part.resize(fault.triangles.size(), 0);  // holes filled here belong to the extension that only separates blocks
     }
 }
 
-/// A body is closed at the box, or made of a sheet.
+/// Closes a body at the box, or makes it from a sheet.
 void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::optional<Box3>& box,
                 const BuildLog& log) {
   if (rule.thickness > 0) {
@@ -86,7 +87,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   warn_of_column_order(surfaces, rules, log);
   continue_faults(built, rules, log);
   continue_throw_faults(built, rules);
-  std::vector<std::size_t> order;  // horizons with throw after the faults that they are sorted by
+  std::vector<std::size_t> order;  // horizons with throw come after the faults by which they are divided
   for (const bool has_throw : {false, true})
     for (std::size_t s = 0; s < surfaces.size(); ++s)
       if (!rules.of(s).throw_at.empty() == has_throw) order.push_back(s);
@@ -103,7 +104,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if ((rule.extend != Extend::none || rule.has_throw()) && !rules.box)
       throw Error(ErrorKind::usage,
                   "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
-    if (built.rows.first_only_parting[s] != no_index) continue;  // continued, and filled, above
+    if (built.rows.first_only_parting[s] != no_index) continue;  // already continued and filled above
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {
       build_body(surface, rule, rules.box, log);

@@ -15,8 +15,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Where triangles are inclined to a vertex's normal, it moves further than half of the thickness: by this factor at
-/// most, which is an inclination of 60 degrees.
+/// Where triangles are inclined to a vertex's normal, the vertex must move farther than half of the thickness. This
+/// factor is the limit; it corresponds to an inclination of 60 degrees.
 constexpr double longest_miter = 2;
 
 Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& t) {
@@ -31,7 +31,7 @@ double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(norm(cros
                                             to_text(sheet.points[sheet.triangles[triangle][0]]));
 }
 
-/// Each edge has one triangle or two, on two sides.
+/// Checks that each edge has one triangle, or two on opposite sides.
 void require_sheet(const TriangulatedSurface& sheet, const std::vector<VertexIndex>& merged) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (Index t = 0; t < sheet.triangles.size(); ++t)
@@ -42,7 +42,7 @@ void require_sheet(const TriangulatedSurface& sheet, const std::vector<VertexInd
     }
 }
 
-/// Turns triangles so that all of a sheet face the same side.
+/// Flips triangles so that all of a sheet have the same orientation.
 void orient_as_one(TriangulatedSurface& sheet) {
   const UpwardSides sides = orient_upward(sheet);
   if (sides.n_unorientable_sheets > 0)
@@ -51,8 +51,8 @@ void orient_as_one(TriangulatedSurface& sheet) {
     if (!sides.as_stored[t]) std::swap(sheet.triangles[t][1], sheet.triangles[t][2]);
 }
 
-/// By merged row: the vector that brings a vertex to the distance `half` from the planes of its triangles, in the mean.
-/// Refuses a vertex at which they are too much inclined for that.
+/// Returns, by merged row, the vector that moves a vertex to the mean distance `half` from the planes of its triangles.
+/// Throws at a vertex where they are inclined too much for that.
 std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<VertexIndex>& merged, double half) {
   struct Corner {
     VertexIndex vertex;
@@ -66,7 +66,7 @@ std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<Ve
     const Triangle& t = sheet.triangles[row];
     const Vec3 area = area_vector(sheet.points, t);
     const double length = norm(area);
-    if (!(length > 0)) continue;  // a needle without area in doubles: its neighbours tell
+    if (!(length > 0)) continue;  // a needle whose area is zero in doubles; its neighbours determine the direction
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &p = sheet.points[t[i]], &q = sheet.points[t[(i + 1) % 3]], &r = sheet.points[t[(i + 2) % 3]];
       corners.push_back({merged[t[i]], row, (1 / length) * area, angle_between(q - p, r - p)});

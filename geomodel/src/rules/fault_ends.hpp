@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Faults that end inside the model, continued so that they part blocks.
+/// Extends faults that end inside the model so that they separate blocks.
 #pragma once
 
 #include "geomesh/geomodel/surface.hpp"
 
 namespace geomesh::geomodel {
 
-/// Continues a fault that ends inside the box to beyond `reach`, and gives the row of the first triangle made. `reach`
-/// is a larger box, which holds the horizons to be parted. Leaves a fault that does not end there as it is and gives
-/// its number of triangles. The continuation parts blocks from each other and is removed from the model afterwards.
+/// Extends a fault that ends inside the box to beyond `reach`, and returns the row of the first added triangle. `reach`
+/// is a larger box, which contains the horizons to be divided. A fault that does not end inside is unchanged, and its
+/// number of triangles is returned. The extension separates blocks and is removed from the model afterwards.
 Index continue_fault(TriangulatedSurface& fault, const Box3& box, const Box3& reach);
 
 }  // namespace geomesh::geomodel

@@ -17,15 +17,15 @@ double map_area(Vec2 a, Vec2 b, Vec2 c) {
   return 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// Where a layer is thinner than wanted, at the points of the common triangulation of its two horizons.
+/// Places where a layer is thinner than required, at the points of the common triangulation of its two horizons.
 struct ThinPlaces {
-  double area = 0;   ///< in the map, of triangles that are thin at all corners
-  double least = 0;  ///< thickness there; negative where the horizons cross
+  double area = 0;   ///< area in the map of triangles that are thin at all corners
+  double least = 0;  ///< least thickness there; negative where the horizons cross
   Vec3 place;
   bool any = false;
 };
 
-/// Thin but not pinched out: horizons that coincide are wanted so.
+/// Returns whether a layer is thin but not pinched out: where horizons coincide, the absence of the layer is intended.
 bool is_thin(double thickness, double wanted) { return thickness != 0 && std::abs(thickness) < wanted; }
 
 void note_thin(ThinPlaces& thin, double thickness, const Vec3& place) {
@@ -42,10 +42,10 @@ std::string told(const std::string& unit, const ModelRules& rules, const ThinPla
          " m near " + to_text(thin.place) + ")";
 }
 
-/// A horizon over the overlay's triangles.
+/// A horizon interpolated on the triangles of the overlay.
 struct Draped {
-  std::vector<bool> has;       ///< per triangle of the overlay
-  std::vector<double> height;  ///< per point; NaN where no triangle needs it
+  std::vector<bool> has;       ///< for each triangle of the overlay, whether the horizon is present
+  std::vector<double> height;  ///< for each point; NaN if no triangle needs it
   bool overhangs = false;
 };
 
@@ -68,7 +68,7 @@ Draped drape(const PlanarOverlay& overlay, const TriangulatedSurface& horizon) {
   return draped;
 }
 
-/// In the box alone, where there is one.
+/// Measures thin places, only inside the box if there is one.
 ThinPlaces measure(const TriangulatedSurface& top, const TriangulatedSurface& base, const ModelRules& rules) {
   const PlanarOverlay overlay = overlay_in_map({&top, &base});
   const Draped above = drape(overlay, top), below = drape(overlay, base);
@@ -94,12 +94,12 @@ ThinPlaces measure(const TriangulatedSurface& top, const TriangulatedSurface& ba
   return thin;
 }
 
-/// Points nearer than `wanted` take the height of the older horizon; gives the largest move.
+/// Points closer than `wanted` to the older horizon take its height; returns the largest move.
 double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
     const double gap = younger.height[v] - older.height[v];
-    if (!(std::abs(gap) < wanted)) continue;  // also where one of them is absent
+    if (!(std::abs(gap) < wanted)) continue;  // also if one of them is absent
     largest = std::max(largest, std::abs(gap));
     younger.height[v] = older.height[v];
   }
@@ -141,7 +141,8 @@ double collapsed_area(const PlanarOverlay& overlay, const Draped& a, const Drape
   return area;
 }
 
-/// Horizons rows[first] .. rows[last] of the column, youngest first, where each layer between is too thin somewhere.
+/// Collapses horizons rows[first] .. rows[last] of the column, youngest first, between which each layer is too thin
+/// somewhere.
 void collapse_run(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& rows, std::size_t first,
                   std::size_t last) {
   std::vector<const TriangulatedSurface*> run;
@@ -185,7 +186,7 @@ void apply_min_thickness(BuiltSurfaces& built, const ModelRules& rules) {
       throw Error(ErrorKind::usage, "no surface is named " + rules.column[i] + " (in the column)");
     rows.push_back(static_cast<Index>(at - built.surfaces.begin()));
   }
-  std::vector<bool> thin_below(rows.size(), false);  // the layer under each horizon
+  std::vector<bool> thin_below(rows.size(), false);  // whether the layer below each horizon is thin
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     const ThinPlaces thin = measure(built.surfaces[rows[k]], built.surfaces[rows[k + 1]], rules);
     if (!thin.any) continue;

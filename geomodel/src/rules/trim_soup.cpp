@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules after the arrangement, in order, declared in geomesh/geomodel/model_rules.hpp.
+// Applies the rules after the arrangement in their order, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -25,20 +25,22 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Of the longer of two lengths, the shorter one: where a fault's piece is above a horizon, and where below.
+/// Least ratio of the shorter to the longer of two lengths: along which a fault's piece is above a horizon, and along
+/// which it is below.
 constexpr double share_of_step = 0.5;
-/// The same where what is beyond is left out: a piece that goes on there does no harm. Such a piece lies between two
-/// blocks and goes on beyond, as where a body stands in one block's way to the fault.
+/// Least ratio if the part beyond is left out: a piece that continues there does no harm. Such a piece lies between two
+/// blocks and continues beyond them, for example where a body separates one block from the fault.
 constexpr double share_at_end = 0.1;
 
-/// Whether a fault's piece lies between two blocks of the horizon: above the one and below the other, along lengths
-/// of which one is that share of the other. Without it what is above the horizon and what is below would join there.
+/// Returns whether a fault's piece lies between two blocks of the horizon: above one and below the other, along lengths
+/// whose ratio is at least that share. Without the piece, the units above and below the horizon would be connected
+/// there.
 bool is_step(const Piece& piece, double least_share) {
   return piece.above > 0 && piece.below > 0 &&
          std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
 }
 
-/// A soup being trimmed, what it is trimmed by, and what has been done.
+/// A soup that is being trimmed, the rules that trim it, and the record of what was done.
 struct Trimming {
   WorkingSoup working;
   const std::vector<TriangulatedSurface>& surfaces;
@@ -46,7 +48,7 @@ struct Trimming {
   const ModelRules& rules;
   std::vector<double> removed;  ///< area, per surface
   std::vector<std::string> notes{}, warnings{};
-  std::map<Index, UpwardSides> upward{};  ///< of surfaces asked for
+  std::map<Index, UpwardSides> upward{};  ///< upper sides of surfaces, computed when needed
 
   Index row_of(const std::string& name) const {
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -68,7 +70,8 @@ struct Trimming {
     return area;
   }
 
-  /// The faults other than x. Blocks end at them, so x may lie above y on one side of a fault and below y on the other.
+  /// Returns the faults other than x. Blocks end at them, so x may lie above y on one side of a fault and below y on
+  /// the other.
   std::vector<Index> faults_but(Index x) const {
     std::vector<Index> faults;
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -76,7 +79,8 @@ struct Trimming {
     return faults;
   }
 
-  /// The faults other than x that end the blocks of y. The ends of the model may have a scarp at any fault.
+  /// Returns the faults other than x at which the blocks of y end. The topography and the base may have a scarp at any
+  /// fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
     if (is_end || rules.of(y).fills_blocks()) return faults_but(x);
@@ -85,13 +89,14 @@ struct Trimming {
     return faults;
   }
 
-  /// y may end on other horizons: x goes on beyond that end, and may lie on the other side of y when it meets it again.
+  /// y may end on other horizons: x continues beyond that end, and may lie on the other side of y when it meets it
+  /// again.
   void add_others_of_column(Index x, Index y, std::vector<Index>& dividers) const {
     for (std::size_t i = 1; i < rules.column.size(); i += 2)
       if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
   }
 
-  /// 1: most of the piece lies above y, -1: below, 0: nobody can say.
+  /// Returns 1 if most of the piece lies above y, -1 if below, 0 if unknown.
   int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
     const int by_height = heights ? heights->side_of(piece) : 0;
     if (by_height != 0) return by_height;
@@ -133,7 +138,7 @@ struct Trimming {
   }
 };
 
-/// Pieces beyond the target that the continuation alone made go.
+/// Removes pieces beyond the target that consist only of the extension.
 void stop_at(Trimming& work, Index s, Index target) {
   double area = 0;
   std::size_t n = 0;
@@ -149,7 +154,8 @@ void stop_at(Trimming& work, Index s, Index target) {
                          std::to_string(n) + " continued pieces beyond it removed (area " + to_text(area) + ")");
 }
 
-/// stop_at, targets first: what ends on a surface that ends itself does not go on beyond what is left of that one.
+/// Applies stop_at, targets first: a surface that ends on another one must not continue beyond the remaining part of
+/// that one.
 void stop_continuations(Trimming& work) {
   std::vector<bool> done(work.n_given(), false);
   const std::function<void(Index)> stop = [&](Index s) {
@@ -163,7 +169,7 @@ void stop_continuations(Trimming& work) {
   for (Index s = 0; s < work.n_given(); ++s) stop(s);
 }
 
-/// cut_units: pieces of a fault above the units that it cuts, or below them, go.
+/// Applies cut_units: removes pieces of a fault above or below the units that it cuts.
 void cut_units_alone(Trimming& work, Index s) {
   const std::vector<std::string> units = work.rules.of(s).cut_units;
   if (units.empty()) return;
@@ -186,18 +192,19 @@ void cut_units_alone(Trimming& work, Index s) {
   }
 }
 
-/// Parts of all other surfaces on one side of the one named go; box sides go with the tetrahedra.
+/// Removes the parts of all other surfaces on one side of the named one; sides of the box are removed together with the
+/// tetrahedra.
 void end_at(Trimming& work, const std::string& name, int side, const std::string& because) {
   if (name.empty()) return;
   const Index end = work.row_of(name);
-  for (const bool are_faults : {false, true})  // faults divide the others, and go last
+  for (const bool are_faults : {false, true})  // faults divide the others and are therefore cut last
     for (Index s = 0; s < work.surfaces.size(); ++s)
       if (s != end && work.surfaces[s].kind != SurfaceKind::box &&
           (work.surfaces[s].kind == SurfaceKind::fault) == are_faults)
         work.clip(s, end, side, because, share_at_end);
 }
 
-/// Throws Error{invalid_input} where the younger horizon runs below the older one.
+/// Throws Error{invalid_input} if the younger horizon runs below the older one.
 void refuse_crossing(Trimming& work, Index younger, Index older) {
   double area = 0;
   Vec3 place;
@@ -230,7 +237,8 @@ BuiltSurfaces built_surfaces(const Trimming& work) {
   return built;
 }
 
-/// Why the younger of two horizons cuts the older one where they cross, or is cut by it; empty where nothing is said.
+/// Returns why the younger of two horizons cuts the older one where they cross, or is cut by it; empty if no rule says
+/// so.
 std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keeper keeper) {
   const bool younger_stays = keeper == Keeper::younger;
   const auto is_in = [&](const std::vector<std::string>& names, Index row) {
@@ -249,8 +257,9 @@ std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keep
   return "";
 }
 
-/// The rules of each pair of horizons, as they were laid down: each is cut by the older ones that stay, then cuts the
-/// others, the oldest ones first. What was eroded before it came cuts nothing of it.
+/// Applies the rules of each pair of horizons in the order of deposition: each horizon is cut by the older ones that
+/// are kept, then cuts the others, starting with the oldest. Parts that were eroded before a horizon was deposited do
+/// not cut that horizon.
 void order_horizons(Trimming& work) {
   std::vector<Index> rows;  // youngest first
   for (std::size_t i = 1; i < work.rules.column.size(); i += 2) rows.push_back(work.row_of(work.rules.column[i]));
@@ -268,7 +277,7 @@ void order_horizons(Trimming& work) {
       }
 }
 
-/// Fields that do not hold everywhere: the parts of surface `s` outside of their domain, but for those that
+/// For fields that are not valid everywhere: removes the parts of surface `s` outside their domain, except those that
 /// order_horizons and part_blocks remove.
 void end_at_domain(Trimming& work, Index s) {
   const auto& column = work.rules.column;
@@ -284,7 +293,8 @@ void end_at_domain(Trimming& work, Index s) {
     }
 }
 
-/// Whether places lie where a field of surface `s` holds. A place near a bound may be counted to either side.
+/// Determines whether places lie in the domain of a field of surface `s`. A place near a bound may be assigned to
+/// either side.
 class DomainSides {
  public:
   DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)
@@ -326,7 +336,7 @@ class DomainSides {
   std::vector<std::pair<std::unique_ptr<MapLocator>, bool>> horizons_;
 };
 
-/// Warns of what was not proven of a field, if the model keeps some of it. Outside of its domain it concerns nobody.
+/// Warns of what was not proven about a field, if the model keeps some of it. Parts outside its domain do not matter.
 void warn_of_doubts(Trimming& work, const Parting& parting) {
   for (Index s = 0; s < work.n_given(); ++s) {
     const std::vector<FieldPart> parts = work.rules.of(s).field_parts;
@@ -345,9 +355,9 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
   }
 }
 
-/// Horizons that fill their fault blocks: data that run beyond the fault at which they should end.
+/// Removes, from horizons that fill their fault blocks, the data beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
-  std::optional<BlockFramework> blocks;  // made where something overshoots
+  std::optional<BlockFramework> blocks;  // made if a surface overshoots
   for (Index s = 0; s < work.n_given(); ++s) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
@@ -358,7 +368,7 @@ void end_data_at_faults(Trimming& work) {
   }
 }
 
-/// trim_overshoot: of horizons and faults, against all other surfaces.
+/// Applies trim_overshoot to horizons and faults, relative to all other surfaces.
 void trim_overshoots(Trimming& work) {
   for (Index s = 0; s < work.surfaces.size(); ++s) {
     if (work.surfaces[s].kind != SurfaceKind::horizon && work.surfaces[s].kind != SurfaceKind::fault) continue;
@@ -375,7 +385,7 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
-  std::optional<BlockFramework> blocks;  // made where a field holds in one of them
+  std::optional<BlockFramework> blocks;  // made if a field is valid in one of the blocks
   const auto in_one_block = [&](const Vec3& p, const Vec3& q) {
     if (!blocks) blocks.emplace(built_surfaces(work), rules);
     return blocks->block_at(p) == blocks->block_at(q);
@@ -383,14 +393,14 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings, in_one_block};
   const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
   for (Index s = 0; s < work.n_given(); ++s)
-    if (is_end(s)) part_blocks(parting, s);  // what ends at it ends at what is left of its blocks
+    if (is_end(s)) part_blocks(parting, s);  // surfaces that end at it end at the remaining parts of its blocks
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
-  for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at what is left of the faults
+  for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at the remaining parts of the faults
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);
   for (Index s = 0; s < work.n_given(); ++s)

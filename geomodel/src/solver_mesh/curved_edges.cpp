@@ -18,16 +18,16 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Rounding of distances and planes there.
+/// Returns a bound on the rounding of distances and planes at a place.
 double rounding_at(const Vec3& p) {
-  constexpr double share = 1e-12;  // of the largest coordinate
+  constexpr double share = 1e-12;  // share of the largest coordinate
   return share * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// The mean plane of a side; long doubles, so that a point put on it is off by its own rounding alone.
+/// The mean plane of a side, in long doubles so that a point moved onto it is off only by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< of the plane above the place
+  long double height = 0;  ///< height of the plane above the point
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;
@@ -42,15 +42,15 @@ struct Plane {
   }
 };
 
-/// What lies at an edge of faces.
+/// The surfaces at an edge of faces.
 struct EdgeOnSurfaces {
   VertexIndex a, b;
-  std::vector<std::int32_t> surfaces;              ///< but sides of the model, ascending
-  std::array<bool, 3> fixed{false, false, false};  ///< coordinates of a side along the axes
-  const Plane* slanting = nullptr;                 ///< of a side that is not along the axes
+  std::vector<std::int32_t> surfaces;              ///< without sides of the model, ascending
+  std::array<bool, 3> fixed{false, false, false};  ///< coordinates that are fixed because of a side along the axes
+  const Plane* slanting = nullptr;                 ///< the plane of a side that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  int halvings = 0;  ///< of the way to the target; stays: the edge is straight
+  int halvings = 0;  ///< number of times that the way to the target was halved; `stays`: the edge is straight
   static constexpr int stays = 4;
 
   Vec3 middle() const {
@@ -59,7 +59,7 @@ struct EdgeOnSurfaces {
 };
 
 constexpr std::size_t tetrahedron_edges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-/// Alternating projections onto surfaces that meet in an edge.
+/// Number of alternating projections onto surfaces that meet in an edge.
 constexpr int n_projections = 6;
 
 class EdgeCurver {
@@ -81,7 +81,7 @@ class EdgeCurver {
     find_side_planes();
     find_edges();
     for (EdgeOnSurfaces& edge : edges_) aim(edge);
-    // A face whose edges were made less curved is another face, and is proven again.
+    // A face whose edges were made less curved has changed, and is proven again.
     do straighten_far_faces();
     while (straighten_unproven());
     std::vector<CurvedEdge> result;
@@ -125,7 +125,7 @@ class EdgeCurver {
   const std::vector<std::int32_t>& set_of(std::size_t face) const {
     return mesh_.surface_sets[static_cast<std::size_t>(mesh_.faces[face].surface_set)];
   }
-  /// The planes of the model's sides. A side that is bent by more than rounding has none.
+  /// Finds the planes of the model's sides. A side that deviates from a plane by more than rounding has none.
   void find_side_planes() {
     std::map<std::int32_t, std::vector<Triangle>> faces_of;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
@@ -158,7 +158,7 @@ class EdgeCurver {
         if (!(std::abs(plane.height_of(mesh_.points[v])) <= rounding_at(mesh_.points[v]))) return std::nullopt;
     return plane;
   }
-  /// An edge on a side stays in its plane; on two slanting sides at once it stays straight.
+  /// An edge on a side stays in its plane; on two oblique sides at once it stays straight.
   void fix_side(std::int32_t id, EdgeOnSurfaces& edge) const {
     const auto plane = sides_.find(id);
     if (plane == sides_.end()) {
@@ -206,7 +206,7 @@ class EdgeCurver {
     return half_way(mesh_.points[p], mesh_.points[q]);
   }
 
-  /// Where a face is not proven to be within the tolerance its edges become straight.
+  /// Straightens the edges of faces that are not proven to be within the tolerance.
   void straighten_far_faces() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -237,7 +237,7 @@ class EdgeCurver {
     });
   }
 
-  /// True where an edge was made less curved.
+  /// Returns true if an edge was made less curved.
   bool straighten_unproven() {
     bool any = false;
     for (bool changed = true; changed;) {
@@ -267,9 +267,9 @@ class EdgeCurver {
   double tolerance_;
   std::map<std::int32_t, SurfaceKind> kind_of_;
   std::map<std::int32_t, SurfaceDistance> nearest_;
-  std::map<std::int32_t, Plane> sides_;     // of the model, where they are plane
+  std::map<std::int32_t, Plane> sides_;     // planes of those sides of the model that are plane
   std::vector<EdgeOnSurfaces> edges_;       // by ends, ascending
-  std::vector<std::array<int, 3>> proven_;  // by face: how curved its edges were when it was proven
+  std::vector<std::array<int, 3>> proven_;  // for each face: how curved its edges were when it was proven
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// An edge of a fault's face, and whether the face has it from the lower vertex to the higher.
+/// An edge of a fault's face, and whether the face traverses it from the lower vertex to the higher.
 struct EdgeUse {
   std::int32_t fault;
   VertexIndex a, b;
@@ -35,16 +35,16 @@ std::vector<EdgeUse> edges_of_faults(const ModelMesh& mesh, const std::vector<st
 
 struct Neighbour {
   std::size_t face;
-  bool same;  ///< both have their normals on one side
+  bool same;  ///< whether both have their normals on one side
 };
 
-/// Of a fault: faces that are joined, turned alike.
+/// A part of a fault whose faces are connected and consistently oriented.
 struct Sheet {
   std::int32_t fault;
   std::vector<std::size_t> faces;
   bool two_sided = true;
-  Vec3 area{0, 0, 0};  ///< sum of its faces' area vectors once turned
-  double size = 0;     ///< sum of their lengths
+  Vec3 area{0, 0, 0};  ///< sum of its faces' area vectors after orienting them
+  double size = 0;     ///< sum of the lengths of these vectors
 };
 
 class SheetTurner {
@@ -105,7 +105,7 @@ class SheetTurner {
     }
     return sheet;
   }
-  /// Positive where more of it is as it was.
+  /// Positive if the larger part of the area keeps its orientation.
   double kept_area(const Sheet& sheet) const {
     double kept = 0;
     for (const std::size_t f : sheet.faces) kept += (turned_[f] ? -1 : 1) * std::sqrt(dot(area_of(f), area_of(f)));

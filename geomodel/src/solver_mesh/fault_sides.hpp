@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which side of a fault is which, all over the fault.
+/// Orients a fault consistently, so that each of its two sides is the same everywhere.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace geomesh::geomodel {
 
-/// A face's normal points from the lower region to the higher one, so along a fault with throw it changes sides. Tells
-/// which faces have to be turned so that all of a fault have their normal on one side. `fault_of`: by face the id of
-/// its fault, 0 where it is on none. Faces are joined across edges where just two faces of the fault meet. Pieces that
-/// are not joined face as the largest does; that is turned where most of its area was. Of a sheet with one side alone
-/// the faces stay as they are. O(n log n) in the faces of faults.
+/// A face's normal points from the lower region to the higher one, so along a fault with throw it changes sides.
+/// Returns which faces must be inverted so that all faces of a fault have their normal on one side. `fault_of` is the
+/// id of each face's fault, 0 if it is on none. Faces are joined across edges at which exactly two faces of the fault
+/// meet. Pieces that are not connected are oriented like the largest piece, which keeps the orientation of most of its
+/// area. Faces of a sheet with only one side are not changed. O(n log n) in the faces of faults.
 std::vector<bool> turned_faces(const ModelMesh& mesh, const std::vector<std::int32_t>& fault_of);
 
 }  // namespace geomesh::geomodel

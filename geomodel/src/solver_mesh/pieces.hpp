@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pieces by which each face and each edge of a curve is in one group alone.
+/// Divides faces and edges of curves into pieces, so that each belongs to only one group.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,10 @@ namespace geomesh::geomodel {
 
 /// Faces with the same surfaces and the same regions on both sides.
 struct FacePiece {
-  std::int32_t id;  ///< that of the surface where it is the surface's only piece, else a new one
+  std::int32_t id;  ///< id of the surface if this is its only piece, else a new one
   std::int32_t surface_set, region_minus, region_plus;
-  std::string full_name;  ///< surfaces joined by `+`; where a surface has several pieces, `/` and the regions
+  /// Names of the surfaces joined by `+`; if a surface has several pieces, followed by `/` and the regions.
+  std::string full_name;
   std::vector<std::size_t> faces;
 };
 
@@ -34,7 +35,7 @@ struct SolverPieces {
 /// Ids of new pieces follow the largest id of the mesh.
 SolverPieces make_pieces(const ModelMesh& mesh);
 
-/// The largest id of a region, surface, curve, point or set.
+/// Returns the largest id of a region, surface, curve, point or set.
 std::int32_t largest_id(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The JSON beside a solver file: which name in the file stands for what, and which groups make up a whole surface or
-/// curve.
+/// The JSON file beside a solver file: what each name in the file represents, and which groups make up a whole surface
+/// or curve.
 #pragma once
 
 #include <cstdint>
@@ -16,20 +16,19 @@ namespace geomesh::geomodel {
 
 /// One group (physical group, element set, node set, surface) of a solver file.
 struct SidecarGroup {
-  std::string type;  ///< the solver's own word: "physical", "elset", "nset", "surface"
+  std::string type;  ///< the solver's term: "physical", "elset", "nset", "surface"
   int dimension;
-  std::int32_t id;   ///< number in the file; 0 where the format has none
-  std::string name;  ///< as in the file
+  std::int32_t id;   ///< number in the file; 0 if the format has none
+  std::string name;  ///< name as in the file
   std::string full_name;
   std::vector<std::int32_t>
-      members;  ///< ids of the regions, surfaces, curves or points (of the mesh) that it is a part of
+      members;  ///< ids of the regions, surfaces, curves or points of the mesh to which the group belongs
 };
 
 /// Writes MESH_FILE.json: `groups`, and `regions`, `surfaces`, `curves`, `points` of the mesh each with its full name
-/// and `groups`, the names in the file whose union it is; `region_groups` by region ids where there are any; attributes
-/// of regions, names and units of fields, the mesh's unit and origin. Returns its name; removes MESH_FILE, which is
-/// there already, where it cannot be written.
-/// `counts`: further numbers, each under its name.
+/// and `groups`, the names in the file whose union it is; `region_groups` by region ids if there are any; attributes of
+/// regions, names and units of fields, the mesh's unit and origin. Returns its name; if it cannot be written, removes
+/// MESH_FILE, which exists already. `counts` are further numbers by name.
 std::filesystem::path write_sidecar(const ModelMesh& mesh, const std::vector<SidecarGroup>& groups,
                                     const std::filesystem::path& mesh_file,
                                     const std::map<std::string, std::size_t>& counts = {});

@@ -7,7 +7,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Of the region's own name, else of its unit's (the name without the suffix by place).
+/// Returns the velocity of the region's own name, else of its unit (the name without the suffix).
 double velocity_of(const std::string& region, const Velocities& velocities) {
   if (const auto own = velocities.find(region); own != velocities.end()) return own->second;
   const auto unit = velocities.find(region.substr(0, region.rfind("__")));

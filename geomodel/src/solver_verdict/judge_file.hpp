@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh check --solver`: the verdict on a mesh as it stands in a file.
+/// `geomesh check --solver`: checks for solvers a mesh as it is in a file.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 /// Velocities by unit or region.
 using Velocities = std::map<std::string, double>;
 
-/// Sets result.solver; a fault `unfit_for_solvers` where the mesh does not pass.
+/// Sets result.solver; adds a fault `unfit_for_solvers` if the mesh does not pass.
 void check_for_solvers(const checking::MeshFile& file, const Velocities& velocities, CheckResult& result);
 
 }  // namespace geomesh::geomodel

@@ -18,7 +18,7 @@ double size_in_map(const NamedSizes& sizes, const std::vector<std::string>& colu
   return least;
 }
 
-/// The sides of a box as one surface.
+/// Returns the sides of a box as one surface.
 TriangulatedSurface box_surface(const Box3& b) {
   TriangulatedSurface s;
   for (int corner = 0; corner < 8; ++corner)
@@ -37,14 +37,14 @@ TriangulatedSurface box_surface(const Box3& b) {
 
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
   if (!refinement.refine || refinement.honour != Honour::tolerance || volume.bounds.empty()) return;
-  // The surface of a field runs on beyond the faults that bound its domain until the arranged model is cut there. A
-  // common triangulation of the map would take that for data.
+  // The level set of a field continues beyond the faults that bound its domain until the arranged model is cut there. A
+  // common triangulation of the map would treat that continuation as data.
   if (std::any_of(rules.surfaces.begin(), rules.surfaces.end(),
                   [](const SurfaceRules& rule) { return rule.has_fault_domain(); }))
     return;
   StackRules& stack = rules.stack;
   stack.tolerance = refinement.tolerance.left();
-  // Triangles larger than the model have no place in its map: the map's shorter side is the largest size there.
+  // Triangles cannot be larger than the model: the shorter side of its map is the largest size used there.
   const Box3& b = volume.bounds;
   stack.size = std::min({size_in_map(refinement.size, rules.column), b.max.x - b.min.x, b.max.y - b.min.y});
   stack.outline_is_box = volume.box.has_value();
@@ -52,7 +52,7 @@ void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const Mo
     stack.outline = {{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}};
     return;
   }
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i)  // zmin and zmax are the last
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i)  // zmin and zmax are the last two sides
     stack.outline.push_back({volume.sides[i].points[0].x, volume.sides[i].points[0].y});
 }
 

@@ -19,19 +19,22 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double lattice_of_size = 2;
-constexpr double area_of_size = 0.43;            // of a triangle with sides of the size, over its square
-constexpr double many_triangles = 4;             // times those that the size asks for
-constexpr double few_samples = 0.01;             // share of those in the wrong order that nothing is settled for
-constexpr double thickness_of_size = 1.0 / 150;  // least thickness where none is given, or half of the tolerance
-constexpr double room_of_thickness = 2;          // at pinch-out lines
-constexpr double row_of_thickness = 12;          // over which a unit closes: at 5 degrees
-constexpr double most_shift = 0.15;              // of the size: of pinch-out lines, by half of that row
-constexpr double edge_of_thickness = 24;         // edges in a unit are at most so long
-constexpr double joined_of_reach = 0.25;         // lines that far apart are one, of how far borders reach
+constexpr double area_of_size = 0.43;  // area of an equilateral triangle divided by the square of its edge
+// Factor on the number of triangles that the target size requires, above which a horizon has too many.
+constexpr double many_triangles = 4;
+constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
+// Least thickness if none is given, as a share of the size; at most half of the tolerance.
+constexpr double thickness_of_size = 1.0 / 150;
+constexpr double room_of_thickness = 2;  // at pinch-out lines
+// Width over which a unit closes, as a multiple of the least thickness: an angle of 5 degrees.
+constexpr double row_of_thickness = 12;
+constexpr double most_shift = 0.15;  // shift of pinch-out lines by half of that width, at most this share of the size
+constexpr double edge_of_thickness = 24;  // largest length of edges in a unit, as a multiple of its thickness
+constexpr double joined_of_reach = 0.25;  // lines closer than this share of the border reach are merged
 
 double map_area(const MapBounds& b) { return (b.max.x - b.min.x) * (b.max.y - b.min.y); }
 
-/// More triangles within bounds than the size asks for, by far.
+/// Returns whether the surfaces have many more triangles within the bounds than the target size requires.
 bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons, const MapBounds& bounds, double size) {
   std::size_t n = 0;
   for (const TriangulatedSurface* s : horizons)
@@ -40,7 +43,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Borders of the horizons without throw that reach into the bounds; those along a side of the bounds do not.
+/// Adds the borders of horizons without throw that lie within the bounds, except those along a side of the bounds.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {
@@ -55,8 +58,8 @@ void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   }
 }
 
-/// Settling passes corrections on from vertex to vertex, so that beside a level place (the sea at height 0) they decay
-/// below what exact arithmetic can hold. Such heights are zero up to rounding by any measure, and are set to it.
+/// Settling propagates corrections from vertex to vertex, so that next to a level area (the sea at height 0) they decay
+/// below what exact arithmetic can represent. Such heights are zero up to rounding, and are set to zero.
 void flush_heights_that_vanish(std::vector<Vec3>& points) {
   for (Vec3& p : points)
     if (p.z != 0 && std::isfinite(p.z) && !exponents_are_safe(std::span(&p, 1)) && std::abs(p.z) < 1) p.z = 0;
@@ -149,7 +152,8 @@ TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const 
   return s;
 }
 
-/// Neighbours of which no rule says which one cuts the other, in the wrong order at more than a few samples.
+/// Returns whether neighbouring horizons, for which no rule says which one cuts the other, are in the wrong order at
+/// more than a few samples.
 bool HorizonGroup::crosses_by_mistake() const {
   if (rules_.on_crossing != OnCrossing::leave) return false;
   const std::vector<Index>& rows = members_.stack.rows;
@@ -164,7 +168,7 @@ bool HorizonGroup::crosses_by_mistake() const {
   return false;
 }
 
-/// The first horizon with throw that loses a block; their number: none.
+/// Returns the first horizon with throw that loses a block; the number of horizons if there is none.
 std::size_t HorizonGroup::first_lost() const {
   for (std::size_t k = 0; k < sided_.size(); ++k)
     if (has_throw(k) && loses_blocks(members_.data[k], sided_[k], {members_.faults[k], frame_, layout_.bounds}))
@@ -172,15 +176,16 @@ std::size_t HorizonGroup::first_lost() const {
   return sided_.size();
 }
 
-/// The first horizon that would give way to one without throw against the rules, by more than the tolerance; their
-/// number: none.
+/// Returns the first horizon that would be moved, against the rules, by more than the tolerance because of one without
+/// throw; the number of horizons if there is none.
 std::size_t HorizonGroup::first_against_rule() const {
   const auto at = std::find_if(sided_.begin(), sided_.end(),
                                [&](const SidedHorizon& s) { return s.largest_against_rule > rules_.stack.tolerance; });
   return static_cast<std::size_t>(at - sided_.begin());
 }
 
-/// A horizon by itself has no order that moves it: it does where triangles of the size do not follow its blocks.
+/// A single horizon is not moved by the order of others, but it is moved where triangles of the target size do not
+/// follow its blocks.
 bool HorizonGroup::moves_alone() const {
   const SettledHorizon& told = told_.horizons.front();
   return members_.stack.units.empty() && has_throw() &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The stack settled block by block, where its horizons end at walls inside the model.
+/// Settles the stack block by block if its horizons end at walls inside the model.
 #pragma once
 
 #include "stack/settle_stack.hpp"
@@ -8,17 +8,15 @@
 
 namespace geomesh::geomodel {
 
-/// False for horizons with throw by rule, which know blocks of their own, and where a horizon truncates faults.
+/// Returns false for horizons with throw by rule, which have their own blocks, and if a horizon truncates faults.
 bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules);
 
-/// In each block the horizons with their continuations beyond its walls are settled by themselves, as settle_stack does
-/// it over the map. What lies beyond the walls is a part of its own (BuiltRows::part_of_triangle), which is removed
-/// once all is intersected. A block stays as it is where nothing asks for settling, where a horizon has more than one
-/// height over a place of the map, and where one ends exactly at a wall: a horizon that is moved along the vertical
-/// would no longer meet it.
-/// A note counts the blocks that are left for the last two reasons.
-///
-/// Gives whether any block was settled. Cost: as settle_stack, over what each block has.
+/// In each block, the horizons with their continuations beyond its walls are settled on their own, as settle_stack does
+/// over the whole map. The parts beyond the walls are marked separately (BuiltRows::part_of_triangle) and are removed
+/// after everything was intersected. A block is left unchanged if it needs no settling, if a horizon has more than one
+/// height over a place of the map, or if a horizon ends exactly at a wall, because a horizon that is moved vertically
+/// would lose that contact. A note gives the number of blocks left for the last two reasons. Returns whether any block
+/// was settled. Cost: as settle_stack, over the contents of each block.
 bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks);
 
 }  // namespace geomesh::geomodel

@@ -10,16 +10,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double margin_of_size = 0.25;  // about an outline that is no box along the axes
+// Share of the size, as margin around an outline that is not a box along the axes.
+constexpr double margin_of_size = 0.25;
 
-/// Why the stack cannot be settled, in blocks or not; empty: it can.
+/// Returns why the stack cannot be settled, in blocks or not; empty if it can.
 std::string obstacle(const Stack& stack) {
   if (stack.rows.size() > most_horizons) return "it has more than " + std::to_string(most_horizons) + " horizons";
   if (stack.rows.size() != stack.units.size() + 1) return "a horizon of the column is not there";
   return "";
 }
 
-/// Why it cannot be settled over the whole map at once.
+/// Returns why the stack cannot be settled over the whole map at once.
 std::string obstacle_in_map(const Stack& stack, const BuiltSurfaces& built) {
   for (const Index row : stack.rows) {
     const TriangulatedSurface& s = built.surfaces[row];
@@ -41,7 +42,7 @@ HorizonFaults faults_of(const BuiltSurfaces& built, Index row) {
   return found;
 }
 
-/// The stack over the whole map.
+/// Returns the stack's horizons with their data over the whole map.
 GroupMembers members_of(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules,
                         const MapFrame& frame) {
   GroupMembers members{stack, {}, {}, frame.bounds(rules.stack.outline)};
@@ -60,7 +61,7 @@ void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& bu
     SettledHorizon& told = group.told().horizons[k];
     TriangulatedSurface& s = built.surfaces[row];
     told.n_triangles_given = s.triangles.size();
-    built.rows.part_of_triangle[row].clear();  // settled horizons are made anew, to their walls
+    built.rows.part_of_triangle[row].clear();  // settled horizons are rebuilt up to their walls
     built.rows.continued_to[row].clear();
     if (group.has_throw(k)) {
       s = group.surface_with_throw(k);
@@ -78,7 +79,8 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
   return s.kind == SurfaceKind::fault || s.kind == SurfaceKind::body;
 }
 
-/// Over the whole map. Otherwise `why` says what is against it; empty: nothing was to be done.
+/// Settles the stack over the whole map. If it does not, `why` gives the obstacle; it is empty if nothing had to be
+/// done.
 bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);
@@ -99,7 +101,8 @@ bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rule
   return true;
 }
 
-/// The column with its ends. False where there was nothing to settle or something stood against it, which a note tells.
+/// Settles the column together with the topography and the base. Returns false if nothing had to be settled or if it
+/// was not possible, which a note explains.
 bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);
@@ -114,7 +117,7 @@ bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules
   return false;
 }
 
-/// Horizons beside the column that reach through the model get few triangles too.
+/// Simplifies horizons that are not in the column but reach through the model.
 void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules) {
   for (Index row = 0; row < built.surfaces.size(); ++row) {
     if (built.surfaces[row].kind != SurfaceKind::horizon ||
@@ -132,7 +135,7 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
   }
 }
 
-/// False where it is left as given whatever it is.
+/// Returns false if the rules leave the stack as given in any case.
 bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }

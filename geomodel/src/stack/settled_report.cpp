@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double most_pixels = 160;  // of a thickness map, along its longer side
+constexpr double most_pixels = 160;  // number of pixels of a thickness map along its longer side
 
 double area_of(const MapSheets& sheets, const Triangle& t) {
   const Vec2 &a = sheets.points[t[0]], &b = sheets.points[t[1]], &c = sheets.points[t[2]];
@@ -23,14 +23,14 @@ bool is_there(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   return std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return std::isnan(sheets.height(v, horizon)); });
 }
 
-/// The middle of a horizon's triangle.
+/// Returns the centroid of a horizon's triangle.
 Vec3 centre_of(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   Vec3 sum{0, 0, 0};
   for (const VertexIndex v : t) sum = sum + Vec3{sheets.points[v].x, sheets.points[v].y, sheets.height(v, horizon)};
   return (1.0 / 3) * sum;
 }
 
-/// Areas and volumes from the triangles alone.
+/// Sums areas and volumes, which follow from the triangles alone.
 void sum_triangles(const MapSheets& sheets, const SettledFrom& from, SettledStack& stack) {
   for (std::size_t f = 0; f < sheets.triangles.size(); ++f) {
     const Triangle& t = sheets.triangles[f];
@@ -55,7 +55,7 @@ void sum_triangles(const MapSheets& sheets, const SettledFrom& from, SettledStac
   for (SettledUnit& unit : stack.units) unit.mean_thickness = unit.area > 0 ? unit.volume / unit.area : 0;
 }
 
-/// Moves of the input's points. Each stands for an equal share of the horizon's area.
+/// Measures how far the input's points were moved. Each represents an equal share of the horizon's area.
 void measure_moves(const MapSheets& sheets, const SettledFrom& from, const SheetLocator& locator, SettledStack& stack) {
   const MapSamples& samples = from.samples;
   std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0), n_above(sheets.n_horizons, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What settling a stack changed, with areas, moves and thicknesses.
+/// Reports what settling a stack changed: areas, moves and thicknesses.
 #pragma once
 
 #include <functional>
@@ -12,25 +12,27 @@
 
 namespace geomesh::geomodel {
 
-/// What sheets were settled from and how.
+/// The data and the options from which sheets were settled.
 struct SettledFrom {
   const MapSamples& samples;
   const std::vector<ThinArea>& areas;
-  MapBounds bounds;  ///< of the maps of thickness
+  MapBounds bounds;  ///< bounds of the maps of thickness
   const SheetOptions& options;
-  const FaultStrips& strips;  ///< in which moves are not measured: there the sheets are the mean of both sides
-  bool has_topography;        ///< the first horizon: what lies over it is cut off, which is no move
-  std::function<bool(const Vec3&)> counts{};  ///< whether a place of the frame counts; empty: all do
+  /// Strips in which moves are not measured, because the sheets there are the mean of both sides of a fault.
+  const FaultStrips& strips;
+  /// Whether the first horizon is the topography: parts above it are cut off and do not count as moved.
+  bool has_topography;
+  std::function<bool(const Vec3&)> counts{};  ///< whether a place of the frame counts; empty: all places count
 };
 
-/// Names, counts of triangles and what happened along faults are left to the caller.
+/// Returns the report without names, counts of triangles and changes along faults, which the caller adds.
 SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
-/// A sentence a horizon that was moved and a unit that thins out.
+/// Returns one sentence for each horizon that was moved and each unit that thins out.
 std::vector<std::string> notes_of(const SettledStack& stack);
 
-/// What settling used of the tolerance: the share that approximating the horizons may use, with the largest distance
-/// measured from their points; and, apart from it, moves that order and thickness required, one entry a horizon.
+/// Returns what settling used of the tolerance: the share for approximating the horizons, with the largest distance
+/// measured from their points; and separately the moves that order and thickness required, one entry per horizon.
 std::vector<ToleranceUse> uses_of(const SettledStack& stack);
 
 }  // namespace geomesh::geomodel

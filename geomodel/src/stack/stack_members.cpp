@@ -12,9 +12,10 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double far_over = 4;             // times the volume below: a horizon lies over another
-constexpr double narrow = 3;               // times the size: fewer elements show no island
-constexpr double length_of_edges = 0.785;  // pi / 4: of a line over the edges of a lattice that it crosses
+constexpr double far_over = 4;  // factor on the volume below, from which a horizon counts as lying over another
+constexpr double narrow = 3;    // factor on the size: islands narrower than this many elements cannot be resolved
+// Pi / 4: length of a line divided by the length of the lattice edges that it crosses.
+constexpr double length_of_edges = 0.785;
 
 Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
   Stack stack;
@@ -39,17 +40,18 @@ Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelR
   return stack;
 }
 
-/// How one horizon lies to another.
+/// How one horizon lies relative to another.
 struct Lie {
   double volume_over = 0, volume_under = 0;
-  double area_under = 0, crossing = 0;  ///< the latter a length
+  /// Area where the horizon lies below the other, and length of their crossing lines.
+  double area_under = 0, crossing = 0;
 
   bool is_over() const { return volume_over > far_over * volume_under; }
-  /// A strip of width w and length l has an area of w l and a line of 2 l about it.
+  /// A strip of width w and length l has the area w l and an outline of length 2 l.
   double width_of_islands() const { return crossing > 0 ? 2 * area_under / crossing : 0; }
 };
 
-/// Compares them on a lattice over the outline.
+/// Compares two horizons on a lattice over the outline.
 Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, const StackRules& asked) {
   MapBounds bounds;
   for (const Vec2& p : asked.outline) bounds.add(p);
@@ -84,7 +86,7 @@ bool may_stand(const BuiltSurfaces& built, Index row, const ModelRules& rules) {
          is_single_valued(s);
 }
 
-/// The next horizon over the stack that is not part of it yet; no_index: none.
+/// Returns the next horizon above the stack that is not part of it yet; no_index if there is none.
 Index next_over(const BuiltSurfaces& built, const ModelRules& rules, const Stack& stack) {
   const TriangulatedSurface& first = built.surfaces[stack.rows.front()];
   for (Index row = 0; row < built.surfaces.size(); ++row) {

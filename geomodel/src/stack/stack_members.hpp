@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which horizons the stack has, and which of two neighbours keeps its place.
+/// Determines which horizons belong to the stack, and which of two neighbours keeps its place.
 #pragma once
 
 #include <string>
@@ -18,9 +18,10 @@ struct Stack {
   Keepers keepers;
 };
 
-/// The topography, the column, the bottom of the model. One horizon more stands over the column that does not name it:
-/// one that lies over most of it and crosses it in islands of less than three elements. No mesh of that size shows
-/// these. A warning tells of it. Cost: of looking for heights at most 250,000 times a horizon that is not named.
+/// Returns the topography, the column, and the base of the model. One more horizon is placed above a column that does
+/// not name it: one that lies above most of it and crosses it only in islands narrower than three elements, which a
+/// mesh of that size cannot resolve. A warning reports it. Cost: at most 250,000 height queries per horizon that is not
+/// named.
 Stack find_stack(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sizes that thin units of a settled stack ask for.
+/// Target sizes that thin units of a settled stack require.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,14 @@
 namespace geomesh::geomodel {
 
 struct ThicknessSizeOptions {
-  double size = 0;          ///< asked otherwise, m: more is not asked for
-  double thickness = 0;     ///< least thickness of a unit, m: a unit asks for no less than this does
+  double size = 0;  ///< target size otherwise, in m; a larger one is not requested
+  /// Least thickness of a unit in m; a thinner unit requests the size that belongs to this thickness.
+  double thickness = 0;
   double of_thickness = 0;  ///< edges are at most this many times as long as a unit is thick
 };
 
-/// Places half-way between neighbours, on a raster of the map, with the size that the thickness there asks for.
-/// Elements across a thin unit cannot be less flat than the unit is thin against their edges.
+/// Returns places half-way between neighbours, on a raster of the map, with the size that the thickness there requires.
+/// The shape of elements across a thin unit is limited by the ratio of its thickness to their edges.
 std::vector<SizeSource> sizes_of_thickness(const MapSheets& sheets, const MapBounds& bounds,
                                            const ThicknessSizeOptions& options);
 

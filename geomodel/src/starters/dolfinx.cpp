@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A script for dolfinx: `python3 STEM.dolfinx.py`. Runs with dolfinx 0.5; names that later versions changed are asked
-// for first.
+// Writes a script for dolfinx: `python3 STEM.dolfinx.py`. It runs with dolfinx 0.5; names that later versions changed
+// are tried first.
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"
 #include "starters/starters.hpp"
@@ -68,7 +68,7 @@ if __name__ == "__main__":
     print("temperature from %g to %g" % (temperature.x.array.min(), temperature.x.array.max()))
 )py";
 
-/// A string of Python.
+/// Returns the text as a Python string literal.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters for PyLith 4: `pylith STEM.pylith.cfg`. The lowest outer surface is held, the highest pushed down by one
-// unit. Followed: PyLith's user guide, "MeshIOCubit", "IsotropicLinearElasticity", "DirichletTimeDependent".
+// Writes parameters for PyLith 4: `pylith STEM.pylith.cfg`. The lowest outer surface is fixed, the highest displaced
+// downwards by one unit. Source: PyLith's user guide, "MeshIOCubit", "IsotropicLinearElasticity",
+// "DirichletTimeDependent".
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"
 #include "starters/starters.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which tetrahedra and which listed faces stand on each triangle of a mesh.
+/// Finds which tetrahedra and which listed faces share each triangle of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,15 @@
 
 namespace geomesh::geomodel {
 
-/// A face of a tetrahedron, or a listed face, in two words: sorting them is what verification mostly does.
+/// A face of a tetrahedron, or a listed face, in two words, because sorting them takes most of the time of
+/// verification.
 class FaceUse {
  public:
-  static constexpr std::uint64_t limit = std::uint64_t{1} << 31;  ///< of points, tetrahedra and listed faces
+  /// Limit on the numbers of points, tetrahedra and listed faces.
+  static constexpr std::uint64_t limit = std::uint64_t{1} << 31;
 
-  /// Precondition: vertices ascend; they and the row are below the limit. `even`: whether the cyclic order of the
-  /// vertices was that of the ascending ones.
+  /// Precondition: vertices ascend; they and the row are below the limit. `even` says whether the original cyclic order
+  /// of the vertices was the ascending one.
   FaceUse(const Triangle& vertices, Index row, bool is_listed, bool even)
       : first_(std::uint64_t{vertices[0]} << 32 | vertices[1]),
         last_(std::uint64_t{vertices[2]} << 33 | std::uint64_t{is_listed} << 32 | std::uint64_t{row} << 1 |
@@ -26,12 +28,13 @@ class FaceUse {
   FaceUse() = default;
 
   VertexIndex least_vertex() const { return static_cast<VertexIndex>(first_ >> 32); }
-  Index row() const { return static_cast<Index>((last_ & 0xffffffff) >> 1); }  ///< of the tetrahedron or listed face
+  /// Row of the tetrahedron or listed face.
+  Index row() const { return static_cast<Index>((last_ & 0xffffffff) >> 1); }
   bool is_listed() const { return (last_ >> 32 & 1) != 0; }
   bool even() const { return (last_ & 1) != 0; }
   bool same_triangle(const FaceUse& o) const { return first_ == o.first_ && last_ >> 33 == o.last_ >> 33; }
 
-  /// By vertices, then those of tetrahedra first, then by row.
+  /// Orders by vertices, then those of tetrahedra first, then by row.
   friend bool operator<(const FaceUse& p, const FaceUse& q) {
     return p.first_ != q.first_ ? p.first_ < q.first_ : p.last_ < q.last_;
   }
@@ -40,11 +43,10 @@ class FaceUse {
   std::uint64_t first_ = 0, last_ = 0;
 };
 
-/// All faces of a mesh, parted into blocks by their least vertex. Within a block the uses ascend, so that uses of one
-/// triangle stand side by side, tetrahedra first. The blocks depend on the mesh alone.
-///
-/// Precondition: all vertex indices are in range, and counts below FaceUse::limit. O(n), and k log k for the k
-/// uses of each least vertex; 16 bytes a use.
+/// All faces of a mesh, divided into blocks by their smallest vertex. Within a block the uses ascend, so that uses of
+/// one triangle are adjacent, tetrahedra first. The blocks depend on the mesh alone. Precondition: all vertex indices
+/// are in range, and counts below FaceUse::limit. O(n), and k log k for the k uses of each smallest vertex; 16 bytes
+/// per use.
 class FaceUses {
  public:
   FaceUses(const ModelMesh& mesh, unsigned threads);
@@ -53,7 +55,7 @@ class FaceUses {
 
  private:
   PodArray<FaceUse> uses_;
-  std::vector<std::size_t> begin_;  ///< by block; one more
+  std::vector<std::size_t> begin_;  ///< first use of each block, and the end
 };
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The invariants of a named mesh, declared in geomesh/geomodel/build_model.hpp.
+// Checks the invariants of a named mesh, declared in geomesh/geomodel/build_model.hpp.
 
 #include <algorithm>
 #include <atomic>
@@ -116,7 +116,7 @@ void check_tetrahedra(const ModelMesh& m, unsigned threads, std::vector<std::str
 
 using NamedFaults = std::map<std::string, FaultList>;
 
-/// The tetrahedra and listed faces on one triangle: `uses` share their vertices.
+/// Checks the tetrahedra and listed faces on one triangle: `uses` share their vertices.
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
   const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });
@@ -138,8 +138,8 @@ void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaul
     if (tets.size() == 1 && !in_hull) report("tetrahedra on the outer boundary without a face there", tets[0].row());
     return;
   }
-  // A tetrahedron's faces are counter-clockwise seen from inside: its own normal points inwards, so a face with the
-  // same order has the tetrahedron on its plus side.
+  // Faces of a tetrahedron are counter-clockwise as seen from inside, so its own normal points inwards and a face with
+  // the same order has the tetrahedron on its plus side.
   std::int32_t minus = 0, plus = 0;
   for (const FaceUse& t : tets) (t.even() == listed[0].even() ? plus : minus) = m.tet_region[t.row()];
   const ModelMesh::Face& face = m.faces[listed[0].row()];

@@ -52,7 +52,7 @@ void require_delaunay(const ModelMesh& mesh) {
   if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
 }
 
-/// Returns the region with the largest share of each point's cell; among equal ones the first.
+/// Returns the region with the largest share of each point's cell; the first of equal ones.
 std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
   constexpr std::int32_t none = 0, several = -1;
   std::vector<std::int32_t> largest(mesh.points.size(), none);
@@ -61,7 +61,7 @@ std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
       if (largest[v] == none) largest[v] = mesh.tet_region[t];
       if (largest[v] != mesh.tet_region[t]) largest[v] = several;
     }
-  std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;  // of tetrahedra at points of several regions
+  std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;  // rows of tetrahedra at points of several regions
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     if (const Tetrahedron& v = mesh.tetrahedra[t];
         std::any_of(v.begin(), v.end(), [&](VertexIndex a) { return largest[a] == several; }))

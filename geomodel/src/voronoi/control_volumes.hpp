@@ -12,14 +12,15 @@
 namespace geomesh::geomodel {
 
 struct ControlVolumes {
-  std::vector<double> volume;        ///< by point; together the volume of the mesh
-  std::vector<std::int32_t> region;  ///< by point: the one with the largest share of its cell
+  std::vector<double> volume;        ///< volume by point; their sum is the volume of the mesh
+  std::vector<std::int32_t> region;  ///< for each point: the region with the largest share of its cell
   struct Connection {
     VertexIndex a, b;
-    double area;  ///< of the face between the cells, which is perpendicular to the edge at its middle
+    double area;  ///< area of the face between the cells, which is perpendicular to the edge at its midpoint
   };
-  std::deque<Connection> connections;  ///< those with an area above zero; a deque, because it does not copy as it grows
-  std::size_t n_negative_areas = 0;    ///< faces left out at the boundary, where circumcentres lie beyond it
+  /// Connections with an area above zero; a deque, because it does not copy as it grows.
+  std::deque<Connection> connections;
+  std::size_t n_negative_areas = 0;  ///< number of faces omitted at the boundary, because circumcentres lie beyond it
 };
 
 /// Fluxes between two cells along their edge are consistent only in a Delaunay mesh. Throws Error{cannot_mesh} with the
@@ -27,7 +28,8 @@ struct ControlVolumes {
 /// exactly, or if a cell would have no volume.
 ControlVolumes control_volumes(const ModelMesh& mesh);
 
-/// Share of a surface's outer area that each point has, a third of each of its faces: where boundary conditions apply.
+/// Share of a surface's outer area that belongs to each point, a third of each of its faces; boundary conditions apply
+/// there.
 struct BoundaryShare {
   VertexIndex point;
   double area;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Cells of VTK's files, checked: offsets that rise, corners that are there, as many as the type has.
+/// Checks cells of VTK files: offsets ascend, corners exist, and their number fits the type.
 #pragma once
 
 #include <array>
@@ -11,16 +11,16 @@
 
 namespace geomesh::geomodel {
 
-/// Lists one after the other.
+/// Lists stored consecutively.
 struct CellLists {
-  std::vector<std::int64_t> ends;  ///< by list, into `corners`
+  std::vector<std::int64_t> ends;  ///< end of each list in `corners`
   std::vector<std::int64_t> corners;
 };
 
-/// Throws Error{invalid_input} where they fall or are negative.
+/// Throws Error{invalid_input} if they descend or are negative.
 void require_rising(const InputFile& file, const std::vector<std::int64_t>& ends);
 
-/// Points of an image: equal steps along three axes.
+/// Points of an image, with equal steps along three axes.
 struct ImageLattice {
   std::array<double, 3> origin{}, spacing{};
   std::array<double, 9> direction{};  ///< rows of a matrix
@@ -28,13 +28,13 @@ struct ImageLattice {
   std::array<std::size_t, 3> n{};  ///< of points
 };
 
-/// Adds cells to the data of one file. Throws Error{invalid_input} where they are damaged.
+/// Adds cells to the data of one file. Throws Error{invalid_input} if they are damaged.
 class CellBuilder {
  public:
   enum class Shape { verts, lines, polys, strips };
   CellBuilder(const InputFile& file, VtkData& data) : file_(file), data_(data) {}
 
-  /// `first_point`: row of the point that the lists count from.
+  /// `first_point` is the row of the first point to which the lists refer.
   void add_grid(const CellLists& lists, const std::vector<std::int64_t>& types, std::size_t first_point);
   void add_poly(Shape shape, const CellLists& lists, std::size_t first_point);
   /// The points too.

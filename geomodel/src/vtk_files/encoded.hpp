@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Bytes of one array as VTK's XML files hold them: raw or base64, plain or in compressed blocks.
+/// Decodes the bytes of one array in VTK's XML files: raw or base64, uncompressed or in compressed blocks.
 #pragma once
 
 #include <bit>
@@ -12,28 +12,28 @@
 
 namespace geomesh::geomodel {
 
-/// Why an array cannot be read, for the end of a message.
+/// The reason why an array cannot be read, used at the end of a message.
 struct DamagedArray : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How one file holds its numbers.
+/// How a file encodes its numbers.
 struct VtkEncoding {
   enum class Compressor { none, zlib, lz4, lzma };
   std::endian order = std::endian::little;
-  std::size_t header_bytes = 4;  ///< of each number of the headers before the data: 4 or 8
+  std::size_t header_bytes = 4;  ///< number of bytes of each number in the headers before the data: 4 or 8
   Compressor compressor = Compressor::none;
 };
 
-/// Reads the bytes of a text in base64, or the text's own bytes. Base64 may be padded within, as it is where header and
-/// data were encoded one after the other, and broken by blanks.
+/// Reads the bytes of a base64 text, or the text's own bytes. Base64 may contain padding, as it does if header and data
+/// were encoded separately, and blanks.
 class ByteSource {
  public:
   ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// At least so many bytes are there at most.
+  /// Returns an upper bound on the number of bytes that are left.
   std::size_t most_left() const { return base64_ ? text_.size() / 4 * 3 + carried_.size() + 3 : text_.size(); }
-  /// Exactly n bytes. Throws DamagedArray where there are fewer, or where a character is not one of base64.
+  /// Returns exactly n bytes. Throws DamagedArray if there are fewer, or if a character is not valid base64.
   std::string take(std::size_t n);
 
  private:
@@ -41,11 +41,12 @@ class ByteSource {
 
   std::string_view text_;
   bool base64_;
-  std::string carried_;  // decoded and not yet taken: two bytes at most
+  std::string carried_;  // decoded bytes that were not returned yet: two at most
 };
 
-/// The bytes of one array: its first `wanted` ones, or all where `wanted` is SIZE_MAX. Throws DamagedArray where there
-/// are fewer. Memory is bounded by what the source can hold. Blocks are decompressed on the threads of the arena.
+/// Returns the bytes of one array: its first `wanted` ones, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
+/// there are fewer. Memory is bounded by what the source can contain. Blocks are decompressed on the threads of the
+/// arena.
 std::string decoded_array(ByteSource source, const VtkEncoding& encoding, std::size_t wanted);
 
 }  // namespace geomesh::geomodel

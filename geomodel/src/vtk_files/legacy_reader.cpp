@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Legacy VTK files, declared in vtk_files/vtk_data.hpp.
+// Reads legacy VTK files, declared in vtk_files/vtk_data.hpp.
 #include <cmath>
 #include <map>
 #include <utility>
@@ -18,7 +18,7 @@ class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
 
-  /// What stands behind POINT_DATA and CELL_DATA, and fields. False where the keyword is another one.
+  /// Reads what follows POINT_DATA and CELL_DATA, and fields. Returns false for any other keyword.
   bool take(const std::string& keyword) {
     if (keyword == "metadata") {
       skip_metadata();
@@ -42,7 +42,7 @@ class LegacyAttributes {
     return true;
   }
 
-  /// FIELD NAME n, then n arrays NAME COMPONENTS TUPLES TYPE.
+  /// Reads FIELD NAME n, then n arrays NAME COMPONENTS TUPLES TYPE.
   void read_field(VtkTable& table, std::size_t least) {
     words_.name();
     for (std::size_t n = words_.count("arrays"); n > 0; --n) {
@@ -73,7 +73,7 @@ class LegacyAttributes {
     table_->put(words_.values(std::move(name), type, n_, n_components));
     return true;
   }
-  /// NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers leave out.
+  /// Reads NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers omit.
   void read_scalars() {
     std::string name = words_.name();
     const VtkType type = words_.type();
@@ -88,7 +88,7 @@ class LegacyAttributes {
     }
     table_->put(words_.values(std::move(name), type, n_, static_cast<std::size_t>(*n_components)));
   }
-  /// Bytes in a binary file; in text numbers from 0 to 1, which VTK makes bytes of.
+  /// Reads colours: bytes in a binary file; in text numbers from 0 to 1, which VTK converts to bytes.
   void read_colours() {
     std::string name = words_.name();
     const std::size_t n_components = words_.count("components");
@@ -103,7 +103,7 @@ class LegacyAttributes {
     }
     table_->put(std::move(given));
   }
-  /// Up to an empty line.
+  /// Skips to the next empty line.
   void skip_metadata() {
     words_.line();
     while (!words_.line().empty()) {
@@ -112,7 +112,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // that the attributes to come belong to
+  VtkTable* table_;    // table to which the following attributes belong
   std::size_t n_ = 0;  // their tuples
 };
 
@@ -145,7 +145,7 @@ class LegacyReader {
       words_.fail("its third line says " + in_quotes(coding) + "; ASCII or BINARY was expected");
     words_.binary = coding == "binary";
     words_.line();
-    if (words_.next_keyword() == "field") {  // a file may hold a field alone
+    if (words_.next_keyword() == "field") {  // a file may contain only a field
       words_.keyword();
       attributes_.read_field(data_.field_data, 0);
     }
@@ -157,7 +157,7 @@ class LegacyReader {
     words_.line();
   }
 
-  /// Points and cells. False where the keyword is another one.
+  /// Reads points and cells. Returns false for any other keyword.
   bool take_cells(const std::string& keyword) {
     if (keyword == "points") {
       read_points();
@@ -209,7 +209,7 @@ class LegacyReader {
     if (at != block.size()) words_.fail("its cells do not fill their block of numbers (damaged)");
     return lists;
   }
-  /// Versions from 5 on: `n` offsets from 0, then the corners.
+  /// Reads cells of versions from 5 on: `n` offsets from 0, then the corners.
   CellLists read_offsets(std::size_t n, std::size_t n_corners) {
     CellLists lists;
     words_.keyword();

@@ -35,7 +35,7 @@ int hex_digit(char c) {
   return c >= '0' && c <= '9' ? c - '0' : (byte | 0x20) >= 'a' && (byte | 0x20) <= 'f' ? (byte | 0x20) - 'a' + 10 : -1;
 }
 
-/// %XX becomes the byte of that number.
+/// Replaces %XX by the byte with that number.
 std::string decoded(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -142,7 +142,7 @@ void LegacyWords::read_binary(VtkColumn& column, std::size_t n) {
   to_native_order(column.bytes, size, std::endian::big);
 }
 
-/// In 1, 2, 4 or 8 bytes, of which the two highest bits of the first tell which.
+/// Reads a length in 1, 2, 4 or 8 bytes, which the two highest bits of the first byte determine.
 std::size_t LegacyWords::length_of_text() {
   const auto head = static_cast<unsigned char>(bytes(1).front());
   std::size_t length = head & 63u;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Words, lines and blocks of numbers of a legacy VTK file.
+/// Reads words, lines and blocks of numbers from a legacy VTK file.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// Goes through the file from front to back. Everything throws Error{invalid_input} where the file does not hold it.
+/// Reads the file from front to back. All functions throw Error{invalid_input} if the file does not contain what is
+/// expected.
 class LegacyWords {
  public:
   explicit LegacyWords(const InputFile& file) : file_(file), rest_(file.text()) {}
@@ -19,22 +20,22 @@ class LegacyWords {
   bool binary = false;
 
   [[noreturn]] void fail(const std::string& message) const;
-  /// Without its end; empty at the end of the file.
+  /// Returns the next line without its end; empty at the end of the file.
   std::string_view line();
-  /// In small letters; empty at the end of the file.
+  /// Returns the next word in lower case; empty at the end of the file.
   std::string keyword();
-  /// As keyword(), and the place does not move.
+  /// Returns the same as keyword() without advancing.
   std::string next_keyword() const;
-  /// With its characters %XX put back.
+  /// Returns the next name, with characters %XX decoded.
   std::string name();
-  /// A count that is no negative number, of things of which each takes a bit at least.
+  /// Returns a count that is not negative, for items that take at least one bit each.
   std::size_t count(const char* what);
-  /// A type of numbers; texts and bits too.
+  /// Returns a type of numbers; texts and bits are types too.
   VtkType type();
-  /// The other words of this line.
+  /// Returns the remaining words of this line.
   std::vector<std::string_view> words_of_line();
 
-  /// `n` values of the type, from the next line on where the file is binary.
+  /// Returns `n` values of the type, from the next line on if the file is binary.
   VtkColumn values(std::string name, VtkType type, std::size_t n_tuples, std::size_t n_components);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One generic body for all types of numbers of VTK's files.
+/// One generic body for all types of numbers in VTK files.
 #pragma once
 
 #include <algorithm>
@@ -41,17 +41,17 @@ decltype(auto) with_type(VtkType type, F&& f) {
   }
 }
 
-/// Turns each value of `size` bytes round where the file's byte order is not this machine's.
+/// Reverses the bytes of each value of `size` bytes if the file's byte order is not this machine's.
 inline void to_native_order(std::span<std::byte> bytes, std::size_t size, std::endian order) {
   if (order == std::endian::native || size < 2) return;
   for (std::size_t i = 0; i + size <= bytes.size(); i += size)
     std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.begin() + static_cast<std::ptrdiff_t>(i + size));
 }
 
-/// Eight bits a byte, the first one highest, into one byte each.
+/// Unpacks eight bits from each byte, the highest first, into one byte each.
 std::vector<std::byte> unpacked_bits(std::span<const std::byte> packed, std::size_t n);
 
-/// The next word of `text`, which is moved behind it; empty at the end.
+/// Returns the next word of `text`, which is advanced behind it; empty at the end.
 inline std::string_view next_word(std::string_view& text) {
   constexpr std::string_view blanks = " \t\n\r\v\f";
   const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
@@ -61,11 +61,11 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// `n` numbers of the type out of text, which is moved behind them. Memory is bounded by the text's length. Fewer
-/// numbers come back where a word is no number of the type, or the text ends: `text` then begins at that word.
+/// Reads `n` numbers of the type from text, which is advanced behind them. Memory is bounded by the text's length.
+/// Returns fewer numbers if a word is not a number of the type, or if the text ends; `text` then begins at that word.
 std::vector<std::byte> numbers_of_text(std::string_view& text, VtkType type, std::size_t n);
 
-/// a * b, or a number beyond all counts where that is no 64-bit number.
+/// Returns a * b, or the largest number if that does not fit in 64 bits.
 inline std::size_t product(std::size_t a, std::size_t b) { return b != 0 && a > SIZE_MAX / b ? SIZE_MAX : a * b; }
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What a VTK file holds, whatever its encoding: points, cells of any type, and named arrays.
+/// The contents of a VTK file, whatever its encoding: points, cells of any type, and named arrays.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// Types of cells by VTK's numbers, as far as somebody asks for them by name.
+/// Those cell types, with VTK's numbers, that the program uses by name.
 namespace vtk_cell {
 inline constexpr std::uint8_t empty = 0, vertex = 1, poly_vertex = 2, line = 3, poly_line = 4, triangle = 5,
                               triangle_strip = 6, polygon = 7, pixel = 8, quad = 9, tetrahedron = 10, voxel = 11,
@@ -38,9 +38,9 @@ enum class VtkType : std::uint8_t {
   text
 };
 
-/// Bytes of one value in memory; 1 for texts.
+/// Returns the number of bytes of one value in memory; 1 for texts.
 std::size_t size_of(VtkType type);
-/// As VTK calls the type in memory: "double", "unsigned char", "string".
+/// Returns VTK's name of the type in memory: "double", "unsigned char", "string".
 std::string name_of(VtkType type);
 
 /// A named array: tuples of numbers, or texts.
@@ -48,14 +48,15 @@ struct VtkColumn {
   std::string name;
   VtkType type = VtkType::float64;
   std::size_t n_components = 1, n_tuples = 0;
-  std::vector<std::byte> bytes;    ///< of the numbers, in this machine's order
-  std::vector<std::string> texts;  ///< of an array of texts
+  std::vector<std::byte> bytes;    ///< bytes of the numbers, in this machine's order
+  std::vector<std::string> texts;  ///< values of an array of texts
 
   bool is_text() const { return type == VtkType::text; }
   /// Precondition: numbers, i < n_tuples * n_components.
   double number(std::size_t i) const;
   double number(std::size_t tuple, std::size_t component) const { return number(tuple * n_components + component); }
-  /// All values of all components. Numbers with a fraction and those that no 64-bit number holds become -1.
+  /// Returns all values of all components as integers. Numbers with a fraction and those that do not fit in 64 bits
+  /// become -1.
   std::vector<std::int64_t> whole_numbers() const;
   std::vector<double> numbers() const;
 };
@@ -63,17 +64,17 @@ struct VtkColumn {
 struct VtkTable {
   std::vector<VtkColumn> columns;
 
-  /// The array of numbers of that name; null where there is none.
+  /// Returns the array of numbers with that name; null if there is none.
   const VtkColumn* numbers(std::string_view name) const;
-  /// The array of texts of that name; null where there is none.
+  /// Returns the array of texts with that name; null if there is none.
   const VtkColumn* texts(std::string_view name) const;
-  /// Takes the place of one of the same name.
+  /// Adds the column, replacing one with the same name.
   void put(VtkColumn column);
 };
 
-/// Cells of all types in one list. Their corners are rows of points that are there.
+/// Cells of all types in one list. Their corners are valid rows of points.
 struct VtkCells {
-  std::vector<std::size_t> first{0};  ///< by cell into `corners`, and the end
+  std::vector<std::size_t> first{0};  ///< for each cell the first entry in `corners`, and the end
   std::vector<VertexIndex> corners;
   std::vector<std::uint8_t> types;
 
@@ -86,24 +87,25 @@ struct VtkCells {
 struct VtkData {
   enum class Kind { grid, poly, image } kind = Kind::grid;
   std::vector<Vec3> points;
-  bool single_precision = false;  ///< the file holds 32-bit coordinates
-  /// Those of PolyData stand in VTK's order: vertices, lines, polygons, strips; the type follows from the corners.
+  bool single_precision = false;  ///< whether the file has 32-bit coordinates
+  /// Cells of PolyData are in VTK's order: vertices, lines, polygons, strips; the type follows from the number of
+  /// corners.
   VtkCells cells;
   VtkTable point_data, cell_data, field_data;
 };
 
-/// A VTK XML file of type UnstructuredGrid, PolyData or ImageData: ascii, inline or appended, raw or base64,
-/// uncompressed or by zlib, LZ4 or LZMA, of either byte order and header type, in one or several pieces (put one after
-/// the other). Followed: "VTK XML File Formats" (docs.vtk.org). Throws Error{invalid_input} where the file is damaged,
-/// or of another type. Memory is bounded by what the file's bytes can hold. O(bytes).
+/// Reads a VTK XML file of type UnstructuredGrid, PolyData or ImageData: ascii, inline or appended, raw or base64,
+/// uncompressed or by zlib, LZ4 or LZMA, of either byte order and header type, in one or several pieces (which are
+/// concatenated). Source: "VTK XML File Formats" (docs.vtk.org). Throws Error{invalid_input} if the file is damaged, or
+/// of another type. Memory is bounded by what the file's bytes can hold. O(bytes).
 VtkData read_vtk_xml_data(const InputFile& file);
 
-/// A legacy VTK file of versions 1.0 to 5.1, ASCII or BINARY, of type UNSTRUCTURED_GRID or POLYDATA, with all kinds of
-/// attributes. Followed: "VTK File Formats for VTK Version 4.2" and "VTK Legacy File Format 5.1" (docs.vtk.org). Throws
-/// as above.
+/// Reads a legacy VTK file of versions 1.0 to 5.1, ASCII or BINARY, of type UNSTRUCTURED_GRID or POLYDATA, with all
+/// kinds of attributes. Source: "VTK File Formats for VTK Version 4.2" and "VTK Legacy File Format 5.1" (docs.vtk.org).
+/// Throws as above.
 VtkData read_vtk_legacy_data(const InputFile& file);
 
-/// Whether the file begins as a legacy VTK file.
+/// Returns whether the file begins like a legacy VTK file.
 bool is_vtk_legacy(const InputFile& file);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The elements DataArray and Array of VTK's XML files.
+/// Reads the elements DataArray and Array of VTK's XML files.
 #pragma once
 
 #include <optional>
@@ -12,11 +12,11 @@
 
 namespace geomesh::geomodel {
 
-/// A whole number that is no negative one; nothing where the attribute is absent. Throws Error{invalid_input} where it
-/// is no such number.
+/// Returns the attribute as an integer that is not negative; nothing if the attribute is absent. Throws
+/// Error{invalid_input} for any other value.
 std::optional<std::size_t> count_attribute(const InputFile& file, const pugi::xml_node& element, const char* name);
 
-/// Reads the arrays of one file, whose parsed text and appended bytes must outlive it.
+/// Reads the arrays of one file, whose parsed text and appended bytes must outlive this object.
 class XmlArrays {
  public:
   struct Appended {
@@ -26,7 +26,7 @@ class XmlArrays {
   XmlArrays(const InputFile& file, const VtkEncoding& encoding, const Appended& appended)
       : file_(file), encoding_(encoding), appended_(appended) {}
 
-  /// `n_tuples`: as many are read; nothing: as the element says, or all.
+  /// Reads `n_tuples`; if that is not given, the number in the element, or all.
   VtkColumn read(const pugi::xml_node& element, std::optional<std::size_t> n_tuples) const;
 
  private:

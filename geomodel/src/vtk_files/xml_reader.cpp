@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's XML files, declared in vtk_files/vtk_data.hpp. The text is parsed by pugixml up to the appended data, which are
-// no XML.
+// Reads VTK's XML files, declared in vtk_files/vtk_data.hpp. The text is parsed by pugixml up to the appended data,
+// which are not XML.
 #include <cmath>
 #include <cstdint>
 
@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// zlib packs at most so many bytes into one; a point or a cell has four at least, and an empty text one.
+/// Largest compression ratio of zlib; a point or a cell has at least four bytes, and an empty text one.
 constexpr std::size_t most_packed = 1100;
 
 VtkEncoding encoding_of(const InputFile& file, const pugi::xml_node& root) {
@@ -93,7 +93,7 @@ class XmlReader {
       if (is_array(element)) data_.field_data.put(arrays_.read(element, std::nullopt));
   }
 
-  /// Refused where so many cannot be in the file, compressed as they may be.
+  /// Throws if so many items cannot be in the file, even compressed.
   std::size_t possible(std::size_t n, const char* what) const {
     if (n / most_packed > file_.size())
       file_.fail("it says to hold " + std::to_string(n) + " " + what + ", which a file of " +
@@ -135,7 +135,7 @@ class XmlReader {
     if (data_.points.size() >= no_vertex) file_.fail("it holds more points than 32 bits can count");
   }
 
-  /// The array of a group of cells, refused where it is not there.
+  /// Returns the array of a group of cells; throws if it is missing.
   std::vector<std::int64_t> cell_array(const pugi::xml_node& group, const char* name, std::size_t n) const {
     const pugi::xml_node element = group.find_child_by_attribute("DataArray", "Name", name);
     if (!element) file_.fail(std::string("its ") + group.name() + " have no array \"" + name + "\"");
@@ -207,7 +207,7 @@ class XmlReader {
   VtkData data_;
 };
 
-/// Behind the underscore of the element that the text begins with; up to its end where it is text.
+/// Returns the data after the underscore of the element with which the text begins; up to its end if it is text.
 XmlArrays::Appended appended_data(const InputFile& file, std::string_view element) {
   XmlArrays::Appended appended;
   if (element.empty()) return appended;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The temporaries of this process, in fixed places, so that a handler of signals can remove them.
+// The temporary files of this process, in fixed storage, so that a signal handler can remove them.
 #include <array>
 #include <atomic>
 #include <cstring>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_files = 64, longest_name = 4096;
 
-/// Claimed by one writer at a time. Its name is read by the handler only while it is ready, which is when it is whole.
+/// A slot that one writer claims at a time. The handler reads its name only while it is ready, which means complete.
 struct Place {
   std::atomic<bool> claimed{false}, ready{false};
   std::array<char, longest_name> name{};

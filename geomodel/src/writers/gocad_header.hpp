@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The first lines of an object in a GOCAD file.
+/// Makes the first lines of an object in a GOCAD file.
 #pragma once
 
 #include <string>

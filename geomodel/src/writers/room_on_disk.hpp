@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Room for a file, asked for before a library writes it that does not survive a full disk.
+/// Reserves disk space for a file before a library writes it that does not survive a full disk.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 
 namespace geomesh::geomodel {
 
-/// Makes `temporary` a file of that many bytes, which the library then writes over. Throws Error{usage} about `file`
-/// where the disk has no room, or the folder cannot be written to. HDF5 1.10 dies at the end of the program where it
-/// could not write a file.
+/// Makes `temporary` a file of that many bytes, which the library then overwrites. Throws Error{usage} about `file` if
+/// the disk is full, or the folder is not writable. HDF5 1.10 crashes at the end of the program if it could not write a
+/// file.
 void require_room(const std::filesystem::path& temporary, const std::filesystem::path& file, std::size_t bytes);
 
 }  // namespace geomesh::geomodel

@@ -30,7 +30,7 @@ class OutputText {
     return number(value);
   }
   OutputText& operator<<(double value) { return number(value); }
-  /// Three numbers with blanks between.
+  /// Appends three numbers separated by blanks.
   OutputText& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
   /// The value's bytes.
   template <class T>
@@ -39,7 +39,7 @@ class OutputText {
     std::memcpy(bytes, &value, sizeof(T));
     return *this << std::string_view(bytes, sizeof(T));
   }
-  /// False where something could not be written.
+  /// Returns false if something could not be written.
   bool close() {
     flush();
     file_.close();
@@ -63,7 +63,7 @@ class OutputText {
   std::string buffer_;
 };
 
-/// Composes a file, complete or absent. Throws Error{usage} where it cannot be written.
+/// Composes a file, complete or absent. Throws Error{usage} if it cannot be written.
 void write_output_text(const std::filesystem::path& file, const std::function<void(OutputText&)>& compose);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names in VTK files: numbered field arrays. The array `region:chalk` holds the id of the region chalk.
+/// Names in VTK files are stored as numbered field arrays. The array `region:chalk` contains the id of the region
+/// chalk.
 #pragma once
 
 #include <string>
@@ -11,15 +12,15 @@
 
 namespace geomesh::geomodel {
 
-/// `region:NAME` with the region's id, `group:NAME` with the ids of a group's regions.
+/// Adds `region:NAME` with the region's id, and `group:NAME` with the ids of a group's regions.
 void add_region_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// `surface:NAME` with the surface's id and `surface_kinds` in the order of the names (0 surface, 1 horizon, 2 fault,
-/// 3 body, 4 box); sets of surfaces as `surface_set_offsets` (one more than sets) into `surface_set_ids`.
+/// Adds `surface:NAME` with the surface's id and `surface_kinds` in the order of the names (0 surface, 1 horizon, 2
+/// fault, 3 body, 4 box); sets of surfaces as `surface_set_offsets` (one more than sets) into `surface_set_ids`.
 void add_surface_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// `curve:NAME` and `point:NAME` with ids, and `curve_kinds` in the order of the curves (0 intersection, 1 border,
+/// Adds `curve:NAME` and `point:NAME` with ids, and `curve_kinds` in the order of the curves (0 intersection, 1 border,
 /// 2 fault_tip, 3 well, 4 other).
 void add_curve_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// Empty where nothing was subtracted.
+/// Returns an empty vector if nothing was subtracted.
 std::vector<double> origin_of(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

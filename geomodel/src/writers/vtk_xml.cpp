@@ -32,7 +32,7 @@ Bytes block_of(const VtkArray& array, std::size_t block) {
   return bytes;
 }
 
-/// How zlib packs an array; every choice is a zlib stream.
+/// How zlib packs an array; every choice gives a valid zlib stream.
 struct Packing {
   int level, strategy;
 };
@@ -55,8 +55,9 @@ Bytes compressed(const Bytes& bytes, Packing packing) {
   return result;
 }
 
-/// By its first block, so that it does not depend on the machine. What does not shrink is stored: 0.6 ms a MiB in place
-/// of 20. What shrinks as well by its single bytes as by repetitions is packed by those alone: 8 ms in place of 11.
+/// Chooses a fast way to compress the array by trying its first block, not by measuring time, so that the result does
+/// not depend on the machine. An array that does not shrink is stored (0.6 ms per MiB instead of 20). An array that
+/// shrinks as much by coding single bytes as by finding repetitions is coded in that faster way (8 ms instead of 11).
 Packing fast_packing(const VtkArray& array) {
   constexpr Packing by_repetitions{1, Z_DEFAULT_STRATEGY}, by_bytes{1, Z_HUFFMAN_ONLY}, stored{0, Z_DEFAULT_STRATEGY};
   if (size_of(array) <= block_bytes) return by_repetitions;
@@ -66,7 +67,7 @@ Packing fast_packing(const VtkArray& array) {
   return compressed(first, by_bytes).size() <= repetitions / 20 * 21 ? by_bytes : by_repetitions;
 }
 
-/// All blocks of an array, compressed, with the header that stands before them.
+/// All blocks of an array, compressed, with the header that precedes them.
 struct CompressedArray {
   std::vector<std::uint64_t> header;
   std::vector<Bytes> blocks;
@@ -148,7 +149,7 @@ void put(std::ofstream& out, const void* data, std::size_t n) {
   out.write(static_cast<const char*>(data), static_cast<std::streamsize>(n));
 }
 
-/// Array after array; uncompressed ones are made block by block as they are written.
+/// Writes array after array; uncompressed ones are made block by block while they are written.
 void write_to(std::ofstream& out, const VtkDocument& document, Compression compression) {
   Head head(compression);
   head.begin(document);
@@ -188,7 +189,8 @@ void write_to(std::ofstream& out, const VtkDocument& document, Compression compr
   put(out, tail.data(), tail.size());
 }
 
-/// Bytes of the letter of UTF-8 that begins at text[i]; 0: none does. Overlong forms are not told apart.
+/// Returns the number of bytes of the UTF-8 character that begins at text[i]; 0 if there is none. Overlong forms are
+/// accepted.
 std::size_t utf8_length(const std::string& text, std::size_t i) {
   const auto byte = static_cast<unsigned char>(text[i]);
   const std::size_t n = byte < 0x80                   ? 1
@@ -223,7 +225,8 @@ std::string latin1_as_utf8(char c) {
 
 }  // namespace
 
-/// Names may come from file names that are not UTF-8, which no reader of XML accepts: such bytes are taken for Latin-1.
+/// Names may come from file names that are not UTF-8, which no XML reader accepts: such bytes are interpreted as
+/// Latin-1.
 std::string xml_text(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// VTK XML files (VTU, VTP, PVTU) written without VTK: appended raw data, 64-bit headers, zlib in blocks that are
-/// compressed in parallel. No array of strings: a much used Python reader refuses a file that has one.
+/// compressed in parallel. No array of strings is written, because a widely used Python reader refuses files that have
+/// one.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +17,10 @@
 
 namespace geomesh::geomodel {
 
-/// One array of a file. Its values are asked for in blocks, so that no second copy of the mesh is made.
+/// One array of a file. Its values are requested in blocks, so that no second copy of the mesh is made.
 struct VtkArray {
   std::string name;
-  const char* type;        ///< as in the file: "Int32", "Float64", "UInt8", "UInt64"
+  const char* type;        ///< type as in the file: "Int32", "Float64", "UInt8", "UInt64"
   std::size_t value_size;  ///< bytes
   int components;
   std::size_t n_values;  ///< tuples times components
@@ -42,7 +43,8 @@ constexpr const char* name() {
 }
 }  // namespace vtk_type
 
-/// `value(i)` for i from 0 to n_values - 1, as T. What it refers to must live until the file is written.
+/// `value(i)` returns the value for i from 0 to n_values - 1, as T. Its references must be valid until the file is
+/// written.
 template <class T, class F>
 VtkArray vtk_array(std::string name, std::size_t n_values, F value, int components = 1) {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> || std::is_same_v<T, std::uint64_t> ||
@@ -60,7 +62,7 @@ VtkArray vtk_array(std::string name, std::size_t n_values, F value, int componen
           }};
 }
 
-/// Small numbers about the whole file; written as text. Values of arrays of one name are put together.
+/// A few numbers about the whole file, written as text. Values of arrays with the same name are concatenated.
 struct VtkField {
   std::string name;
   std::vector<std::int32_t> values;
@@ -69,7 +71,7 @@ struct VtkField {
 /// Part of a piece: "Points", "Cells", "PointData" ... with its arrays.
 struct VtkSection {
   std::string tag;
-  std::string attributes;  ///< of the tag, such as `Scalars="region"`; empty or without a leading blank
+  std::string attributes;  ///< attributes of the tag, such as `Scalars="region"`; may be empty, without a leading blank
   std::vector<VtkArray> arrays;
 };
 
@@ -81,10 +83,10 @@ struct VtkDocument {
   std::vector<VtkSection> sections;
 };
 
-/// Complete or absent. Throws Error{usage} where the file cannot be written.
+/// Writes the file, complete or absent. Throws Error{usage} if it cannot be written.
 void write_vtk_document(const VtkDocument& document, Compression compression, const std::filesystem::path& file);
 
-/// `text` with the characters that XML reserves replaced.
+/// Returns the text with the characters that XML reserves replaced.
 std::string xml_text(const std::string& text);
 
 }  // namespace geomesh::geomodel

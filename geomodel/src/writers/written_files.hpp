@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A set of files that are only good together: where one of them cannot be written, those before it are removed.
+/// A set of files that are only valid together: if one of them cannot be written, those before it are removed.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ class WrittenFiles {
   }
   void add(std::filesystem::path file) { files_.push_back(std::move(file)); }
   void add(const std::vector<std::filesystem::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// All are there: none is removed.
+  /// Called when all files are written, so that none is removed.
   std::vector<std::filesystem::path> keep() { return std::exchange(files_, {}); }
 
  private:

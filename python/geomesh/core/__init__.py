@@ -14,7 +14,7 @@ from .errors import CannotMesh, Error, InternalError, Interrupted, InvalidInput,
 __all__ = ["delaunay", "tetrahedralize", "refine", "Delaunay", "Tetrahedralization", "Error", "UsageError",
            "InvalidInput", "CannotMesh", "Interrupted", "InternalError", "NO_ROW", "__version__"]
 
-#: What index arrays hold where there is no row.
+#: Value of index arrays where there is no row.
 NO_ROW = 0xFFFFFFFF
 
 
@@ -29,7 +29,7 @@ def _run_options(threads, progress, log):
 
 
 def _points(points, name="points"):
-    """float64 and C-contiguous; the caller's own array where it is so already."""
+    """Returns float64, C-contiguous points; the caller's own array if it is already of this form."""
     return _numpy.ascontiguousarray(points if points is not None else _numpy.empty((0, 3)), dtype=_numpy.float64)
 
 

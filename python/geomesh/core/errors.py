@@ -25,20 +25,21 @@ class Error(Exception):
 
 
 class UsageError(Error, ValueError):
-    """What was asked for is not offered or contradicts itself: a wrong shape, an unknown key, a missing file."""
+    """The request is not supported or contradicts itself: a wrong shape, an unknown key, a missing file."""
 
 
 class InvalidInput(Error, ValueError):
-    """The data given are broken: a coordinate that is not finite, crossing facets where crossings are refused."""
+    """The given data are invalid: a coordinate that is not finite, or crossing facets where crossings are not allowed."""
 
 
 class CannotMesh(Error, RuntimeError):
-    """The input is valid but cannot be meshed as asked: nothing enclosed, too thin, more elements than allowed."""
+    """The input is valid but cannot be meshed as requested: nothing is enclosed, it is too thin, or needs more elements
+    than allowed."""
 
 
 class Interrupted(Error, RuntimeError):
-    """The run was cancelled from inside; a Ctrl-C comes as KeyboardInterrupt."""
+    """The run was cancelled from inside; Ctrl-C raises KeyboardInterrupt."""
 
 
 class InternalError(Error, RuntimeError):
-    """An invariant of geomesh does not hold: a bug of geomesh, never the user's. Nothing was written."""
+    """An invariant of geomesh is violated: a bug of geomesh, never a mistake of the user. Nothing was written."""

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables, grids and the page of a study, from the results that are there. Their bytes depend on the results alone; times stand apart."""
+"""Tables, grids and the page of a study, made from the available results. Their bytes depend on the results alone;
+times are in separate files."""
 import csv
 import io
 import os
@@ -35,7 +36,7 @@ class Results:
         self.drawn = sorted({name for r in self.records for name in r["drawn"]})
 
     def _units(self):
-        """In the order of the project's column, then as they are met."""
+        """Returns units in the order of the project's column, followed by others in the order in which they occur."""
         met = {unit: None for r in self.done for unit in r["units"]}
         return [u for u in self.study.project.column if u in met] + sorted(u for u in met if u not in self.study.project.column)
 
@@ -44,12 +45,12 @@ class Results:
 
 
 def percentile(values, share):
-    """The value that `share` per cent of the realisations stay below, linear between ranks."""
+    """Returns the value below which `share` per cent of the realisations are, linear between ranks."""
     return float(numpy.percentile(values, share)) if len(values) else float("nan")
 
 
 def write_all(results, directory):
-    """Writes every file of the summary; returns their names."""
+    """Writes all files of the summary; returns their names."""
     files = {"table.csv": _table(results), "times.csv": _times(results), "summary.csv": _summary(results),
              "index.html": page.text(results)}
     if results.probability and results.probability.n:
@@ -94,7 +95,7 @@ def _times(results):
 
 
 def statistics(results):
-    """(what, mean, standard deviation, P10, P50, P90) of every volume and of the quality."""
+    """Returns (quantity, mean, standard deviation, P10, P50, P90) for every volume and for the quality."""
     rows = []
     for unit in results.units:
         rows.append(("volume:" + unit, results.volumes(unit)))
@@ -109,7 +110,7 @@ def _summary(results):
 
 
 def _hdf5(results):
-    """The same as bytes of an HDF5 file; None where h5py is not installed."""
+    """Returns the same as bytes of an HDF5 file; None if h5py is not installed."""
     try:
         import h5py
     except ImportError:

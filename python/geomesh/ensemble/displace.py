@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a surface moves in one realisation: shift, tilt, perturbation, throw, and wells at which it stands still."""
+"""Displacement of a surface in one realisation: shift, tilt, perturbation, throw, and wells at which it is not moved."""
 import math
 
 import numpy
@@ -9,13 +9,13 @@ from . import fields
 
 
 def mean_normal(points, triangles):
-    """Of a surface, by area, upwards; of points, of the plane through them."""
+    """Returns the mean normal, upwards: of a surface weighted by area; of points, that of the plane through them."""
     if triangles is not None:
         total = _doubled_normals(points, triangles).sum(axis=0)
     else:
         total = numpy.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
     normal = total / max(float(numpy.linalg.norm(total)), 1e-300)
-    # A vertical one towards the east, else towards the north: a side has to be chosen.
+    # The normal points upwards; that of a vertical surface points to the east, or else to the north.
     first = [component for component in (normal[2], normal[0], normal[1]) if abs(component) > 1e-9]
     return -normal if first and first[0] < 0 else normal
 
@@ -26,7 +26,7 @@ def _doubled_normals(points, triangles):
 
 
 def vertex_normals(points, triangles):
-    """Mean of the normals about each vertex, by area; places of equal coordinates have one normal."""
+    """Returns the area-weighted mean of the normals around each vertex; points with equal coordinates have one normal."""
     each = _doubled_normals(points, triangles)
     _, place = numpy.unique(points, axis=0, return_inverse=True)
     place = place.reshape(-1)
@@ -38,7 +38,7 @@ def vertex_normals(points, triangles):
 
 
 def rotation(axis, angle):
-    """Matrix of a turn by `angle` radians about a unit vector (Rodrigues)."""
+    """Returns the matrix of a rotation by `angle` radians about a unit vector (Rodrigues)."""
     x, y, z = axis
     cross = numpy.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return numpy.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * (cross @ cross)
@@ -52,7 +52,7 @@ class Displacement:
         self._name = "surfaces." + spec.name
 
     def of(self, points, triangles, holds):
-        """Displaced points; `holds` as of fields.held, for horizons."""
+        """Returns the displaced points; `holds` as in fields.held, for horizons."""
         if self._spec.kind == "horizon":
             return self._of_horizon(points, holds)
         turned = self._turned(points) + self._shift()
@@ -75,7 +75,8 @@ class Displacement:
         return numpy.array([self._value("shift." + axis, d) for axis, d in zip("xyz", self._spec.shift)])
 
     def _tilt(self):
-        """Angle and azimuth of the direction that goes up, in radians; the azimuth from the y axis towards x."""
+        """Returns angle and azimuth of the upward direction in radians; the azimuth is measured from the y axis towards
+        x."""
         if self._spec.tilt is None:
             return 0.0, 0.0
         angle, azimuth = self._spec.tilt
@@ -88,7 +89,8 @@ class Displacement:
         return math.tan(angle) * (offset[:, 0] * math.sin(azimuth) + offset[:, 1] * math.cos(azimuth))
 
     def _turned(self, points):
-        """Turned as a whole about a horizontal axis through its middle, at right angles to the azimuth."""
+        """Returns the points rotated as a whole about a horizontal axis through their centre, perpendicular to the
+        azimuth."""
         angle, azimuth = self._tilt()
         if angle == 0:
             return points.copy()
@@ -115,7 +117,8 @@ class Displacement:
 
 
 def pieces(n_points, triangles):
-    """The piece of each vertex: vertices joined by triangles have the same, which is their least vertex."""
+    """Returns the piece of each vertex: vertices connected by triangles have the same number, which is their smallest
+    vertex."""
     label = numpy.arange(n_points)
     while True:
         before = label.copy()
@@ -128,10 +131,9 @@ def pieces(n_points, triangles):
 
 
 def throw_blocks(horizon, points, triangles, fault):
-    """Adds `fault.throw` to a horizon given block by block: blocks on the hanging wall go down by it.
-
-    A block is a piece of the horizon; its middle tells the side of the fault's mean plane. UsageError where the horizon is one
-    piece, or all its pieces lie on one side.
+    """Adds `fault.throw` to a horizon given block by block: blocks on the hanging wall are lowered by it. A block is a
+    connected piece of the horizon; the side of its centre relative to the fault's mean plane decides. Raises
+    UsageError if the horizon is one piece, or all its pieces lie on one side.
     """
     label = pieces(len(points), triangles)
     hanging = numpy.zeros(len(points), dtype=bool)
@@ -150,7 +152,8 @@ def throw_blocks(horizon, points, triangles, fault):
 
 
 def picks(points, triangles, wells):
-    """Holds of a horizon (see fields.held): where paths of wells, and not their prolongations, cross its triangles."""
+    """Returns the holds of a horizon (see fields.held): points where paths of wells, without extrapolation, cross its
+    triangles."""
     holds = []
     corner = points[triangles]  # (m, 3, 3)
     for path in wells:
@@ -160,7 +163,7 @@ def picks(points, triangles, wells):
 
 
 def _crossings(corner, triangles, start, along):
-    """Moeller and Trumbore 1997, for one segment and all triangles."""
+    """Intersects one segment with all triangles (Moeller and Trumbore 1997)."""
     u, v = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
     p = numpy.cross(along, v)
     determinant = (u * p).sum(axis=1)

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random numbers that depend on the study's seed, the realisation's index and the name of what is drawn, and on nothing else.
-
-A parameter that is added to a study leaves the draws of the others as they were. The stream of a name is Philox keyed by a hash;
-distributions are inverted from uniform numbers here, so that another version of numpy draws the same.
+"""Random numbers that depend on the study's seed, the realisation's index and the name of the parameter, and on nothing
+else. Adding a parameter to a study does not change the draws of the others. The stream of a name is Philox keyed by
+a hash; distributions are inverted from uniform numbers here, so that another version of numpy draws the same.
 """
 import bisect
 import hashlib
@@ -24,7 +23,7 @@ class Stream:
         self._bits = numpy.random.Philox(key=int.from_bytes(key, "little"))
 
     def uniforms(self, count):
-        """In the open interval from 0 to 1, multiples of 2^-53 less a half of it."""
+        """Returns numbers in the open interval from 0 to 1: multiples of 2^-53 minus a half of it."""
         raw = self._bits.random_raw(count)
         return ((raw >> numpy.uint64(11)).astype(numpy.float64) + 0.5) * 2.0 ** -53
 
@@ -45,7 +44,7 @@ class Fixed:
 
 @dataclass(frozen=True)
 class Reference:
-    """The value of a parameter of the study, drawn once a realisation."""
+    """The value of a parameter of the study, drawn once per realisation."""
     name: str
 
 
@@ -60,7 +59,7 @@ class Uniform:
 
 @dataclass(frozen=True)
 class Normal:
-    """`low` and `high` cut the distribution off; what lies between keeps its shape."""
+    """`low` and `high` truncate the distribution, whose shape in between is not changed."""
     mean: float
     sd: float
     low: float = -math.inf
@@ -77,7 +76,7 @@ class Normal:
 
 @dataclass(frozen=True)
 class Lognormal:
-    """`median`, and the standard deviation of the natural logarithm."""
+    """Log-normal distribution, given by `median` and the standard deviation of the natural logarithm."""
     median: float
     sd_log: float
 
@@ -100,7 +99,7 @@ class Triangular:
 
 @dataclass(frozen=True)
 class Pick:
-    """One of several values, by weight."""
+    """One of several values, chosen by weight."""
     values: Tuple
     weights: Tuple
 
@@ -113,14 +112,14 @@ class Pick:
 
 
 class Draws:
-    """What one realisation draws, each by its name in the study file, once."""
+    """The values drawn in one realisation, each once, by its name in the study file."""
 
     def __init__(self, seed, index, parameters):
         self._seed, self._index, self._parameters = seed, index, parameters
         self.values = {}
 
     def value(self, name, distribution):
-        """The value called `name` (such as surfaces.salt.shift.z); that of a parameter where one is referred to."""
+        """Returns the value called `name` (such as surfaces.salt.shift.z), or that of a parameter to which it refers."""
         if isinstance(distribution, Reference):
             return self.value("parameters." + distribution.name, self._parameters[distribution.name])
         if isinstance(distribution, Fixed):

@@ -13,7 +13,7 @@ _LEFT_AT_RANGE = 3.0  # the correlation at the range is exp(-3), one twentieth
 
 
 def correlation(distance, reach, kind):
-    """Of two places at these distances; `reach` is the range, where 5 % is left."""
+    """Returns the correlation of two places at these distances; `reach` is the range, at which 5 % is left."""
     ratio = distance / reach
     return numpy.exp(-_LEFT_AT_RANGE * (ratio * ratio if kind == "gaussian" else ratio))
 
@@ -22,16 +22,16 @@ def _wave_vectors(stream, dimension, reach, kind):
     directions = stream.normals(N_WAVES * dimension).reshape(N_WAVES, dimension)
     if kind == "gaussian":
         return directions * (numpy.sqrt(2 * _LEFT_AT_RANGE) / reach)
-    # The spectrum of exp(-c h) is Student's distribution of one degree of freedom, in any dimension.
+    # The spectrum of exp(-c h) is Student's distribution with one degree of freedom, in any dimension.
     return directions / numpy.abs(stream.normals(N_WAVES))[:, None] * (_LEFT_AT_RANGE / reach)
 
 
 def gaussian_field(places, reach, kind, stream):
-    """A field of mean 0 and variance 1 at the places (n, d)."""
+    """Returns a field with mean 0 and variance 1 at the places (n, d)."""
     waves = _wave_vectors(stream, places.shape[1], reach, kind)
     amplitudes = stream.normals(2 * N_WAVES).reshape(2, N_WAVES) / numpy.sqrt(N_WAVES)
     values = numpy.empty(len(places))
-    for start in range(0, len(places), 4096):  # bounded memory; sums in one order, without BLAS and its threads
+    for start in range(0, len(places), 4096):  # bounded memory; sums in a fixed order, without BLAS and its threads
         rows = slice(start, start + 4096)
         phase = sum(places[rows, axis, None] * waves[None, :, axis] for axis in range(places.shape[1]))
         values[rows] = (numpy.cos(phase) * amplitudes[0] + numpy.sin(phase) * amplitudes[1]).sum(axis=1)
@@ -39,10 +39,10 @@ def gaussian_field(places, reach, kind, stream):
 
 
 def held(displacement, places, holds, reach, kind):
-    """The displacement, changed by kriging so that it vanishes at the holds.
+    """Returns the displacement, changed by kriging so that it vanishes at the holds.
 
-    A hold is (vertices, weights): a place on the surface as a weighted mean of vertices. So the surface stands still there
-    exactly, and not only the field.
+    A hold is (vertices, weights): a place on the surface as a weighted mean of vertices. Therefore the surface, and
+    not only the field, is exactly fixed there.
     """
     if not holds:
         return displacement

@@ -79,14 +79,14 @@ def _figure(caption, shares, grid):
 
 
 def _coloured(shares):
-    """From white by blue to near black."""
+    """Returns colours from white through blue to nearly black."""
     stops = numpy.array([[255, 255, 255], [120, 165, 210], [20, 30, 70]], dtype=float)
     at = numpy.clip(shares, 0, 1)
     return numpy.stack([numpy.interp(at, [0, 0.5, 1], stops[:, c]) for c in range(3)], axis=2).round().astype(numpy.uint8)
 
 
 def png(pixels):
-    """Bytes of an image of shape (rows, columns, 3)."""
+    """Encodes an image of shape (rows, columns, 3) as PNG."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
     rows, columns = pixels.shape[:2]

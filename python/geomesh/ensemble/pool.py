@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Realisations on the cores of this machine: processes that stay, each with one realisation at a time.
-
-A process that dies (out of memory, a crash) is a failure of its realisation; another process goes on with the rest.
+"""Runs realisations on the cores of this machine: persistent processes, each with one realisation at a time. If a
+process dies (out of memory, a crash), its realisation has failed, and another process continues with the rest.
 """
 import os
 import selectors
@@ -14,7 +13,7 @@ from .realise import Realiser, write_input
 
 
 class Pool:
-    """`told(index, status)` is called for each realisation that ended."""
+    """Runs realisations; `told(index, status)` is called for each one that ended."""
 
     def __init__(self, study, store, jobs, told):
         self._study, self._store, self._jobs, self._told = study, store, jobs, told
@@ -42,7 +41,7 @@ class Pool:
         self._give(process)
 
     def _give(self, process):
-        """The next realisation, or the end of its work."""
+        """Sends the next realisation to a process, or ends its work."""
         if not self._left:
             self._retire(process)
             return
@@ -50,7 +49,7 @@ class Pool:
         try:
             process.stdin.write("%d\n" % index)
         except BrokenPipeError:
-            pass  # it died: its output ends, which is handled there
+            pass  # the process died: its output ends, which is handled there
 
     def _answered(self, process):
         line = process.stdout.readline()
@@ -84,7 +83,7 @@ class Pool:
             record["drawn"] = drawn.values
             write_input(self._study, drawn, self._store.failure_folder(index))
         except Error:
-            pass  # what could not be drawn has no input to keep
+            pass  # a realisation that could not be drawn has no input to keep
         self._store.put(record)
         self._told(index, "failed")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The project as text that a realisation changes: every key and word that it does not change stays as it was written."""
+"""The project as text that a realisation changes: every key and value that it does not change is kept as written."""
 import copy
 import os
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ class SurfaceEntry:
 
 
 class ProjectText:
-    """What a study needs to know of its project, and copies of its text with changes."""
+    """The data of its project that a study needs, and copies of the project's text with changes."""
 
     def __init__(self, file):
         self.file, self.folder = file, os.path.dirname(os.path.abspath(file))
@@ -45,7 +45,7 @@ class ProjectText:
         return os.path.join(self.folder, name)
 
     def files(self, study):
-        """Every file that a realisation may read, in order."""
+        """Returns every file that a realisation may read, in order."""
         names = [value.value for node in (self._node, study.mesh) for value in _file_names(node)]
         names += [str(v) for spec in study.surfaces if spec.file for v in spec.file.values]
         return sorted({path for path in map(self.path, names) if os.path.isfile(path)})
@@ -55,7 +55,7 @@ class ProjectText:
         return str(word) == "depth"
 
     def why_not_movable(self, surface):
-        """Why a study cannot move a surface; None where it can."""
+        """Returns why a study cannot move a surface; None if it can."""
         entry = self.surfaces[surface]
         if not entry.file:
             return "the project has no file for the surface %s" % surface
@@ -70,7 +70,7 @@ class ProjectText:
         return None
 
     def complaint_about(self, path):
-        """Why a path of `set` leads nowhere; None where it leads to a place in a map."""
+        """Returns why a path of `set` is invalid; None if it leads to a place in a map."""
         try:
             _place(copy.deepcopy(self._node), path)
         except UsageError as error:
@@ -78,8 +78,8 @@ class ProjectText:
         return None
 
     def changed(self, mesh, keys, files):
-        """A copy of the project's node with `mesh` in place of its own, values at paths, and files of surfaces; a file of
-        None is taken out, for a surface that is given in memory."""
+        """Returns a copy of the project's node with `mesh` in place of its own, values at paths, and files of surfaces;
+        a file of None removes the key, for a surface that is given in memory."""
         node = copy.deepcopy(self._node)
         if mesh is not None:
             _set(node, "mesh", copy.deepcopy(mesh))
@@ -89,14 +89,14 @@ class ProjectText:
         return with_surface_files(node, files)
 
     def with_absolute_files(self, node):
-        """For a project that is written into another folder."""
+        """Makes file names absolute, for a project that is written into another folder."""
         for value in _file_names(node):
             value.value = os.path.abspath(self.path(value.value))
         return node
 
 
 def with_surface_files(node, files):
-    """The node itself, with these files of surfaces; None takes the file out."""
+    """Returns the node itself with these files of surfaces; None removes the file."""
     for surface, file in files.items():
         entry = _named(_get(node, "surfaces"), surface)
         _remove(entry, "file")
@@ -106,7 +106,7 @@ def with_surface_files(node, files):
 
 
 def _file_names(node):
-    """The nodes that name a file, at any depth: of surfaces, wells, fault polygons, tops, fields and sizes."""
+    """Returns the nodes that name a file, at any depth: of surfaces, wells, fault polygons, tops, fields and sizes."""
     for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
         if key.value in _FILE_KEYS and isinstance(value, yaml.ScalarNode):
             yield value
@@ -160,7 +160,7 @@ def _set(node, key, value):
 
 
 def _named(sequence, name):
-    """The entry of a list whose `name` is this."""
+    """Returns the entry of a list whose `name` is this."""
     for entry in sequence.value if isinstance(sequence, yaml.SequenceNode) else ():
         found = _get(entry, "name")
         if found is not None and found.value == name:
@@ -169,8 +169,8 @@ def _named(sequence, name):
 
 
 def _place(node, path):
-    """(map, key) of a path: keys, and names of the entries of a list: surfaces.main_fault.smooth. Maps that are not there
-    are made."""
+    """Returns (map, key) for a path of keys and names of list entries: surfaces.main_fault.smooth. Missing maps are
+    created."""
     parts = path.split(".")
     for depth, part in enumerate(parts[:-1]):
         below = _named(node, part) if isinstance(node, yaml.SequenceNode) else _get(node, part)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""YAML with places: every mistake is collected with its line and column, and all are told at once."""
+"""YAML with positions: all mistakes are collected with line and column, and reported at once."""
 import difflib
 import math
 
@@ -9,7 +9,7 @@ from ..core.errors import UsageError
 
 
 def composed(file):
-    """The node of a YAML file, or None where it is empty."""
+    """Returns the node of a YAML file, or None if it is empty."""
     try:
         with open(file, encoding="utf-8") as text:
             return yaml.compose(text.read(), Loader=yaml.SafeLoader)
@@ -54,7 +54,7 @@ class Entry:
         return isinstance(self.node, yaml.SequenceNode)
 
     def items(self, known=None, what="key"):
-        """(key, entry) of a map; keys that are not known are mistakes."""
+        """Returns (key, entry) pairs of a map; unknown keys are reported."""
         if not self.is_map():
             self.mistake("a map was expected")
             return []
@@ -81,7 +81,7 @@ class Entry:
         return None
 
     def number(self):
-        """A finite number, or None and a mistake."""
+        """Returns a finite number, or None after reporting a mistake."""
         value = as_number(self.node)
         if value is None:
             self.mistake("a number was expected")
@@ -102,7 +102,7 @@ class Entry:
         return None if None in values else values
 
     def plain(self):
-        """The value as Python has it."""
+        """Returns the value as a Python object."""
         constructor = yaml.SafeLoader("")
         try:
             return constructor.construct_document(self.node)
@@ -121,7 +121,7 @@ def as_number(node):
 
 
 def meant(word, known):
-    """", did you mean ...", or the words that are known."""
+    """Returns ", did you mean ...", or the known words."""
     close = difflib.get_close_matches(word, list(known), 1)
     if close:
         return "; did you mean %s?" % close[0]

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One realisation: what index and seed decide is drawn, meshed and summed up. The same call gives the same result."""
+"""One realisation: draws what index and seed determine, meshes it and summarises it. The same call gives the same
+result."""
 import contextlib
 import os
 import signal
@@ -41,7 +42,7 @@ class Drawn:
 
 
 class Realiser:
-    """Files are read once for all realisations of a process."""
+    """Runs realisations; files are read once for all realisations of a process."""
 
     def __init__(self, study):
         self._study = study
@@ -62,7 +63,7 @@ class Realiser:
         return Drawn(study.project.changed(study.mesh, keys, files), inputs, moved, draws.values)
 
     def result(self, index):
-        """The record of a realisation that ended, well or not; times are beside it."""
+        """Returns the record of a realisation that ended, successfully or not; times are separate."""
         started = time.monotonic(), time.process_time()
         record = {"index": index, "seed": self._study.seed, "study": self._study.digest, "drawn": {}}
         drawn = None
@@ -121,7 +122,7 @@ class Realiser:
                 moved[horizon] = self._as_in_file(horizon, picked, points), triangles
 
     def _now(self, surface, picked, moved):
-        """Elevations of a surface as displaced so far."""
+        """Returns the elevations of a surface after the displacements so far."""
         if surface not in moved:
             return self._elevations(surface, picked)
         points, triangles = moved[surface]
@@ -137,7 +138,7 @@ class Realiser:
         return self._files[file]
 
     def _object(self, surface, picked):
-        """("surface" or "points", row, points, triangles) of the object that the entry means."""
+        """Returns ("surface" or "points", row, points, triangles) of the object to which the entry refers."""
         contents, entry = self._contents(surface, picked), self._study.project.surfaces[surface]
         objects = [("surface", row, *item) for row, item in enumerate(contents.surfaces)]
         objects += [("points", row, name, points, None) for row, (name, points) in enumerate(contents.point_sets)]
@@ -157,7 +158,8 @@ class Realiser:
         return self._as_in_file(surface, picked, numpy.array(points)), triangles
 
     def _as_in_file(self, surface, picked, points):
-        """From elevations to what the file counts, and back: depths change sign, where the file does not name them itself."""
+        """Converts elevations to the numbers of the file, and back: depths change sign, unless the file itself declares
+        them."""
         if self._study.project.z_is_depth(surface) and not self._contents(surface, picked).z_is_named:
             points = points * [1.0, 1.0, -1.0]
         return points
@@ -167,7 +169,7 @@ class Realiser:
 
 
 def failure_of(error):
-    """What a record says of an error."""
+    """Returns the description of an error for a record."""
     if isinstance(error, OutOfTime):
         return {"status": "failed", "failure": {"kind": "time", "message": str(error)}}
     if isinstance(error, MemoryError):
@@ -178,7 +180,7 @@ def failure_of(error):
 
 @contextlib.contextmanager
 def _limited(seconds):
-    """Raises OutOfTime in the work, which looks for signals 20 times a second."""
+    """Raises OutOfTime in the work, which checks for signals 20 times a second."""
     if not seconds:
         yield
         return
@@ -195,7 +197,7 @@ def _limited(seconds):
 
 
 def write_input(study, drawn, folder):
-    """The input of a realisation as a project that `geomesh` meshes: project.yaml and the surfaces that moved."""
+    """Writes the input of a realisation as a project that `geomesh` can mesh: project.yaml and the surfaces that moved."""
     os.makedirs(os.path.join(folder, "surfaces"), exist_ok=True)
     node = study.project.with_absolute_files(drawn.node)
     files = {}

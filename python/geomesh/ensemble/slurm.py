@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scripts of a Slurm array: each task makes some realisations, and when all have ended a last job collects."""
+"""Writes scripts for a Slurm array: each task runs some realisations, and after all have ended a last job collects the
+results."""
 import os
 import shlex
 import sys
 
 from .store import write_whole
 
-MOST_TASKS = 1000  # Slurm's MaxArraySize is 1001 where nothing else is configured
+MOST_TASKS = 1000  # Slurm's MaxArraySize is 1001 by default
 
 
 def write_scripts(study, directory, per_task):
@@ -35,7 +36,7 @@ def _head(study, folder, log):
 
 
 def _program():
-    """How this was called: the program geomesh where it was it, else this interpreter."""
+    """Returns how this was called: the program geomesh if it was used, else this interpreter."""
     program = os.environ.get("GEOMESH_PROGRAM")
     if program:
         return shlex.quote(os.path.abspath(program)) + " ensemble"

@@ -12,7 +12,7 @@ _IN_ONE_FOLDER = 1000
 
 
 def write_whole(file, content):
-    """Writes beside the file, then renames: other processes see all of it or nothing."""
+    """Writes a temporary file, then renames it, so that other processes see all of it or nothing."""
     folder = os.path.dirname(file) or "."
     os.makedirs(folder, exist_ok=True)
     handle, part = tempfile.mkstemp(dir=folder, prefix=".part-")
@@ -41,7 +41,7 @@ class Store:
         write_whole(self.file(record["index"]), json.dumps(record, sort_keys=True))
 
     def get(self, index):
-        """The record, or None where there is none. UsageError where it is another study's."""
+        """Returns the record, or None if there is none. Raises UsageError if it belongs to another study."""
         try:
             with open(self.file(index), encoding="utf-8") as text:
                 record = json.load(text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The study file: what is drawn, how often, and from which project (docs/ensemble.md)."""
+"""The study file: what is drawn, how many realisations, and from which project (docs/ensemble.md)."""
 import hashlib
 import os
 from dataclasses import dataclass, field
@@ -19,7 +19,7 @@ _SURFACE_KEYS = ("shift", "tilt", "perturbation", "file", "hold")
 
 @dataclass
 class SurfaceSpec:
-    """What is drawn of one surface; see displace.Displacement."""
+    """The quantities drawn for one surface; see displace.Displacement."""
     name: str
     kind: str
     shift: Tuple = (Fixed(0.0), Fixed(0.0), Fixed(0.0))
@@ -36,7 +36,7 @@ class SurfaceSpec:
 
 @dataclass
 class GridSpec:
-    """The grid of unit probabilities: corners, and cells along x, y, z."""
+    """The grid of unit probabilities: corners, and numbers of cells along x, y, z."""
     low: Tuple
     high: Tuple
     cells: Tuple
@@ -53,9 +53,9 @@ class Study:
     realisations: int
     seed: int
     directory: str
-    mesh: object = None  # a YAML node, in place of the project's
+    mesh: object = None  # a YAML node that replaces the project's
     grid: Optional[GridSpec] = None
-    time_limit: float = 0.0  # seconds a realisation; 0: none
+    time_limit: float = 0.0  # seconds per realisation; 0: no limit
     parameters: Dict = field(default_factory=dict)
     surfaces: List[SurfaceSpec] = field(default_factory=list)
     throws: Dict = field(default_factory=dict)  # fault: distribution
@@ -64,7 +64,7 @@ class Study:
 
 
 def read_study(file):
-    """Reads and checks a study and its project. UsageError with all mistakes, each with its line."""
+    """Reads and checks a study and its project. Raises UsageError with all mistakes and their lines."""
     problems = reader.Problems(os.path.basename(file))
     node = reader.composed(file)
     if node is None:
@@ -93,7 +93,7 @@ def _project(file, given, problems):
 
 
 class _Reading:
-    """One pass over the keys; mistakes are told at its end."""
+    """Reads all keys in one pass; mistakes are reported at its end."""
 
     def __init__(self, file, given, project):
         self._file, self._given, self._project = os.path.abspath(file), given, project
@@ -249,7 +249,7 @@ class _Reading:
         if spacing is not None and spacing <= 0:
             found["spacing"].mistake("a positive length was expected")
             spacing = None
-        if spacing is None:  # about 20,000 cells of one shape, that of the box
+        if spacing is None:  # about 20,000 cells with the proportions of the box
             return tuple(max(1, round(27 * edge / (edges[0] * edges[1] * edges[2]) ** (1 / 3))) for edge in edges)
         return tuple(max(1, round(edge / spacing)) for edge in edges)
 
@@ -267,7 +267,7 @@ class _Reading:
 
 
 def _digest(file, study):
-    """Of everything that decides a realisation, but for how many there are."""
+    """Returns a hash of everything that determines a realisation, which excludes their number."""
     total = hashlib.sha256()
     with open(file, encoding="utf-8") as text:
         lines = [line for line in text if not line.startswith(("realisations:", "name:", "output:", "time_limit:", "#"))]

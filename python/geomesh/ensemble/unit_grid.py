@@ -1,22 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which unit the centre of each cell of a grid lies in, and how often over all realisations."""
+"""Determines in which unit the centre of each cell of a grid lies, and how often over all realisations."""
 import base64
 import zlib
 
 import numpy
 
 OUTSIDE = 255
-_MOST_PAIRS = 2_000_000  # of tetrahedra and cells at a time
+_MOST_PAIRS = 2_000_000  # number of pairs of tetrahedra and cells that are handled at a time
 
 
 def units_at(mesh, grid, names):
-    """uint8 of shape (nx, ny, nz): row in `names` of the unit at each cell's centre, OUTSIDE where there is none."""
+    """Returns uint8 of shape (nx, ny, nz): the row in `names` of the unit at each cell's centre, OUTSIDE if there is
+    none."""
     row_of = {region.id: names.index(region.unit) for region in mesh.regions}
     if len(names) >= OUTSIDE:
         raise ValueError("a grid of units holds %d units at most" % (OUTSIDE - 1))
     rows = numpy.array([row_of.get(i, OUTSIDE) for i in range(max(row_of) + 1)], dtype=numpy.uint8)
     spacing = numpy.array(grid.spacing())
-    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # a centre has whole coordinates
+    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # centres have integer coordinates
     found = numpy.full(numpy.prod(grid.cells), len(mesh.tetrahedra), dtype=numpy.int64)
     for start, end in _batches(points, mesh.tetrahedra, grid.cells):
         _mark(points[mesh.tetrahedra[start:end]], start, grid.cells, found)
@@ -25,7 +26,7 @@ def units_at(mesh, grid, names):
 
 
 def _ranges(corners, cells):
-    """First and last index of the centres in the box of each tetrahedron, along each axis."""
+    """Returns the first and last index of the centres in the box of each tetrahedron, along each axis."""
     low = numpy.ceil(corners.min(axis=1) - 1e-9).astype(numpy.int64)
     high = numpy.floor(corners.max(axis=1) + 1e-9).astype(numpy.int64)
     return numpy.maximum(low, 0), numpy.minimum(high, numpy.array(cells) - 1)
@@ -43,7 +44,8 @@ def _batches(points, tetrahedra, cells):
 
 
 def _mark(corners, first, cells, found):
-    """Least tetrahedron (counted from `first`) that holds each centre, so that a centre on a face has one answer."""
+    """Returns the smallest tetrahedron (counted from `first`) that contains each centre, so that the result is unique
+    for a centre on a face."""
     low, high = _ranges(corners, cells)
     extent = numpy.maximum(high - low + 1, 0)
     counts = numpy.prod(extent, axis=1)
@@ -73,7 +75,7 @@ def _is_inside(corners, tet, place):
 
 
 def packed(units):
-    """Short text of a grid of units."""
+    """Encodes a grid of units as short text."""
     return base64.b64encode(zlib.compress(numpy.ascontiguousarray(units).tobytes(), 6)).decode()
 
 
@@ -82,7 +84,7 @@ def unpacked(text, cells):
 
 
 class Probability:
-    """Counts of units at cells over realisations."""
+    """Counts units at cells over realisations."""
 
     def __init__(self, grid):
         self._grid = grid
@@ -100,7 +102,7 @@ class Probability:
         return self.counts[name] / float(self.n) if name in self.counts else numpy.zeros(self._grid.cells)
 
     def entropy(self, names):
-        """Of the units at each cell, in bits: 0 where all realisations agree."""
+        """Returns the entropy of the units at each cell in bits: 0 where all realisations agree."""
         total = numpy.zeros(self._grid.cells)
         for name in names:
             p = self.of(name)
@@ -109,7 +111,7 @@ class Probability:
 
 
 def vti_text(grid, arrays):
-    """A VTK image of cell arrays, compressed; bytes."""
+    """Returns a compressed VTK image of cell arrays as bytes."""
     parts, blocks, offset = [], [], 0
     for name, values in arrays:
         raw = numpy.asarray(values, dtype="<f4").transpose(2, 1, 0).tobytes()  # x runs first

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A value of the study file: a number, a parameter's name, or a distribution."""
+"""A value in the study file: a number, a parameter's name, or a distribution."""
 from . import reader
 from .draws import Fixed, Lognormal, Normal, Pick, Reference, Triangular, Uniform
 
@@ -7,7 +7,7 @@ _KINDS = ("normal", "uniform", "triangular", "lognormal", "pick")
 
 
 def read_value(entry, parameters):
-    """The distribution of an entry; Fixed(0) and a mistake where there is none."""
+    """Returns the distribution of an entry; Fixed(0), after reporting a mistake, if there is none."""
     if entry.is_map():
         return _distribution(entry)
     if entry.is_list():
@@ -37,7 +37,7 @@ def _distribution(entry):
 
 
 def _numbers(entry, n, fits, expected):
-    """The entry's numbers where they are as expected; None where they are not, which has been told."""
+    """Returns the entry's numbers if they are as expected; otherwise reports a mistake and returns None."""
     values = entry.numbers(n)
     if values is not None and not fits(*values):
         entry.mistake(expected + " was expected")

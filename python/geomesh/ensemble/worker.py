@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A process of the pool: takes indices from its standard input, one a line, and answers with one line when a result is stored.
+"""A process of the pool: reads indices from its standard input, one per line, and prints one line when a result is
+stored.
 
 It ends when its input does, so that it does not outlive a driver that was killed.
 """
@@ -13,7 +14,7 @@ from .study import read_study
 
 
 def run_one(study, realiser, store, index):
-    """Stores the result of one realisation, and the input of one that failed."""
+    """Stores the result of one realisation, and the input if it failed."""
     record, drawn = realiser.result(index)
     if record["status"] == "failed" and drawn is not None:
         write_input(study, drawn, store.failure_folder(index))
@@ -22,9 +23,9 @@ def run_one(study, realiser, store, index):
 
 
 def main(study_file, directory, digest):
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the driver's to handle
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the driver handles it
     answers = os.fdopen(os.dup(1), "w")
-    os.dup2(2, 1)  # what a library prints does not mix with the answers
+    os.dup2(2, 1)  # output of libraries must not be mixed with the answers
     study = read_study(study_file)
     realiser, store = Realiser(study), Store(directory, digest)
     for line in sys.stdin:

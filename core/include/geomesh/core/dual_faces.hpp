@@ -11,13 +11,13 @@
 namespace geomesh {
 
 struct DualFace {
-  VertexIndex a, b;  ///< the edge, a < b
-  double area;       ///< with sign; see voronoi_dual.hpp
+  VertexIndex a, b;  ///< ends of the edge, a < b
+  double area;       ///< signed area; see voronoi_dual.hpp
 };
 
-/// In the order of the edges. The volume of the dual cell of a vertex is the sum of area times length over six of its
-/// edges; all of them together are the volume of the mesh. Tetrahedra positive. O(n log n); takes about six bytes a
-/// tetrahedron.
+/// Returns the faces in the order of the edges. The volume of the dual cell of a vertex is the sum of area times length
+/// over six of its edges; the sum over all vertices is the volume of the mesh. Tetrahedra must be positive. O(n log n);
+/// takes about six bytes per tetrahedron.
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use);
 

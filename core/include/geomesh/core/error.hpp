@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Typed errors that carry the offending items. Thrown by any room, caught once, in app/, and mapped to an exit status.
+/// Typed errors that carry the offending items. They are thrown anywhere, caught once, in app/, and mapped to an exit
+/// status.
 #pragma once
 
 #include <array>
@@ -13,36 +14,36 @@
 
 namespace geomesh {
 
-/// What went wrong, by who can mend it; each kind has one exit status of the command line.
+/// Classes of errors by who can correct them; each has one exit status of the command line.
 enum class ErrorKind {
-  usage = 2,          ///< command line or project file (a missing file, an unknown key, an option not offered)
-  invalid_input = 3,  ///< the data given are broken (NaN, crossing facets where crossings are refused, ...)
-  cannot_mesh = 4,    ///< valid or repaired input that cannot be meshed as asked (nothing enclosed, too thin, ...)
+  usage = 2,          ///< command line or project file (a missing file, an unknown key, an unsupported option)
+  invalid_input = 3,  ///< invalid data (NaN, crossing facets where crossings are not allowed, ...)
+  cannot_mesh = 4,    ///< valid or repaired input that cannot be meshed as requested (nothing enclosed, too thin, ...)
   interrupted = 130,  ///< the cancel token was set
 };
 
-/// A part of an unfinished mesh and the constraints there, so that the place where meshing ended can be looked at.
+/// A part of an unfinished mesh and the constraints there, so that the place where meshing failed can be viewed.
 struct MeshExcerpt {
   std::vector<Vec3> points;
   std::vector<Tetrahedron> tetrahedra;  ///< positive at their exact places, which are rounded in `points`
-  std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh is to have
-  std::vector<Index> facet;             ///< per triangle: facet of the PLC
+  std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh should contain
+  std::vector<Index> facet;             ///< facet of the PLC, for each triangle
   std::vector<std::array<VertexIndex, 2>>
-      segments;                       ///< segments, parts of them and edges of facets that the mesh is to have
-  std::vector<VertexIndex> culprits;  ///< vertices of the items in trouble
+      segments;                       ///< segments, parts of segments and edges of facets that the mesh should contain
+  std::vector<VertexIndex> culprits;  ///< vertices of the items that caused the error
 };
 
-/// Places and items an error speaks of, for messages and for dumps. All lists may be empty.
+/// Places and items to which an error refers, for messages and for dumps. All lists may be empty.
 struct ErrorContext {
   std::vector<Index> facets;                        ///< facets of the PLC / soup, or triangles of a surface
   std::vector<Index> segments;                      ///< segments of the PLC
   std::vector<VertexIndex> vertices;                ///< vertices of the PLC
-  std::vector<Vec3> places;                         ///< coordinates of the trouble, the most telling first
-  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< what the mesh looks like there; null where there was none yet
+  std::vector<Vec3> places;                         ///< coordinates of the problem, the most relevant first
+  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh at this place; null if there was none yet
 };
 
-/// The one exception type of geomesh. `what()` is a sentence that a user of the program understands: what is wrong,
-/// where, what to do about it.
+/// The only exception type for errors that a user can correct. `what()` is a sentence that a user of the program
+/// understands: what is wrong, where, and what to do about it.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message, ErrorContext context = {})
@@ -55,7 +56,7 @@ class Error : public std::runtime_error {
   ErrorContext context_;
 };
 
-/// An invariant of ours does not hold: our bug, never the user's (exit 1).
+/// A violated invariant: a bug of geomesh, never a mistake of the user (exit status 1).
 class InternalError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -68,7 +69,7 @@ namespace detail {
 }  // namespace geomesh
 
 /// Checks by cost. CHECK: constant time, always on. EXPENSIVE_CHECK: linear or worse, only in builds with
-/// GEOMESH_EXPENSIVE_CHECKS (the debug preset). Both name the invariant and throw InternalError.
+/// GEOMESH_EXPENSIVE_CHECKS (the debug preset). Both report the invariant and throw InternalError.
 #define GEOMESH_CHECK(invariant) \
   ((invariant) ? static_cast<void>(0) : ::geomesh::detail::fail_check(#invariant, __FILE__, __LINE__))
 #ifdef GEOMESH_EXPENSIVE_CHECKS

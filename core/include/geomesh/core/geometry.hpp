@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Plain geometric value types shared by every room of the core.
+/// Plain geometric value types used throughout the core.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace geomesh {
 
-/// A point or vector in the written frame: doubles, elevation up, in the unit of the model.
+/// A point or vector in doubles, elevation up, in the unit of the model.
 struct Vec3 {
   double x = 0, y = 0, z = 0;
   constexpr double operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
@@ -47,16 +47,16 @@ struct Box3 {
   }
 };
 
-/// The sign of an exactly evaluated expression. What decides topology is always one of these.
+/// The sign of an exactly evaluated expression. All decisions on topology are based on such signs.
 enum class Sign : int { negative = -1, zero = 0, positive = 1 };
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
 constexpr Sign operator*(Sign a, Sign b) { return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b)); }
 
-/// Row of a vertex in a point array. `no_vertex` where there is none.
+/// Row of a vertex in a point array; `no_vertex` if there is none.
 using VertexIndex = std::uint32_t;
 inline constexpr VertexIndex no_vertex = 0xFFFFFFFFu;
 
-/// Index of anything else (segment, facet, region ...), `no_index` where there is none.
+/// Index of anything else (segment, facet, region ...); `no_index` if there is none.
 using Index = std::uint32_t;
 inline constexpr Index no_index = 0xFFFFFFFFu;
 

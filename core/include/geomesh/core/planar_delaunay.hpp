@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Delaunay triangulation in a plane, by the same base, the same two predicates and the same perturbation as in space.
+/// Delaunay triangulation in a plane, with the same base class, the same two predicates and the same perturbation as in
+/// space.
 #pragma once
 
 #include <span>
@@ -11,15 +12,16 @@
 
 namespace geomesh {
 
-/// The whole convex hull, ghost cells included.
+/// The triangulation of the whole convex hull, including ghost cells.
 struct DelaunayTriangulation {
-  TriMesh mesh;  ///< vertex ids are rows of the points given
+  TriMesh mesh;  ///< vertex ids are rows of the given points
   std::vector<VertexIndex>
-      representative;  ///< per point: itself, or the first point with equal coordinates (which alone is in the mesh)
+      /// For each point: itself, or the first point with equal coordinates (only that one is in the mesh).
+      representative;
 };
 
-/// Triangles turn left. Throws Error{invalid_input} on unsafe coordinates, Error{cannot_mesh} where all points lie on
-/// one line.
+/// Triangles are counter-clockwise. Throws Error{invalid_input} for unsafe coordinates, Error{cannot_mesh} if all
+/// points lie on one line.
 DelaunayTriangulation delaunay_triangulation(std::span<const Vec2> points);
 
 }  // namespace geomesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The piecewise linear complex: what the engine is asked to mesh.
+/// The piecewise linear complex: the input of the engine.
 #pragma once
 
 #include <array>
@@ -24,12 +24,12 @@ struct PiecewiseLinearComplex {
   std::vector<Vec3> points;
 
   /// Facet f has the loops loop_offsets[facet_loops[f]] .. facet_loops[f+1]; the first is its outer boundary, the
-  /// others are holes. Loop l has the vertices loop_vertices[loop_offsets[l]] .. loop_offsets[l+1]. A triangle soup is
-  /// the case of one loop of three.
+  /// others are holes. Loop l has the vertices loop_vertices[loop_offsets[l]] .. loop_offsets[l+1]. In a triangle soup
+  /// each facet has one loop of three vertices.
   std::vector<VertexIndex> loop_vertices;
   std::vector<Index> loop_offsets{0};
   std::vector<Index> facet_loops{0};
-  /// Row in `provenance_sets` (which input surfaces this facet stands for); parallel to facets.
+  /// Row in `provenance_sets` (the input surfaces to which this facet belongs); parallel to facets.
   std::vector<Index> facet_provenance;
   std::vector<std::vector<Index>> provenance_sets;
 
@@ -37,12 +37,12 @@ struct PiecewiseLinearComplex {
     Index facet;
     VertexIndex a, b;
   };
-  std::vector<FacetSegment> facet_segments;  ///< segments in the inside of a facet
+  std::vector<FacetSegment> facet_segments;  ///< segments in the interior of a facet
   struct FacetPoint {
     Index facet;
     VertexIndex v;
   };
-  std::vector<FacetPoint> facet_points;  ///< isolated vertices in the inside of a facet
+  std::vector<FacetPoint> facet_points;  ///< isolated vertices in the interior of a facet
 
   struct Segment {
     VertexIndex a, b;
@@ -71,7 +71,7 @@ struct PiecewiseLinearComplex {
     loop_vertices.insert(loop_vertices.end(), t.begin(), t.end());
     return finish_facet(provenance);
   }
-  /// Loops in the order outer, holes.
+  /// Adds a facet; loops are in the order outer, holes.
   Index add_polygon(std::span<const std::vector<VertexIndex>> loops, Index provenance = no_index) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
       loop_vertices.insert(loop_vertices.end(), loops[i].begin(), loops[i].end());
@@ -91,12 +91,12 @@ struct PiecewiseLinearComplex {
 
 /// One fault of a PLC.
 struct PlcFault {
-  std::string message;  ///< names the items and, where it helps, the place
+  std::string message;  ///< describes the items and, if useful, the place
   ErrorContext context;
 };
 
-/// Lists every structural fault (indices, coordinates, equal points, degenerate or repeated facets, segments of no
-/// length). Whether facets cross is not searched for here: recovery cannot miss it, and tells. O(n log n).
+/// Lists all structural faults (indices, coordinates, equal points, degenerate or repeated facets, segments of zero
+/// length). Crossing facets are not searched here, because recovery detects and reports them. O(n log n).
 std::vector<PlcFault> validate_plc(const PiecewiseLinearComplex& plc);
 
 }  // namespace geomesh

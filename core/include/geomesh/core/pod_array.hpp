@@ -12,8 +12,8 @@ namespace geomesh {
 
 namespace detail {
 /// Resizes a block to `bytes` keeping its first `used` bytes; the block starts at a cache line. Large blocks grow in
-/// place where the system can remap pages, and ask for huge pages. `raw` is the handle to keep, the aligned start is
-/// returned. bytes == 0 releases. Throws std::bad_alloc.
+/// place if the system can remap pages, and request huge pages. `raw` is the handle that the caller stores; the aligned
+/// start is returned. bytes == 0 releases the block. Throws std::bad_alloc.
 void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes);
 }  // namespace detail
 
@@ -50,7 +50,7 @@ class PodArray {
   void reserve(std::size_t n) {
     if (n > capacity_) set_capacity(n);
   }
-  /// Size at least n; new items are not initialised. Amortised constant time an item.
+  /// Increases the size to at least n; new items are not initialised. Amortised constant time per item.
   void grow_to(std::size_t n) {
     if (n > capacity_) set_capacity(n + n / 2 + 16);
     if (n > size_) size_ = n;

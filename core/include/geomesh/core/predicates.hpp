@@ -4,13 +4,15 @@
 /// orientation), in 2D and 3D, exact for all finite doubles whose exponents `exponents_are_safe` accepts.
 ///
 /// Convention (one for the whole project): `orient3d(a,b,c,d)` is the sign of det[b-a, c-a, d-a]. It is positive for a
-/// tetrahedron in VTK order: (a,b,c) appear counter-clockwise from d. `orient2d(a,b,c)` is positive where they turn
-/// left. `in_sphere(a,b,c,d,e)` is positive where e is strictly inside the sphere through the positively oriented
+/// tetrahedron in VTK order: (a,b,c) appear counter-clockwise from d. `orient2d(a,b,c)` is positive if they are
+/// counter-clockwise. `in_sphere(a,b,c,d,e)` is positive if e is strictly inside the sphere through the positively
+/// oriented
 /// a,b,c,d.
 ///
 /// Ties are broken by a symbolic perturbation of the lifted height |p|^2, not of the coordinates, so that no flat
 /// simplex is ever made. It is ordered by the vertices' coordinates (lexicographic x, y, z): the greater the point, the
-/// greater its perturbation. So it does not depend on numbering and is the same in 2D, in a facet's plane and in 3D.
+/// greater its perturbation. It therefore does not depend on numbering and is the same in 2D, in a facet's plane and in
+/// 3D.
 /// Source: Devillers and Teillaud 2011, "Perturbations for Delaunay and weighted Delaunay 3D triangulations",
 /// section 4.
 #pragma once
@@ -21,34 +23,35 @@
 
 namespace geomesh {
 
-/// Exact. Zero where the three points are collinear.
+/// Returns the exact sign of the area; zero if the three points are collinear.
 Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
-/// Exact. Zero where the four points are coplanar.
+/// Returns the exact sign of the volume; zero if the four points are coplanar.
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// Exact, unperturbed. a,b,c must turn left.
+/// Returns the exact sign without perturbation. a,b,c must be counter-clockwise.
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-/// Exact, unperturbed. a,b,c,d must be positively oriented.
+/// Returns the exact sign without perturbation. a,b,c,d must be positively oriented.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// As in_circle / in_sphere with the symbolic perturbation: never zero for distinct points. d (e) may not equal another
-/// argument.
+/// Like in_circle / in_sphere with the symbolic perturbation: never zero for distinct points. d (e) must not equal
+/// another argument.
 Sign in_circle_perturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign in_sphere_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Coplanar in-circle of points in space, perturbed as in 3D: whether d is inside the circle of a,b,c. All four are
-/// exactly coplanar and a,b,c are not collinear. Independent of the orientation of a,b,c. Agrees with
-/// in_sphere_perturbed: let a facet's points be exactly coplanar and the facet be present in the Delaunay
-/// tetrahedralization. Then it equals the 2D Delaunay triangulation under this test.
+/// Coplanar in-circle test of points in space, perturbed as in 3D: returns whether d is inside the circle of a,b,c. All
+/// four are exactly coplanar and a,b,c are not collinear. Independent of the orientation of a,b,c. Agrees with
+/// in_sphere_perturbed: if a facet's points are exactly coplanar and the facet is present in the Delaunay
+/// tetrahedralization, it equals the 2D Delaunay triangulation under this test.
 Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// True where a, b, c are exactly collinear.
+/// Returns true if a, b, c are exactly collinear.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The total order behind the perturbation: -1, 0, 1 as a is less than, equal to, greater than b in x, then y, then z.
+/// The total order behind the perturbation: returns -1, 0, 1 if a is less than, equal to, greater than b in x, then y,
+/// then z.
 int compare_lexicographic(const Vec3& a, const Vec3& b);
 
-/// True where every nonzero coordinate is finite and no product of the exact path can over- or underflow. The limits on
-/// the magnitudes are stated in the implementation and in docs. Callers refuse other input.
+/// Returns true if all nonzero coordinates are finite and no product of the exact computation can over- or underflow.
+/// The limits on the magnitudes are stated in the implementation and in the documents. Callers reject other input.
 bool exponents_are_safe(std::span<const Vec3> points);
 
 }  // namespace geomesh

@@ -11,11 +11,14 @@
 
 namespace geomesh {
 
-/// Each is 0 for a flat tetrahedron and largest for the regular one.
+/// Each measure is 0 for a flat tetrahedron and largest for the regular one.
 enum class QualityMeasure : std::uint8_t {
-  dihedral,  ///< least sine of the six dihedral angles, obtuse ones weighted down; 0.943 for the regular tetrahedron
+  /// Least sine of the six dihedral angles, with obtuse ones weighted down; 0.943 for the regular tetrahedron.
+  dihedral,
   radius_ratio,  ///< 3 * inscribed radius / circumscribed radius; 1 for the regular tetrahedron
-  mean_ratio,  ///< mean ratio to the power 3/2: volume over cubed root mean square of the edges; 1 for the regular one
+  /// Mean ratio to the power 3/2: volume divided by the cubed root mean square of the edges; 1 for the regular
+  /// tetrahedron.
+  mean_ratio,
 };
 
 /// Name of each measure in project files, on the command line and in reports, in the order of the enumeration.
@@ -26,7 +29,7 @@ constexpr std::string_view name_of(QualityMeasure measure) {
   return quality_measure_names[static_cast<std::size_t>(measure)];
 }
 
-/// The measure of that name; nothing where there is none.
+/// Returns the measure with that name; nothing if there is none.
 constexpr std::optional<QualityMeasure> quality_measure_of(std::string_view name) {
   for (std::size_t k = 0; k < n_quality_measures; ++k)
     if (quality_measure_names[k] == name) return static_cast<QualityMeasure>(k);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Parts of a mesh, refined and improved each on its own, with all of their borders and surfaces kept.
+/// Refines and improves parts of a mesh separately, with all of their borders and surfaces kept.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@
 
 namespace geomesh {
 
-/// Tetrahedra with what of them stays. Faces without a neighbour stay too, with their points, without being listed.
+/// Tetrahedra with the items that must be kept. Faces without a neighbour, and their points, are kept too without being
+/// listed.
 struct TetrahedraPart {
   std::vector<Vec3> points;
-  std::vector<std::uint8_t> is_kept;  ///< by point: not 0 where it stays
+  std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it is kept
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<Index> component;                        ///< by tetrahedron: what SizeField::at takes
-  std::vector<Triangle> kept_faces;                    ///< faces with tetrahedra on both sides that stay
-  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges of no kept face that stay
-  /// By tetrahedron: not 0 where its shape was mended before. Its points and faces stay until the others are refined;
-  /// points are put into it where it is larger than asked. Empty: nowhere, as in the result.
+  std::vector<Index> component;                        ///< for each tetrahedron: the argument of SizeField::at
+  std::vector<Triangle> kept_faces;                    ///< faces with tetrahedra on both sides that are kept
+  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges that are kept and belong to no kept face
+  /// For each tetrahedron: not 0 if its shape was repaired before. Its points and faces are kept until the others are
+  /// refined; points are added inside it if it is larger than the target size. Empty, as in the result: none.
   std::vector<std::uint8_t> is_settled;
 };
 
-/// Refines to the sizes where the options say so, then improves. Points inside that do not stay have no say where they
-/// are refined. Those that stay are first in the result, in their order. Of the options, `refine`, `quality`,
-/// `quality_measure`, `max_elements` and `time_budget` are followed.
-///
-/// Preconditions: every tetrahedron is positive; components differ across kept faces alone. Throws as
-/// refine_and_improve, and InternalError where what was to stay has not.
+/// Refines to the sizes if the options say so, then improves. Inner points that are not kept have no influence where
+/// they are refined. Kept points come first in the result, in their order. Of the options, only `refine`, `quality`,
+/// `quality_measure`, `max_elements` and `time_budget` are used. Preconditions: every tetrahedron is positive;
+/// components differ only across kept faces. Throws as refine_and_improve, and InternalError if something that must be
+/// kept was not.
 RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
                              const RunContext& context = {});
 

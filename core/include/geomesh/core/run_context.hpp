@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a stage talks to its caller: log sink, progress callback, stage observer, cancel token. The core prints nothing
-/// itself.
+/// Communication of a stage with its caller: log sink, progress callback, stage observer, cancel token. The core itself
+/// prints nothing.
 #pragma once
 
 #include <atomic>
@@ -16,14 +16,14 @@ namespace geomesh {
 
 enum class LogLevel { debug, info, warning };
 
-/// Passed by reference through every stage. All members are optional; an empty context runs silently on all cores.
-/// The callbacks are called from the thread that called the stage, never concurrently.
+/// The context of a run, passed by reference through every stage. All members are optional; an empty context runs
+/// silently on all cores. The callbacks are called from the thread that called the stage, never concurrently.
 struct RunContext {
   std::function<void(LogLevel, std::string_view)> log;
-  /// (done, total) of the running stage in items of that stage; total 0 where it is not known.
+  /// Called with (done, total) of the running stage in items of that stage; total is 0 if it is not known.
   std::function<void(std::size_t done, std::size_t total)> progress;
-  /// A stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine improve verify
-  /// write.
+  /// Called when a stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine
+  /// improve verify write.
   std::function<void(std::string_view stage, bool begins)> stage;
   const std::atomic<bool>* cancel = nullptr;
   unsigned threads = 0;  ///< 0: all cores
@@ -34,13 +34,13 @@ struct RunContext {
   void report(std::size_t done, std::size_t total) const {
     if (progress) progress(done, total);
   }
-  /// Call at least a few times a second; throws Error{interrupted} once the token is set.
+  /// Must be called at least a few times a second; throws Error{interrupted} once the token is set.
   void check_cancelled() const {
     if (cancel && cancel->load(std::memory_order_relaxed)) throw Error(ErrorKind::interrupted, "interrupted");
   }
 };
 
-/// Marks the extent of a stage for the observer, exception-safe.
+/// Reports the begin and the end of a stage to the observer, also in case of an exception.
 class StageScope {
  public:
   StageScope(const RunContext& context, std::string_view name) : context_(context), name_(name) {

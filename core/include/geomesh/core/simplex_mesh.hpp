@@ -14,8 +14,8 @@
 ///           \|/
 ///            v1
 ///
-/// Ghost cells: each hull face carries one cell whose vertex is `infinite_vertex` (in any position); its orientation is
-/// that which it would have with a point outside the hull beyond that face in that position. So every cell has D+1
+/// Ghost cells: each hull face has one cell whose vertex is `infinite_vertex` (in any position); its orientation is the
+/// one it would have with a point outside the hull beyond that face in that position. Therefore every cell has D+1
 /// neighbours and the complex is a topological sphere.
 ///
 /// A neighbour is a `FaceRef`: 4 * cell + index of the shared face in that cell (in 2D too), so that the mirror face is
@@ -42,9 +42,9 @@ namespace geomesh {
 inline constexpr VertexIndex infinite_vertex = 0xFFFFFFFEu;
 
 using CellIndex = std::uint32_t;
-inline constexpr CellIndex no_cell = 0x3FFFFFFFu;  ///< so that 4 * cell + face always fits 32 bits
+inline constexpr CellIndex no_cell = 0x3FFFFFFFu;  ///< chosen so that 4 * cell + face always fits in 32 bits
 
-/// A face seen from one of its two cells.
+/// A face as seen from one of its two cells.
 struct FaceRef {
   std::uint32_t code = 0xFFFFFFFFu;
   constexpr FaceRef() = default;
@@ -56,17 +56,17 @@ struct FaceRef {
   friend constexpr bool operator==(FaceRef, FaceRef) = default;
 };
 
-/// face_vertices[i]: local indices of face i, counter-clockwise seen from vertex i (3D).
+/// face_vertices[i]: local indices of face i, counter-clockwise as seen from vertex i (3D).
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> face_vertices{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 /// The six edges of a tetrahedron as pairs of local vertices.
 inline constexpr std::array<std::array<std::uint8_t, 2>, 6> edge_vertices{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// D+1 vertices and D+1 neighbours a cell, recycled slots, one byte of flags. No coordinates: those live with the
-/// caller.
+/// The cells of a mesh: D+1 vertices and D+1 neighbours for each, recycled slots, one byte of flags. Coordinates are
+/// stored by the caller.
 ///
-/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because a walk and a cavity
-/// read both. Flags are an array of their own.
+/// A cell's vertices and neighbours share one record (32 bytes in 3D, half a cache line), because walks and cavities
+/// read both. Flags are in a separate array.
 template <int Dim>
 class SimplexMesh {
   static_assert(Dim == 2 || Dim == 3);
@@ -80,12 +80,12 @@ class SimplexMesh {
     CellNeighbors neighbors;
   };
 
-  /// Slots, live and free. Iterate cells as `for (c = 0; c < n_slots(); ++c) if (is_live(c))`.
+  /// Number of slots, live and free. Iterate over cells with `for (c = 0; c < n_slots(); ++c) if (is_live(c))`.
   CellIndex n_slots() const { return static_cast<CellIndex>(cells_.size()); }
   CellIndex n_live() const { return n_slots() - static_cast<CellIndex>(free_.size()); }
   bool is_live(CellIndex c) const { return cells_[c].vertices[0] != no_vertex; }
   bool is_ghost(CellIndex c) const { return ghost_index(c) >= 0; }
-  /// Position of the infinite vertex in c, or -1.
+  /// Returns the position of the infinite vertex in c, or -1.
   int ghost_index(CellIndex c) const {
     for (int i = 0; i <= Dim; ++i)
       if (cells_[c].vertices[i] == infinite_vertex) return i;
@@ -97,7 +97,7 @@ class SimplexMesh {
   FaceRef mirror(FaceRef f) const { return cells_[f.cell()].neighbors[f.face()]; }
   FaceRef neighbor(CellIndex c, unsigned i) const { return cells_[c].neighbors[i]; }
   CellIndex neighbor_cell(CellIndex c, unsigned i) const { return cells_[c].neighbors[i].cell(); }
-  /// Local index of vertex v in c; c must have it.
+  /// Returns the local index of vertex v in c, which must contain it.
   unsigned index_of(CellIndex c, VertexIndex v) const {
     for (unsigned i = 0; i <= static_cast<unsigned>(Dim); ++i)
       if (cells_[c].vertices[i] == v) return i;
@@ -108,7 +108,7 @@ class SimplexMesh {
   std::uint8_t flags(CellIndex c) const { return flags_[c]; }
   std::uint8_t& flags(CellIndex c) { return flags_[c]; }
 
-  /// A slot from the free list, else a new one; flags zero, neighbours invalid.
+  /// Returns a slot from the free list, else a new one; its flags are zero, its neighbours invalid.
   CellIndex add_cell(const CellVertices& v) {
     CellIndex c;
     if (!free_.empty()) {
@@ -128,7 +128,7 @@ class SimplexMesh {
     cells_[c].vertices[0] = no_vertex;
     free_.push_back(c);
   }
-  /// Undoes the last free_cell, of c, but for its vertices.
+  /// Undoes the last free_cell, which was that of c, except for its vertices.
   void take_back_freed(CellIndex c) {
     GEOMESH_CHECK(!free_.empty() && free_.back() == c);
     free_.pop_back();
@@ -150,25 +150,25 @@ class SimplexMesh {
     free_.clear();
   }
 
-  /// @name For builders that fill slots themselves
-  /// @{
+  /// @name For algorithms that fill slots themselves @{
   Cell* cells() { return cells_.data(); }
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }
   std::size_t capacity() const { return cells_.capacity(); }
-  /// Makes slots up to n. The new ones are neither initialised nor on the free list. Fill them, or mark them with
-  /// `vertices[0] = no_vertex` and let `compact` drop them.
+  /// Adds slots up to n. The new ones are neither initialised nor on the free list. They must be filled, or marked with
+  /// `vertices[0] = no_vertex` and removed by `compact`.
   void grow_to(std::size_t n) {
     GEOMESH_CHECK(n <= no_cell);
     cells_.grow_to(n);
     flags_.grow_to(n);
   }
-  /// Drops the slots from n on, which must not be live nor on the free list.
+  /// Removes the slots from n on, which must be neither live nor on the free list.
   void drop_slots_from(std::size_t n) {
     cells_.truncate(n);
     flags_.truncate(n);
   }
-  /// Moves the last live cells into the slots that are not live, in order, and drops the rest: no free slot is left.
+  /// Moves the last live cells into the slots that are not live, in order, and removes the rest, so that no slot is
+  /// free.
   void compact() {
     CellIndex hole = 0, last = n_slots();
     for (;; ++hole) {

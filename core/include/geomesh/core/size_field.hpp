@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The size that elements are asked to have, as a function of place.
-///
-/// The field is h(x) = clamp(min(global, caps, callback(x), min_i(s_i + g_i max(0, |x - p_i| - r_i)))): point sources
-/// with size s_i that holds within a radius r_i and grows with the gradation g_i beyond. So it is Lipschitz with the
-/// greatest of these where caps and callback are. Evaluated exactly (no background mesh, no interpolation) by branch
-/// and bound over a kd-tree of the sources: near-logarithmic.
+/// The target size of elements as a function of position. The field is h(x) = clamp(min(global, caps, callback(x),
+/// min_i(s_i + g_i max(0, |x - p_i| - r_i)))): point sources have a size s_i that is constant within a radius r_i and
+/// grows with the gradation g_i beyond. The field is therefore Lipschitz continuous with the greatest g_i if caps and
+/// callback are. It is evaluated exactly (no background mesh, no interpolation) by branch and bound over a kd-tree of
+/// the sources, in nearly logarithmic time.
 #pragma once
 
 #include <functional>
@@ -17,12 +16,12 @@
 
 namespace geomesh {
 
-/// A place near which a size is asked.
+/// A place near which a size is requested.
 struct SizeSource {
   Vec3 point;
   double size = 0;
-  double radius = 0;     ///< the size holds unchanged within this distance
-  double gradation = 0;  ///< growth beyond; 0: the field's
+  double radius = 0;     ///< the size is constant within this distance
+  double gradation = 0;  ///< growth beyond the radius; 0: that of the field
 };
 
 class SizeField {
@@ -32,37 +31,39 @@ class SizeField {
     double min_size = 0;
     double max_size = std::numeric_limits<double>::infinity();
     double gradation = 0.3;                         ///< growth of the size per unit of distance; positive
-    std::vector<double> component_size;             ///< per component; 0 or missing: none asked
-    std::function<double(const Vec3&)> background;  ///< optional; a value that is not positive asks for nothing
+    std::vector<double> component_size;             ///< for each component; 0 or missing: none
+    std::function<double(const Vec3&)> background;  ///< optional; a value that is not positive requests nothing
   };
 
   SizeField() = default;
   /// Sources that others make redundant are dropped. O(n log n).
   SizeField(std::vector<SizeSource> sources, Limits limits);
 
-  /// Size asked at a place of a component (no_index: of none).
+  /// Returns the target size at a place in a component (no_index: in none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// The same, sooner, where no size up to `enough` matters: those come out as at most that.
+  /// Returns the same, but faster, for callers that do not distinguish sizes up to `enough`: for those any value up to
+  /// `enough` may be returned.
   double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
-  /// The same, sooner, where the size at a place q nearby is known. It is sooner again where no size beyond `at_most`
-  /// matters: those come out as at least that.
+  /// Returns the same, but faster, if the size at a place q nearby is known. It is faster again if sizes above
+  /// `at_most` need not be distinguished: for those any value of at least `at_most` may be returned.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;
-  /// By which sizes differ at most, a unit of distance; infinity where they may jump.
+  /// Returns the largest difference of sizes per unit of distance; infinity if they may jump.
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// All sizes asked times a factor; where they hold and how they grow stays. Powers of two do not round.
+  /// Returns the field with all sizes multiplied by a factor; radii and gradations are unchanged. Powers of two do not
+  /// round.
   SizeField times(double factor) const;
-  /// Those that are left, each with its gradation. With the same limits they make the same field.
+  /// Returns the remaining sources, each with its gradation. With the same limits they define the same field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 
  private:
   struct Node {
     Box3 box;
-    double least = 0;           ///< least size of a source below
-    double widest = 0;          ///< largest radius of a source below
-    double gradation = 0;       ///< least of a source below
+    double least = 0;           ///< least size of a source below this node
+    double widest = 0;          ///< largest radius of a source below this node
+    double gradation = 0;       ///< least gradation of a source below this node
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };
@@ -75,7 +76,7 @@ class SizeField {
   Limits limits_;
   std::vector<SizeSource> sources_;
   std::vector<Node> nodes_;
-  double steepest_ = 0;  ///< gradation of a source
+  double steepest_ = 0;  ///< largest gradation of a source
 };
 
 }  // namespace geomesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How far places and triangles are from a surface.
+/// Distances of places and triangles from a surface.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace geomesh {
 
-/// Point of the triangle nearest to p. Corners may be equal. O(1).
+/// Returns the point of the triangle nearest to p. Corners may be equal. O(1).
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 
-/// A surface of triangles, searched by boxes. Triangles may have no area. For one thread.
+/// A surface of triangles with a search by boxes. Triangles may have zero area. Not thread-safe.
 class SurfaceDistance {
  public:
   /// O(n log n).
@@ -24,12 +24,12 @@ class SurfaceDistance {
   SurfaceDistance& operator=(SurfaceDistance&&) noexcept;
 
   bool empty() const;
-  /// The nearest point of the surface, which is not empty. O(log n).
+  /// Returns the nearest point of the surface, which must not be empty. O(log n).
   Vec3 closest(const Vec3& p) const;
-  /// The row of the triangle on which that point is; of several the same one each time. O(log n).
+  /// Returns the row of the triangle with that point; if there are several, always the same one. O(log n).
   Index closest_triangle(const Vec3& p) const;
-  /// Whether all of the triangle is proven to be within the limit of the surface, and not at samples only. False where
-  /// a point of it is not, and where that was not decided. A millionth of the limit is left for rounding.
+  /// Returns whether all of the triangle, and not only samples of it, is proven to be within the limit of the surface.
+  /// False if a point of it is not, or if this was not decided. A millionth of the limit is reserved for rounding.
   bool is_within(const std::array<Vec3, 3>& triangle, double limit) const;
 
  private:

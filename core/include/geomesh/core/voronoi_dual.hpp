@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The Voronoi dual of a mesh as finite volumes use it: an area for each edge.
+/// The Voronoi dual of a mesh for finite volumes: an area for each edge.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,16 @@ namespace geomesh {
 
 struct VoronoiDual {
   std::size_t edges = 0;
-  std::size_t negative = 0;            ///< edges whose dual area is below zero by more than rounding
-  std::size_t negative_on_border = 0;  ///< of these, edges of the mesh's boundary
-  double least = 0;                    ///< the least dual area over the square of its edge's length; 0 for no edges
+  std::size_t negative = 0;            ///< number of edges whose dual area is below zero by more than rounding
+  std::size_t negative_on_border = 0;  ///< number of these that are on the mesh's boundary
+  double least = 0;  ///< least dual area divided by the squared length of its edge; 0 if there are no edges
 };
 
-/// The dual area of an edge is that of the polygon through the circumcentres of the tetrahedra about it, with sign. It
-/// goes from face circumcentre to face circumcentre; on the boundary it ends in the faces. It is not negative inside a
-/// Delaunay mesh; at the boundary it is not where circumcentres do not lie beyond it. In doubles: "negative" is below
-/// -1e-12 of the squared length of the edge. Tetrahedra positive. O(n log n).
+/// Measures the dual areas of a mesh. The dual area of an edge is the signed area of the polygon through the
+/// circumcentres of the tetrahedra around it, passing through the circumcentres of the faces; on the boundary it ends
+/// in the faces. It is not negative inside a Delaunay mesh, nor at the boundary if no circumcentre lies beyond it.
+/// Computed in doubles: "negative" means below -1e-12 of the squared length of the edge. Tetrahedra must be positive.
+/// O(n log n).
 VoronoiDual measure_voronoi_dual(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
 
 }  // namespace geomesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The lane kernels for any processor: lane_kernels_body.hpp compiled with the instructions of the rest.
+// The lane kernels for any processor: lane_kernels_body.hpp compiled with the default instructions.
 #include "delaunay/kernels/lane_kernels_body.hpp"
 
 namespace geomesh::detail {

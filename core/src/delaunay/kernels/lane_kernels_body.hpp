@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Bodies of the lane kernels; each lane_kernels_*.cpp compiles them for one instruction set, with internal linkage.
-/// Nothing here calls an inline function with external linkage, of which the linker might keep the version for the
-/// wrong machine.
+/// Nothing here calls an inline function with external linkage, because the linker might keep its version for the wrong
+/// machine.
 ///
 /// Lanes are IEEE doubles without contraction, whatever the registers, so all versions compute the same bits.
 #pragma once
@@ -10,7 +10,7 @@
 #include "delaunay/kernels/lane_kernels.hpp"
 #include "predicates/filters.hpp"
 
-#pragma GCC diagnostic ignored "-Wpsabi"  // all functions on vectors are inlined: no vector crosses a call
+#pragma GCC diagnostic ignored "-Wpsabi"  // all functions on vectors are inlined: no vector is passed in a call
 
 namespace geomesh {
 namespace {
@@ -24,7 +24,7 @@ static_assert(alignof(Lanes) == alignof(double) && alignof(Indices) == alignof(s
 
 #define GEOMESH_INLINE [[gnu::always_inline]] inline
 
-/// Bit i is the sign bit of lane i.
+/// Returns a number whose bit i is the sign bit of lane i.
 GEOMESH_INLINE unsigned signs(Mask m) {
 #if defined(__AVX__)
   return static_cast<unsigned>(__builtin_ia32_movmskpd256(reinterpret_cast<Lanes>(m)));
@@ -41,19 +41,19 @@ GEOMESH_INLINE unsigned signs(Mask m) {
 
 GEOMESH_INLINE Lanes greater(Lanes u, Lanes v) { return u > v ? u : v; }
 
-/// The greatest lane, in all lanes.
+/// Returns the greatest lane, in all lanes.
 GEOMESH_INLINE Lanes greatest(Lanes v) {
   const Lanes pairs = greater(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
   return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
 }
 
-/// At least the square root, at most 1.07 times it: half the exponent, the mantissa as if it were linear.
+/// Returns at least the square root and at most 1.07 times it: half the exponent, with the mantissa treated as linear.
 GEOMESH_INLINE Lanes root_bound(Lanes v) {
   using Words __attribute__((vector_size(32), aligned(8), may_alias)) = unsigned long long;
   return reinterpret_cast<Lanes>((reinterpret_cast<Words>(v) + 0x3FF0000000000000ull) >> 1);
 }
 
-/// Four points from p, a point a lane, with squared lengths; `tag` holds their ids and places.
+/// Four points relative to p, one per lane, with squared lengths; `tag` contains their ids and places.
 struct FourPoints {
   Lanes x, y, z, w;
   Mask tag;
@@ -63,7 +63,7 @@ GEOMESH_INLINE Lanes load(const PointRecord* points, VertexIndex v) {
   return *reinterpret_cast<const Lanes*>(points + v);
 }
 
-/// A cell as eight words: vertices, then neighbours.
+/// Returns a cell as eight words: vertices, then neighbours.
 GEOMESH_INLINE const std::uint32_t* words(const TetMesh::Cell& cell) {
   return reinterpret_cast<const std::uint32_t*>(&cell);
 }
@@ -82,25 +82,25 @@ GEOMESH_INLINE FourPoints four_points(const PointRecord* points, const VertexInd
   return r;
 }
 
-/// Lanes whose points are not owned.
+/// Returns the lanes whose points are not owned.
 GEOMESH_INLINE unsigned foreign(Mask tag, Ownership owned) {
   const Mask place = tag >> 48 & 0xFFFF;
   return signs((place - owned.first) | ((owned.end - 1) - place));
 }
 
-/// Lane i: vertex k of face i, in the order of face_vertices.
+/// Lane i is vertex k of face i, in the order of face_vertices.
 GEOMESH_INLINE Lanes face_r(Lanes u) { return __builtin_shufflevector(u, u, 1, 0, 0, 0); }
 GEOMESH_INLINE Lanes face_s(Lanes u) { return __builtin_shufflevector(u, u, 3, 2, 3, 1); }
 GEOMESH_INLINE Lanes face_t(Lanes u) { return __builtin_shufflevector(u, u, 2, 3, 1, 2); }
 
-/// The bound on a determinant of degree 3 or 5 whose points are no further than the root of w. Where they are within
-/// the exact reach the determinant is exact.
+/// Returns the error bound of a determinant of degree 3 or 5 whose points are no farther than the root of w. If they
+/// are within the exact reach, the determinant is exact.
 GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
   return w > exact_reach * exact_reach ? degree : Lanes{};
 }
 
-// Not checked by the thread sanitizer. Whole records are loaded, and with them a number that another part may be
-// writing to one of its points. That number is not looked at.
+// Excluded from the thread sanitizer: whole records are loaded, including a number that another part may be writing.
+// That number is not used.
 #if defined(__SANITIZE_THREAD__)
 #define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
 #else
@@ -131,8 +131,8 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
       inside = signs(det < -error) == 0xFu;
       break;
     }
-    // Through the face with the largest determinant, if that is certain: on uniform points 6.5 steps, through the first
-    // face 6.9.
+    // Leaves through the face with the largest determinant, if that is certain: 6.5 steps on uniform points, instead of
+    // 6.9 through the first face.
     const unsigned farthest = signs(det >= greatest(det)) & beyond;
     c = cell[4 + __builtin_ctz(farthest != 0 ? farthest : beyond)] >> 2;
   }
@@ -141,13 +141,13 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
   return inside;
 }
 
-/// Determinants, and what they may be off by at most.
+/// Determinants and their error bounds.
 struct FilteredLanes {
   Lanes det, error;
 };
 
-/// Lane i: the in-sphere determinant of p and the neighbour over face i of the cell q. That neighbour's vertex off the
-/// face is lane i of e. Positive: p is inside.
+/// Lane i is the in-sphere determinant of p and the neighbour across face i of the cell q. The apex of that neighbour
+/// is lane i of e. Positive: p is inside.
 GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e, double reach) {
   const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y),
               sz = face_s(q.z);
@@ -164,7 +164,8 @@ GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e,
   return {det, error};
 }
 
-/// Appends the faces of the cell over which it is `closed`; room for four is there. Returns the number of faces then.
+/// Appends the faces of the cell across which it is `closed`; there must be room for four. Returns the new number of
+/// faces.
 GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
                                         std::size_t n_faces) {
   const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
@@ -179,7 +180,8 @@ GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned clos
   return n_faces;
 }
 
-/// How many cells ahead the neighbours of a waiting cell are fetched; two to four measure alike, none costs a tenth.
+/// How many cells ahead the neighbours of a waiting cell are prefetched; two to four are equally fast, without
+/// prefetching a tenth slower.
 constexpr std::size_t look_ahead = 4;
 
 GEOMESH_WHOLE_RECORDS
@@ -202,7 +204,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
       cavity = lists.cells, faces = lists.faces;
     }
     const TetMesh::Cell& cell = cells[cavity[k]];
-    CellIndex next[4];  // four different cells: no two cells share two faces
+    CellIndex next[4];  // four different cells, because no two cells share two faces
     VertexIndex apex[4];
     std::uint8_t flag[4];
     unsigned open = 0;
@@ -233,7 +235,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
 #pragma GCC unroll 4
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned taken = conflict >> i & 1u;
-      // Flags of other cells are not even rewritten: they may be read by another part.
+      // Flags of other cells are not rewritten even with the same value, because another part may read them.
       *(taken ? flags + next[i] : &unused) = static_cast<std::uint8_t>(flag[i] | mark);
       cavity[n_cells] = next[i];
       n_cells += taken;

@@ -41,18 +41,19 @@ class CellQuality {
     rules_->append_gradients(face, p, limit, out);
   }
 
-  /// The weight of a cell in a sum over many: its shape, reduced below 12 degrees, so that few slivers are made to
-  /// improve many others.
+  /// Returns the weight of a cell in a sum over many: its shape, reduced below 12 degrees, so that few slivers are not
+  /// accepted in exchange for improving many others.
   double worth(double shape) const { return shape < poor_ ? poor_weight * shape - (poor_weight - 1) * poor_ : shape; }
-  /// The shape that stands for a limit given as a dihedral angle in degrees: that of the sliver with this least angle.
+  /// Returns the shape that corresponds to a limit given as a dihedral angle in degrees: that of the sliver with this
+  /// least angle.
   double of_angle(double degrees) const { return rules_->of_angle(degrees); }
   /// The shape of_angle(bad_angle).
   double bad() const { return bad_; }
 
-  /// The shape of the regular tetrahedron, or a little more. No cell is better.
+  /// Returns the shape of the regular tetrahedron, or slightly more. No cell is better.
   double largest() const { return largest_; }
-  /// Upper bound of the shape of the worse of two cells that share the dihedral angle that cell (a, b, x, y) has at its
-  /// edge (x, y); also of half of the sum of their worths. NaN if a face has no area.
+  /// Returns an upper bound of the shape of the worse of two cells that share the dihedral angle that cell (a, b, x, y)
+  /// has at its edge (x, y); also of half of the sum of their worths. NaN if a face has no area.
   double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
     constexpr double rounding = 1e-6;
     const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);

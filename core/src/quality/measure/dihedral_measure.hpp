@@ -20,22 +20,23 @@ namespace geomesh::remesh {
 
 struct DihedralMeasure {
   static constexpr QualityMeasure id = QualityMeasure::dihedral;
-  static constexpr double largest = 0.94281;        ///< of the regular tetrahedron, and a little for rounding
-  static constexpr double poor = 0.2079;            ///< sin 12 degrees; see CellQuality::worth
+  static constexpr double largest = 0.94281;  ///< value of the regular tetrahedron, slightly enlarged for rounding
+  static constexpr double poor = 0.2079;      ///< sin 12 degrees; see CellQuality::worth
   static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
 
-  /// Value for an acute angle in degrees.
+  /// Returns the value for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
-  /// No cell with this dihedral angle, of at most 90 degrees, is better. Concave in the angle.
+  /// Returns the best value of cells with this dihedral angle, which is at most 90 degrees. Concave in the angle.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
-  /// Value of a positive cell. Squares are compared, so that one root is enough.
+  /// Returns the value of a positive cell. Squares are compared, so that one root is enough.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// Gradient with respect to the apex. Each factor of the least sine contributes its own logarithmic derivative.
+  /// Returns the gradient with respect to the apex. Each factor of the least sine contributes its own logarithmic
+  /// derivative.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);
@@ -63,7 +64,7 @@ struct DihedralMeasure {
   static void append_gradients(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out);
 
  private:
-  /// Squares of the weighted sines over the determinant's, by edge, and the least of them.
+  /// Computes the squares of the weighted sines divided by the determinant's, by edge, and the least of them.
   template <class Real>
   struct Squares {
     Real ia, ib, ic, pa, pb, pc, ab, bc, ca, least;

@@ -15,10 +15,10 @@ namespace geomesh::remesh {
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< by corner and coordinate
-  Lanes normal[3];     ///< inward, of length twice the area
-  Lanes inverse;       ///< one over the squared length of the normal
+  Lanes normal[3];     ///< inward normal, whose length is twice the area
+  Lanes inverse;       ///< reciprocal of the squared length of the normal
   Lanes squared[3];    ///< lengths of the edges ab, bc, ca
-  Lanes share;         ///< 1; 0 in lanes that repeat a face to fill the last four
+  Lanes share;         ///< 1; 0 in lanes that repeat a face to fill the last group of four
 };
 
 /// The loops over a link, for one measure and one instruction set.
@@ -30,7 +30,7 @@ struct LinkKernels {
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
   /// Returns the sum of CellQuality::worth; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);
-  /// Gradient with respect to p, which must make all cells positive.
+  /// Returns the gradient with respect to p, which must make all cells positive.
   Vec3 (*gradient_of_sum)(const FourFaces* faces, std::size_t n_fours, const Vec3& p);
 };
 

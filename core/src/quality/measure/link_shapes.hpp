@@ -37,7 +37,7 @@ class LinkShapes {
     return kernels_->sum_of_worths(fours_.data(), n_fours(), p, floor);
   }
   Vec3 gradient_of_sum(const Vec3& p) const { return kernels_->gradient_of_sum(fours_.data(), n_fours(), p); }
-  /// Shapes by face, followed by up to three more values. Valid until the next call.
+  /// Returns shapes by face, followed by up to three more values. Valid until the next call.
   const std::vector<double>& shapes(const Vec3& p) const {
     shapes_.resize(4 * n_fours());
     kernels_->shapes(fours_.data(), n_fours(), p, shapes_.data());

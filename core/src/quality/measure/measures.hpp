@@ -21,26 +21,26 @@ double value_of_sliver(double degrees);
 /// the mean ratio does, is linear in the volume, and takes no cube root.
 struct MeanRatioMeasure {
   static constexpr QualityMeasure id = QualityMeasure::mean_ratio;
-  static constexpr double largest = 1 + 1e-9;  ///< of the regular tetrahedron, and a little for rounding
-  static constexpr double poor = 0.1925;       ///< of the sliver of 12 degrees; see CellQuality::worth
+  static constexpr double largest = 1 + 1e-9;  ///< value of the regular tetrahedron, slightly enlarged for rounding
+  static constexpr double poor = 0.1925;       ///< value of the sliver of 12 degrees; see CellQuality::worth
 
   static double of_angle(double degrees) { return value_of_sliver<MeanRatioMeasure>(degrees); }
 
-  /// No cell with the dihedral angle is better. The best cell with the angle at an edge of length 2u is symmetric: its
-  /// other vertices have the distance x from the edge's middle. Then 3 volume = u x^2 sin, and the squares sum to
-  /// 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 the sum is least where u^3 = q / 4.
+  /// Returns the best value of cells with the dihedral angle. The best cell with the angle at an edge of length 2u is
+  /// symmetric: its other vertices have the distance x from the edge's midpoint. Then 3 volume = u x^2 sin, and the sum
+  /// of the squares is 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 the sum is least if u^3 = q / 4.
   static double most_with_angle(double sine, double cosine) {
     return std::numbers::sqrt2 * sine / (1.5 - 0.5 * cosine);
   }
 
-  /// Value of a positive cell.
+  /// Returns the value of a positive cell.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     const Real s = sum_of_squares(base, t);
     return all<Real>(12 * std::numbers::sqrt3) * t.det / (s * root(s));
   }
 
-  /// Gradient with respect to the apex, given the value.
+  /// Returns the gradient with respect to the apex, given the value.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Vectors<Real> volume = times(1 / t.det, base.normal), edges = plus(plus(t.a, t.b), t.c);
@@ -63,7 +63,7 @@ struct RadiusRatioMeasure {
 
   static double of_angle(double degrees) { return value_of_sliver<RadiusRatioMeasure>(degrees); }
 
-  /// Follows from radius ratio <= (mean ratio)^(3/4) (Liu and Joe 1994). It is not the least bound, but concave.
+  /// Follows from radius ratio <= (mean ratio)^(3/4) (Liu and Joe 1994). It is not the least upper bound, but concave.
   static double most_with_angle(double sine, double cosine) {
     return std::sqrt(MeanRatioMeasure::most_with_angle(sine, cosine));
   }
@@ -92,7 +92,7 @@ struct RadiusRatioMeasure {
   }
 
  private:
-  /// The vector from the apex to the centre of the circumscribed sphere, times 2 det, reversed.
+  /// Returns the vector from the apex to the centre of the circumscribed sphere, reversed and multiplied by 2 det.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> centre(const Apex<Real>& t) {
     return plus(plus(times(product(t.a, t.a), t.na), times(product(t.b, t.b), t.nb)), times(product(t.c, t.c), t.nc));
@@ -125,14 +125,14 @@ template <class Measure>
 double value_of_sliver(double degrees) {
   constexpr double cosine_of_regular = 1.0 / 3;
   const double cosine = std::max(std::cos(degrees * std::numbers::pi / 180), cosine_of_regular);
-  const double half = 0.25 * std::sqrt(1 / cosine - 1);  // of the distance between the two edges, whose length is 1
+  const double half = 0.25 * std::sqrt(1 / cosine - 1);  // distance between the two edges, whose length is 1
   return shape_of_cell<Measure>({-0.5, 0, -half}, {0.5, 0, -half}, {0, 0.5, half}, {0, -0.5, half});
 }
 
 template <class... Measures>
 struct MeasureList {
   static constexpr std::size_t size = sizeof...(Measures);
-  /// Makes Make<Measure>::entry of each measure.
+  /// Collects Make<Measure>::entry of each measure in a table.
   template <class Entry, template <class> class Make>
   static constexpr std::array<Entry, size> table() {
     return {Make<Measures>::entry...};

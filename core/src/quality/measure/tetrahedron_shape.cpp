@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Angles and ratios of one tetrahedron, declared in geomesh/core/quality.hpp.
+// Computes angles and ratios of one tetrahedron, declared in geomesh/core/quality.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ struct Turned {
   double degrees() const { return std::atan2(sine, cosine) * degrees_per_radian; }
 };
 
-/// Normals of the faces, of length twice the area.
+/// Returns the inward normals of the faces, whose length is twice the area.
 std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
@@ -32,7 +32,7 @@ std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// `n` are inward_normals(p), or more careful ones. The volume is computed from the first corner.
+/// `n` are inward_normals(p), or more accurate ones. The volume is computed from the first corner.
 TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
   TetrahedronShape s{};
   const Vec3 &a = p[0], &b = p[1], &c = p[2], &d = p[3];
@@ -53,8 +53,8 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
     squares += length * length;
-    // The angle from its sine and cosine, both scaled by the lengths of the normals. Accurate for flat and for sharp
-    // angles.
+    // Computes the angle from its sine and cosine, both scaled by the lengths of the normals. Accurate for flat and for
+    // sharp angles.
     s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees_per_radian;
     if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
     s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
@@ -62,7 +62,8 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
   }
   if (!(det > 0)) return s;
   for (unsigned i = 0; i < 4; ++i) {
-    // Girard: the excess of the angles of a spherical triangle, which are the dihedral angles at the three edges.
+    // Girard's theorem: the solid angle is the excess of the angles of a spherical triangle, which are the dihedral
+    // angles at the three edges.
     const auto& [e, f, g] = edges_at[i];
     s.solid_angle[i] = std::max(0.0, s.dihedral[e] + s.dihedral[f] + s.dihedral[g] - 180);
   }
@@ -97,20 +98,20 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 namespace {
 
-/// The row of the edge between two corners.
+/// Returns the row of the edge between two corners.
 unsigned edge_between(unsigned i, unsigned j) {
   unsigned e = 0;
   while (!(edge_vertices[e][0] == std::min(i, j) && edge_vertices[e][1] == std::max(i, j))) ++e;
   return e;
 }
 
-/// As inward_normals, but each by the two shorter edges of its face: products of long edges would lose the area of a
-/// needle.
+/// Like inward_normals, but each is computed from the two shorter edges of its face, because products of long edges
+/// would lose the area of a needle.
 std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
-    unsigned first = 0;  // opposite to the longest edge
+    unsigned first = 0;  // opposite the longest edge
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       if (const double edge = distance(p[f[(k + 1) % 3]], p[f[(k + 2) % 3]]); edge > longest) {
@@ -123,7 +124,7 @@ std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// The volume of corners of which some are much nearer to each other than to the rest, computed from the one with the
+/// For corners of which some are much closer to each other than to the rest: computes the volume from the one with the
 /// shortest edges.
 TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   constexpr std::array<std::array<unsigned, 4>, 4> even_orders{
@@ -146,8 +147,8 @@ TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   return s;
 }
 
-/// Share of the cube of the longest edge. Below it, rounding could decide the sign of six volumes computed from any
-/// corner.
+/// Share of the cube of the longest edge below which rounding could decide the sign of six times the volume, computed
+/// from any corner.
 constexpr double needle_share = 1e-9;
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace geomesh::remesh {
 
-/// Functions that the language offers for doubles alone. Specialised for lanes in lanes.hpp.
+/// Functions that the language provides only for doubles. Specialised for lanes in lanes.hpp.
 template <class Real>
 struct Arithmetic;
 
@@ -64,7 +64,7 @@ template <class Real>
 GEOMESH_INLINE Vectors<Real> normal_to(const Vectors<Real>& u, const Vectors<Real>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
-/// Lane by lane: u where the mask is set, v elsewhere.
+/// Selects lane by lane: u where the mask is set, v elsewhere.
 template <class Mask, class Real>
 GEOMESH_INLINE Vectors<Real> choose(const Mask& mask, const Vectors<Real>& u, const Vectors<Real>& v) {
   return {mask ? u.x : v.x, mask ? u.y : v.y, mask ? u.z : v.z};
@@ -78,8 +78,8 @@ GEOMESH_INLINE Vectors<Real> place(const Vec3& p) {
 template <class Real>
 struct Base {
   Vectors<Real> corner[3];
-  Vectors<Real> normal;  ///< inward, of length twice the area
-  Real inverse;          ///< one over the squared length of the normal
+  Vectors<Real> normal;  ///< inward normal, whose length is twice the area
+  Real inverse;          ///< reciprocal of the squared length of the normal
   Real squared[3];       ///< lengths of the edges ab, bc, ca
 };
 
@@ -89,8 +89,8 @@ GEOMESH_INLINE Base<Real> base_of(const Vectors<Real>& a, const Vectors<Real>& b
   return {{a, b, c}, n, 1 / product(n, n), {product(u, u), product(v, v), product(w, w)}};
 }
 
-/// A cell as seen from its apex p: vectors to the corners of the base, outward normals of the faces beside it (na on
-/// the face without a), six times the volume.
+/// A cell as seen from its apex p: vectors to the corners of the base, outward normals of the faces at the apex (na is
+/// on the face without a), six times the volume.
 template <class Real>
 struct Apex {
   Vectors<Real> a, b, c, na, nb, nc;

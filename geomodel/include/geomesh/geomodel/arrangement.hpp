@@ -31,11 +31,12 @@ enum class SoupVertexKind : std::uint8_t { input, intersection, triple_point };
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<SoupVertexKind> kind;
-  std::vector<Index> input_point;  ///< per point: row in the concatenated points of the input surfaces (first of equal
-                                   ///< ones), else no_index
+  /// Per point: row in the concatenated points of the input surfaces (the first of equal ones), or no_index for points
+  /// that were added.
+  std::vector<Index> input_point;
 
   std::vector<Triangle> facets;
-  /// One origin of a facet. `reversed`: the facet's orientation is opposite to that triangle's.
+  /// One input triangle of which a facet is a part. `reversed`: the facet is oriented opposite to that triangle.
   struct Origin {
     Index surface, triangle;
     bool reversed;
@@ -46,7 +47,7 @@ struct PolygonSoup {
   std::vector<Origin> origins;
   std::vector<Index> origin_offsets{0};
 
-  /// Pieces of polylines (wells); `polyline` is the row in the input.
+  /// Pieces of polylines (wells). `polyline` is the row of the polyline in the input.
   struct Segment {
     VertexIndex a, b;
     Index polyline;
@@ -59,27 +60,30 @@ struct PolygonSoup {
   std::vector<IsolatedPoint> isolated_points;
 };
 
-/// Where something of note was seen, for messages, for the report and for the VTP of offending spots.
+/// A place where the arrangement found or changed something, for messages, the report and the VTP file of such places.
 struct Spot {
   std::string what;  ///< "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged",
                      ///< "vanished", "clipped", ...
   Index surface_a = no_index, surface_b = no_index;
-  std::size_t count = 0;  ///< pairs of triangles, edges ...
-  double measure = 0;     ///< area (m2) or length (m) where that makes sense
+  std::size_t count = 0;  ///< number of pairs of triangles, edges or other items found at this place
+  double measure = 0;     ///< area (m2) or length (m) of what was found, for kinds that have one
   Vec3 place;
-  double area = 0;  ///< crossings that should not be: area of the lesser of the two surfaces' parts beyond the other; 0
-                    ///< where nothing is parted
-  std::size_t n_pieces = 1;  ///< free borders: connected pieces
+  /// For forbidden crossings: area of the smaller of the two parts that lie beyond the other surface; 0 if nothing is
+  /// cut off.
+  double area = 0;
+  std::size_t n_pieces = 1;  ///< number of connected pieces of free borders
 };
-/// The spot in a geologist's words: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)".
-/// `surfaces`: those given, then the box's sides.
+/// Describes a spot for a geologist: "horizon top crosses horizon base over 0.8 km2 along 3.1 km near (x, y, z)".
+/// `surfaces` are the input surfaces followed by the sides of the box.
 std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces);
-/// What crosses what, what has gaps and what dangles, a line each.
+/// Lists which surfaces cross, have gaps or have dangling faces, one line for each.
 std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces);
 
 struct ArrangementOptions {
   std::optional<Box3>
-      box;  ///< clip to it; its sides are then surfaces n .. n+5 in the order xmin xmax ymin ymax zmin zmax
+      /// Box to which surfaces are clipped; its sides become surfaces n .. n+5 in the order xmin xmax ymin ymax zmin
+      /// zmax.
+      box;
   /// Clip to a closed volume of another shape: its sides, together closed, oriented outwards and free of crossings, are
   /// then surfaces n, n+1
   /// ... in this order. Not together with a box.
@@ -89,20 +93,20 @@ struct ArrangementOptions {
   /// Points, edges and facets nearer to each other than this are merged (0: only equal ones). The soup is proven free
   /// of crossings in any case. If not 0, at least 1024 ulps of the largest coordinate.
   double tolerance = 0;
-  /// The places that `tolerance` merges: all of them, including those near a side of the box; or those where one of two
-  /// surfaces that meet somewhere ends near the other. Faults that end beside another surface count as meeting it.
-  /// Borders that end near a side move to it. Surfaces that follow each other within a hundredth of the tolerance are
-  /// merged wherever they are near, with a warning, as are parts of one fault. Both ways move faults to edges of the
-  /// volume that they run along, and close thin voids.
+  /// Where `tolerance` merges: everywhere, including near the sides of the box; or only where one of two surfaces that
+  /// meet somewhere ends near the other. Faults that end beside another surface count as meeting it. Borders that end
+  /// near a side move to it. Surfaces that follow each other within a hundredth of the tolerance are merged wherever
+  /// they are near, with a warning, as are parts of one fault. Both ways move faults to edges of the volume that they
+  /// run along, and close thin voids.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// The part of each triangle, by surface; a surface without an entry, or with an empty one, is one part. Parts of one
   /// surface may be removed later, one without the other, so a facet that stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
-  /// By surface: rows of the walls at which its parts beyond the first end, ascending. What the walls cut off from part
-  /// 0 is removed before anything is merged. Surfaces without an entry, or with an empty one, lose nothing.
+  /// Per surface: rows of the walls at which its added parts end, ascending. Whatever those walls cut off from part 0
+  /// is removed before anything is merged. Surfaces without an entry, or with an empty one, are not cut.
   std::vector<std::vector<Index>> ends_at;
-  /// Most bytes of memory, or 0: three quarters of the machine's. Counted by step from measured sizes; if more is
-  /// needed, arrange() throws Error{cannot_mesh} with the place.
+  /// Largest memory in bytes that may be used; 0 means three quarters of the machine's memory. Each step estimates its
+  /// need from measured sizes; if it exceeds the limit, arrange() throws Error{cannot_mesh} with the place.
   std::size_t max_memory = 0;
 };
 
@@ -114,22 +118,24 @@ struct Displacement {
 
 struct ArrangementResult {
   PolygonSoup soup;
-  std::vector<TriangulatedSurface> box_sides;  ///< of the box (six) or of the requested volume; surface row n + i
+  /// Sides of the box (six) or of the given volume; side i has surface row n + i.
+  std::vector<TriangulatedSurface> box_sides;
   Displacement rounding;
-  /// The effect of merging, by `tolerance` or at places too thin for any rounding.
+  /// What merging changed, by `tolerance` or at places too thin for any rounding.
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;
-    std::size_t pockets_closed = 0;  ///< thin voids that lost one of their walls
+    std::size_t pockets_closed = 0;  ///< number of thin voids that were closed by removing one of their walls
   } merging;
-  /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, free border length
-  /// left.
+  /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, length of free border
+  /// that is left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
-  std::vector<double> area_clipped_by_rules;  ///< filled by trim_soup's caller; empty if no rule acts on the soup
+  /// Area removed per surface by the caller of trim_soup; empty if no rule acts on the soup.
+  std::vector<double> area_clipped_by_rules;
   std::vector<Spot> spots;
   std::vector<std::string> warnings;
   std::size_t n_pairs = 0, n_crossing_pairs = 0, n_rounding_rounds = 0;
-  std::size_t memory_bound = 0;  ///< bytes it might take
+  std::size_t memory_bound = 0;  ///< estimate of the memory needed, in bytes
 };
 
 /// Throws Error{invalid_input} if crossings are refused (with the pairs and places) or coordinates are not finite, and

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From the project's sizes and volume to what settling the stack and continuing surfaces need to know.
+/// Derives from the project's sizes and model volume what settling the stack and continuing surfaces need to know.
 #pragma once
 
 #include "geomesh/geomodel/model_rules.hpp"
@@ -9,14 +9,15 @@
 
 namespace geomesh::geomodel {
 
-/// Fills rules.stack: tolerance and outline, and the least size asked of the model, of horizons of the column and
-/// inside its units. Leaves it without a tolerance where surfaces are kept exactly, and without an outline where there
-/// is no volume: nothing is settled then.
+/// Fills rules.stack: the tolerance, the outline of the model, and the smallest target size of the model, on the
+/// horizons of the column and inside their units. If surfaces are kept exactly no tolerance is set, and without a
+/// volume no outline; in both cases nothing is settled.
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume);
 
-/// Fills rules.continuation. A horizon is continued over the size asked there, since triangles of that size cannot tell
-/// such a gap, or over a twentieth of the volume's shorter side in the map, whichever is more. A fault that ends inside
-/// is more often meant: it is continued over the lesser of the two. `rules.continue_within` takes the place of both.
+/// Fills rules.continuation. A horizon is continued across gaps up to the target size there, because triangles of that
+/// size cannot resolve a smaller gap, or up to a twentieth of the shorter horizontal side of the volume, whichever is
+/// more. A fault that ends inside the model is more often intended, so it is continued over the smaller of the two
+/// lengths. `rules.continue_within` replaces both.
 void ask_continuation(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From soup to PLC and from the core's result to the named mesh: patches, curves, region names, face sets.
+/// Builds the PLC from the soup, and the named mesh from the core's result: patches, curves, names of regions, sets of
+/// faces.
 #pragma once
 
 #include <functional>
@@ -26,7 +27,7 @@ struct SoupCurve {
   std::string kind;  ///< as NamedCurve::kind
 };
 
-/// The PLC with everything needed to name its result again. Points keep the rows of the soup.
+/// The PLC with everything needed to name the parts of its mesh. Points keep the rows of the soup.
 struct ModelPlc {
   PiecewiseLinearComplex plc;
   /// Facet f stands for the soup facets facet_soup[facet_soup_offsets[f]] .. [f+1], ascending, all with the same
@@ -34,8 +35,11 @@ struct ModelPlc {
   std::vector<Index> facet_soup;
   std::vector<Index> facet_soup_offsets{0};
   std::vector<Index>
-      facet_patch;  ///< per facet, from 1: maximal sets joined across edges with two facets of the same surface set
-  std::vector<SoupCurve> curves;  ///< by kind (border, fault_tip, intersection), then name; then wells in input order
+      /// Per facet, from 1: number of its patch, a maximal set of facets joined across edges that have two facets of
+      /// the same surfaces.
+      facet_patch;
+  /// Sorted by kind (border, fault_tip, intersection), then by name; wells follow in input order.
+  std::vector<SoupCurve> curves;
   /// Per segment of the PLC: rows of all its curves, ascending (a well may run along a fault's tip); the first is
   /// Segment::curve.
   std::vector<std::vector<Index>> segment_curves;
@@ -48,22 +52,23 @@ struct PlcOptions {
   bool merge_box_sides = true;
 };
 
-/// `surfaces` are the input surfaces followed by the box sides (the rows of PolygonSoup::Origin::surface). Linear but
-/// for sorting edges.
+/// `surfaces` are the input surfaces followed by the box sides (the rows of PolygonSoup::Origin::surface). Linear
+/// except for sorting edges.
 ModelPlc make_plc(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                   const std::vector<Polyline>& polylines, const PlcOptions& options = {});
 
-/// A mesh with what it was made of; all outlive it. `surfaces` as in make_plc.
+/// A mesh and the model from which it was made, all of which must outlive this record. `surfaces` as in make_plc.
 struct MeshedModel {
   const ConstrainedTetrahedralization& mesh;
   const PolygonSoup& soup;
   const ModelPlc& plc;
   const std::vector<TriangulatedSurface>& surfaces;
-  /// How far faces may be from the triangles that they stand for, but for rounding.
+  /// Largest distance, apart from rounding, between mesh faces and the input triangles that they represent.
   double moved_at_most = 0;
 };
 
-/// Units of the column, by row: from `first` to `last`, both counted. No unit where `first` is beyond `last`.
+/// Rows of units in the column from `first` to `last`, both included. The range is empty if `first` is greater than
+/// `last`.
 struct UnitRange {
   Index first = 0, last = 0;
   bool empty() const { return first > last; }
@@ -74,26 +79,34 @@ struct UnitRange {
 /// lies in, a hint, the column, else `region_1`, `region_2`, ... Among overlapping bodies the first in project order
 /// counts; unnamed regions are numbered in the order of their first input triangle.
 struct NamingRules {
-  std::vector<std::string> column{};      ///< as in Project: unit, horizon, unit, ...; empty or of odd length
-  std::vector<RegionHint> hints{};        ///< names that came with the file (GOCAD Model3d)
-  std::vector<std::string> seed_names{};  ///< by id of the PLC's region seeds
-  bool name_by_bodies = true;             ///< false: bodies are told in Region::inside only (`geomesh mesh`)
-  Index hull_surface = no_index;    ///< surface that stands for the convex hull: what it alone encloses is named `hull`
-  std::vector<NamedPoint> seeds{};  ///< own names by points
-  /// Units of the column are named by fault block, `Unit__B2`: blocks are what faults divide (regions joined across
-  /// horizons), ordered by place as regions of one name are. Nothing is added where there is one block.
+  /// As in Project: unit, horizon, unit, ...; empty if there is no column, else of odd length.
+  std::vector<std::string> column{};
+  std::vector<RegionHint> hints{};        ///< names of regions that came with the file (GOCAD Model3d)
+  std::vector<std::string> seed_names{};  ///< names of the PLC's region seeds by their ids
+  /// If false, bodies give no names to regions and appear only in Region::inside (`geomesh mesh`).
+  bool name_by_bodies = true;
+  /// Row of the surface that represents the convex hull; a region enclosed by it alone is named `hull`.
+  Index hull_surface = no_index;
+  std::vector<NamedPoint> seeds{};  ///< names that the user assigns by points inside regions
+  /// Names units of the column by fault block, for example `Unit__B2`. Blocks are the parts that faults separate
+  /// (regions joined across horizons), numbered by position in the same way as regions of one name. Nothing is added to
+  /// the name if there is only one block.
   bool fault_blocks = false;
-  /// Pieces of one unit of the column in one fault block are one region, whether they touch or not.
+  /// If set, all pieces of one unit in one fault block form one region, even if they do not touch.
   bool join_pieces = false;
-  std::string topography{};                   ///< a horizon: what lies above it is left out of the mesh
-  std::string floor{};                        ///< a horizon: what lies below it is left out of the mesh
-  std::vector<std::string> unconformities{};  ///< horizons that cut what is older (names)
-  double min_volume = 0;  ///< smaller regions are reported; merged with the neighbour across most area where asked
+  std::string topography{};  ///< horizon that is the ground: what lies above it is not meshed
+  std::string floor{};       ///< horizon that is the base of the model: what lies below it is not meshed
+  std::vector<std::string> unconformities{};  ///< names of the horizons that cut older surfaces
+  /// Regions smaller than this (m3) are reported, and merged into the neighbour with the largest common area if
+  /// requested.
+  double min_volume = 0;
   bool merge_small = false;
-  std::map<std::string, std::vector<std::string>> groups{};           ///< group: units, bodies or regions
-  std::map<std::string, std::map<std::string, double>> attributes{};  ///< unit or region: attribute: value
-  /// The column's units that the horizons as they were laid down leave at a place; several where a horizon is not
-  /// there. It is asked of components whose own faces leave several, or none: all of a horizon may be away there.
+  std::map<std::string, std::vector<std::string>> groups{};  ///< units, bodies or regions by the name of their group
+  /// Values by unit or region, then by name of the attribute.
+  std::map<std::string, std::map<std::string, double>> attributes{};
+  /// Returns the units of the column that are possible at a place by the original order of deposition of the horizons;
+  /// several where a horizon is missing. Used for components whose own faces leave several units possible, or none,
+  /// which happens if all of a horizon was removed there.
   std::function<UnitRange(const Vec3&)> units_at{};
 };
 
@@ -110,7 +123,7 @@ struct NamingRules {
 ModelMesh name_model(const MeshedModel& model, const std::vector<NamedPoint>& points, const NamingRules& rules,
                      std::vector<std::string>& warnings, unsigned threads = 1);
 
-/// Lists every fault against the invariants of ModelMesh (empty: none). Runs before anything is written.
+/// Lists all violations of the invariants of ModelMesh (empty: none). Called before anything is written.
 std::vector<std::string> validate_model_mesh(const ModelMesh& mesh, unsigned threads = 0);
 
 }  // namespace geomesh::geomodel

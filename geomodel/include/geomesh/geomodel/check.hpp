@@ -2,7 +2,7 @@
 /// @file
 /// `geomesh check`: exact verification of any tool's mesh. No code of the engine, the arrangement, the naming or the
 /// writers is used here. What is shared with the mesher (readers, coordinates, rules that add to one surface) is listed
-/// in docs/checking.md. Nothing is believed that the run under judgement wrote.
+/// in docs/checking.md. Nothing that the checked run wrote is trusted.
 ///
 /// What decides is a sign computed exactly from the doubles in the file (a floating-point filter first). The one
 /// tolerance is that of coverage, since added points lie on their facet up to rounding only: see
@@ -21,33 +21,37 @@
 namespace geomesh::geomodel {
 
 struct CheckRequest {
-  std::filesystem::path mesh;     ///< .vtu with NAME.faces.vtp beside it, or a format that is read (docs/checking.md)
+  /// A .vtu file with NAME.faces.vtp beside it, or another format that can be read (docs/checking.md).
+  std::filesystem::path mesh;
   std::filesystem::path project;  ///< empty: none
-  std::vector<std::filesystem::path> surfaces;  ///< each triangle must be covered by mesh faces
+  /// Input surfaces; each of their triangles must be covered by faces of the mesh.
+  std::vector<std::filesystem::path> surfaces;
   bool delaunay = false;
-  bool solver = false;  ///< judge what solvers will make of it (solver_verdict.hpp); velocities are the project's
+  /// Whether the mesh is also checked for what solvers need (solver_verdict.hpp), with the velocities of the project.
+  bool solver = false;
   /// How far rounding may have moved a mesh face off the input triangle that it stands for, in the mesh's unit.
-  /// Negative: 1024 ulps of the largest coordinate (what lies nearer is brought together where crossings are rounded),
+  /// Negative: 1024 ulps of the largest coordinate (features closer than that are merged when crossings are rounded),
   /// and twice the project's `tolerance`; 8 ulps for coordinates in single precision.
   double tolerance = -1;
-  /// How far surfaces may be off the input, both ways, beyond that: they were remeshed. Negative: what the project says
-  /// (`honour: tolerance`), else 0. Where it is not 0, distances, topology and volumes are judged in place of coverage.
+  /// How far remeshed surfaces may be from the input, in both directions, beyond rounding. Negative: the value of the
+  /// project (`honour: tolerance`), else 0. If it is not 0, distances, topology and volumes are checked instead of
+  /// coverage.
   double within = -1;
-  /// Whether names, curves and arrays are judged too, where there are a project and a face set.
+  /// Whether names, curves and arrays are checked too, provided that there are a project and a set of faces.
   enum class Contract { judged, passed_over } contract = Contract::judged;
 };
 
 struct CheckFault {
-  std::string id;    ///< stable name, as listed in docs/checking.md: "inverted_tetrahedra", ...
-  std::string what;  ///< one sentence with counts
+  std::string id;    ///< stable identifier as listed in docs/checking.md, for example "inverted_tetrahedra"
+  std::string what;  ///< one sentence that describes the fault, with counts
   std::size_t count = 0;
-  std::vector<std::size_t> examples;  ///< cells, faces or points, at most ten
-  Vec3 place;                         ///< of the first example
+  std::vector<std::size_t> examples;  ///< at most ten rows of cells, faces or points that have the fault
+  Vec3 place;                         ///< place of the first example of the fault
 };
 
 struct CheckResult {
   std::size_t n_points = 0, n_tetrahedra = 0;
-  double volume = 0;  ///< summed exactly, then rounded once
+  double volume = 0;  ///< volume of the mesh, summed exactly and then rounded once
   struct RegionVolume {
     std::int32_t id;
     std::string name;
@@ -55,9 +59,9 @@ struct CheckResult {
     double volume;
   };
   std::vector<RegionVolume> regions;
-  std::optional<SolverVerdict> solver;   ///< where it was asked for
-  std::vector<std::string> checks_done;  ///< what was checked, in words; and what was not, and why
-  std::vector<CheckFault> faults;        ///< empty: the mesh passes
+  std::optional<SolverVerdict> solver;   ///< result of the check for solvers, if it was requested
+  std::vector<std::string> checks_done;  ///< descriptions of what was checked, and of what was not checked and why
+  std::vector<CheckFault> faults;        ///< all faults found; if empty, the mesh passes
 };
 
 /// Collects every fault; never stops at the first. Throws Error{usage} where a file cannot be opened. Throws
@@ -65,9 +69,9 @@ struct CheckResult {
 /// ...). Near-linear in the cells, plus the triangles of the surfaces.
 CheckResult check_mesh(const CheckRequest& request);
 
-/// For a person: counts, what was checked, each fault on a line of its own, and the verdict.
+/// Returns text for a person: counts, what was checked, one line for each fault, and the verdict.
 std::string to_text(const CheckResult& result);
-/// For a program: the members of CheckResult under their own names, and "passes".
+/// Returns JSON for programs: the members of CheckResult under their own names, and "passes".
 std::string to_json(const CheckResult& result);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Fault polygons: closed lines in the map about the gap that a fault leaves in a horizon. Between its two cut-offs the
-/// nodes of a grid are interpolated and no data.
+/// Fault polygons: closed lines on the map around the gap that a fault leaves in a horizon. Between the two cut-offs
+/// the nodes of a grid are interpolated and hold no data.
 #pragma once
 
 #include <filesystem>
@@ -18,17 +18,17 @@ namespace geomesh::geomodel {
 /// points.
 FileContents read_fault_polygons(const std::filesystem::path& file);
 
-/// What was done with the polygons of one horizon.
+/// Result of applying the polygons of one horizon.
 struct PolygonCut {
-  std::vector<std::string> faults;  ///< that pass through a polygon, in the order of the surfaces
+  std::vector<std::string> faults;  ///< names of the faults that pass through a polygon, in the order of the surfaces
   std::size_t n_nodes = 0, n_triangles = 0;
   std::vector<std::string> notes, warnings;
 };
 
-/// Takes the triangles out of the horizon that meet a polygon in the map. A polygon counts where a fault passes
-/// through it at the horizon's height. Others, and those beside the horizon, are told with a place and change nothing.
-/// Points keep their rows. Cost: edges of polygons times the triangles near them, and triangles of faults times
-/// polygons.
+/// Removes the triangles of the horizon that meet a polygon in the map. A polygon is used if a fault passes through it
+/// at the horizon's height. Other polygons, and those beside the horizon, are reported with their place and change
+/// nothing. Points keep their rows. Cost: edges of polygons times the triangles near them, and triangles of faults
+/// times polygons.
 PolygonCut cut_at_polygons(TriangulatedSurface& horizon, const std::vector<Polyline>& polygons,
                            const std::vector<TriangulatedSurface>& surfaces);
 

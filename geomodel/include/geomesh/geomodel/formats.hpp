@@ -14,60 +14,63 @@ namespace geomesh::geomodel {
 
 struct RawMesh;
 
-/// What a format can hold beside tetrahedra and named regions.
+/// What a format can hold in addition to tetrahedra and named regions.
 struct FormatHolds {
   bool second_order = false;
   bool prisms = false;           ///< cohesive layers
-  bool curves = false;           ///< edges on curves, or their nodes, under names
-  bool overlapping = false;      ///< one face in several groups
-  bool names = true;             ///< in the file itself; else only in the JSON beside it
-  bool partitions = false;       ///< a file for each part
-  bool triangles_alone = false;  ///< a mesh of triangles without tetrahedra
+  bool curves = false;           ///< whether it holds edges on curves, or their nodes, under their names
+  bool overlapping = false;      ///< whether one face can belong to several groups
+  bool names = true;             ///< whether names are in the file itself, and not only in the JSON file beside it
+  bool partitions = false;       ///< whether a mesh can be divided into parts with one file each
+  bool triangles_alone = false;  ///< whether a mesh of triangles without tetrahedra can be written
 };
 
 struct Format {
   std::string name;                     ///< in `output.formats`
-  std::vector<std::string> extensions;  ///< with the dot; the first is written
-  std::string what;                     ///< for people, in a few words
+  std::vector<std::string> extensions;  ///< accepted file extensions with the dot; files are written with the first one
+  std::string what;                     ///< description of the format in a few words
   FormatHolds holds;
-  /// Files STEM + extension and what belongs to it; returns all that was written.
+  /// Writes the file STEM + extension and the files that belong to it; returns the paths of all of them.
   std::vector<std::filesystem::path> (*write)(const ModelMesh& mesh, const WriteOptions& options,
                                               const std::filesystem::path& stem);
   RawMesh (*read)(const std::filesystem::path& file);  ///< null: not read
-  /// A starter input beside the files STEM + extension, which are there; null: none.
+  /// Writes a starter input of the solver beside the mesh files with this stem, which exist already. Null if the format
+  /// has none.
   std::filesystem::path (*starter)(const ModelMesh& mesh, const std::filesystem::path& stem) = nullptr;
 };
 
-/// In the order of the documents. What was left out when the program was built is not in it.
+/// All formats that this program was built with, in the order of the documents.
 const std::vector<Format>& formats();
-/// Null where there is none.
+/// Returns the format with this name, or null if there is none.
 const Format* format_of_name(const std::string& name);
-/// The first with this extension (with the dot). Null where there is none.
+/// Returns the first format with this extension (which includes the dot), or null if there is none.
 const Format* format_of_extension(const std::string& extension);
 
-/// By the extension of a file that is there; parts of an Exodus mesh (NAME.e.N.K) too. Null where there is none.
+/// Returns the format of an existing file by its extension, including parts of an Exodus mesh (NAME.e.N.K), or null if
+/// there is none.
 const Format* format_of_file(const std::filesystem::path& file);
 
-/// The name of the format of a file after `-o`, by its extension; "html" for the report as a page. Throws Error{usage}
-/// where there is none.
+/// Returns the name of the format for a file given after `-o`, by its extension; "html" for the report as a web page.
+/// Throws Error{usage} if there is none.
 std::string format_name_of(const std::filesystem::path& output);
 
 /// Names of all formats.
 std::vector<std::string> mesh_formats();
-/// Names accepted in `output.formats`: those of meshes, and html, the report as a page.
+/// Names accepted in `output.formats`: all mesh formats, and html for the report as a web page.
 std::vector<std::string> known_formats();
 /// Extensions accepted after `-o`, with the dot.
 std::vector<std::string> known_extensions();
 
-/// Splits faults and adds midpoints as asked, then writes all files of one format with `stem` (a path without
-/// extension); returns what was written. Throws Error{usage} where the format cannot hold what the options ask for.
-/// Leaves no file of the set behind where one of them cannot be written.
+/// Splits faults and adds midpoints if requested, then writes all files of one format with `stem` (a path without
+/// extension); returns what was written. Throws Error{usage} if the format cannot hold what the options request. If one
+/// of the files cannot be written, none of them is left behind.
 std::vector<std::filesystem::path> write_format(const ModelMesh& mesh, const std::string& format,
                                                 const std::filesystem::path& stem, const WriteOptions& options = {});
 
-/// A mesh file of any tool, by extension; sets become regions, surfaces, curves and named nodes. Throws Error{usage}
-/// where the format is not read, Error{invalid_input} where the file cannot be understood. Nodes in the middle of edges
-/// that are not half-way become ModelMesh::curved_edges. `order`: becomes that of the file's elements.
+/// Reads the mesh file of any tool, chosen by extension; sets become regions, surfaces, curves and named nodes. Throws
+/// Error{usage} where the format is not read, Error{invalid_input} where the file cannot be understood. Nodes in the
+/// middle of edges that are not half-way become ModelMesh::curved_edges. `order` is set to the order of the file's
+/// elements.
 ModelMesh read_model_mesh(const std::filesystem::path& file, ElementOrder* order = nullptr);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh info`: what a file holds, and what is wrong with it, before anything is meshed.
+/// `geomesh info`: reports what a file contains and what is wrong with it, before anything is meshed.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +13,35 @@
 
 namespace geomesh::geomodel {
 
-/// One triangulated surface. Vertices with equal coordinates count as one, as they do when meshing.
+/// One triangulated surface. Vertices with equal coordinates count as one, as they do in meshing.
 struct SurfaceInfo {
   std::string name;
   std::size_t n_points = 0, n_distinct_points = 0, n_triangles = 0;
-  std::size_t n_components = 0;  ///< pieces joined through vertices
+  std::size_t n_components = 0;  ///< number of pieces that share no vertex
   Box3 bounds;
   double area = 0;
-  std::size_t n_border_edges = 0, n_borders = 0;  ///< edges of one triangle, and the closed chains that they make
+  /// Number of edges with one triangle, and of the closed chains that they form.
+  std::size_t n_border_edges = 0, n_borders = 0;
   double border_length = 0;
-  std::size_t n_non_manifold_edges = 0;   ///< edges of more than two triangles
-  std::size_t n_misoriented_edges = 0;    ///< edges whose two triangles run along them in the same direction
-  std::size_t n_degenerate = 0;           ///< triangles of exactly zero area
-  std::size_t n_repeated = 0;             ///< triangles on the same three vertices as an earlier one
-  std::size_t n_holes = 0;                ///< borders beyond the longest one of each piece
-  bool closed = false;                    ///< no border: every edge has an even number of triangles
-  double volume = 0;                      ///< enclosed, where closed and oriented alike
-  Vec3 border_place, non_manifold_place;  ///< an example of each
+  std::size_t n_non_manifold_edges = 0;   ///< number of edges with more than two triangles
+  std::size_t n_misoriented_edges = 0;    ///< number of edges whose two triangles traverse them in the same direction
+  std::size_t n_degenerate = 0;           ///< number of triangles whose area is exactly zero
+  std::size_t n_repeated = 0;             ///< number of triangles with the same three vertices as an earlier one
+  std::size_t n_holes = 0;                ///< number of borders except for the longest border of each piece
+  bool closed = false;                    ///< whether there is no border: every edge has an even number of triangles
+  double volume = 0;                      ///< enclosed volume, if the surface is closed and consistently oriented
+  Vec3 border_place, non_manifold_place;  ///< a place on a border, and a place with an edge of more than two triangles
 };
 SurfaceInfo measure_surface(const TriangulatedSurface& surface);
 
-/// A tetrahedral mesh, any tool's.
+/// A tetrahedral mesh, written by any tool.
 struct MeshInfo {
   std::size_t n_points = 0, n_tetrahedra = 0, n_other_solids = 0, n_lower_cells = 0;
   Box3 bounds;
   std::string region_array;
-  std::vector<std::string> arrays;  ///< of points and cells, with their type
+  std::vector<std::string> arrays;  ///< names of the arrays of points and cells, with their type
   double volume = 0;                ///< of all tetrahedra
-  std::size_t n_inverted = 0;       ///< tetrahedra of exactly zero or negative volume
+  std::size_t n_inverted = 0;       ///< number of tetrahedra whose volume is exactly zero or negative
   struct Region {
     std::int32_t id;
     std::string name;
@@ -70,20 +71,21 @@ struct FileInfo {
   };
   std::vector<Points> point_sets;
   std::size_t n_named_points = 0;
-  std::vector<std::string> regions;  ///< names that came with the file (GOCAD Model3d, TetGen attributes)
-  std::size_t n_facets = 0;          ///< of a PLC file
-  std::vector<MeshInfo> meshes;      ///< one for a mesh file
+  std::vector<std::string> regions;  ///< names of regions in the file (GOCAD Model3d, TetGen attributes)
+  std::size_t n_facets = 0;          ///< number of facets, for files that hold a PLC
+  std::vector<MeshInfo> meshes;      ///< the mesh in the file; empty if the file holds surfaces
   std::vector<std::string> notes, warnings;
 };
 
-/// A project's surfaces, read, built and intersected: what crosses what, over which area and where, what dangles, what
-/// has gaps. Errors as read_project, the readers and arrange.
+/// Describes a project: reads, builds and intersects its surfaces and reports which of them cross, over which area and
+/// where, which have dangling parts, and which have gaps. Throws as read_project, the readers and arrange.
 FileInfo describe_project(const std::filesystem::path& path);
-/// Project files go to describe_project. Errors as the readers'. Near-linear.
+/// Describes any file; project files are passed to describe_project. Throws as the readers. The time is nearly linear
+/// in the size.
 FileInfo describe_file(const std::filesystem::path& path);
 /// For a person.
 std::string to_text(const FileInfo& info);
-/// For a program: the members under their own names.
+/// Returns JSON for programs: the members under their own names.
 std::string to_json(const FileInfo& info);
 
 }  // namespace geomesh::geomodel

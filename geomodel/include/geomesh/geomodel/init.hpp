@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh init`: a commented project with surfaces of its own that runs as it is.
+/// `geomesh init`: writes a commented project with its own surfaces, which can be run without changes.
 #pragma once
 
 #include <filesystem>

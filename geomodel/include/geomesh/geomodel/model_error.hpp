@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Errors of a model in its own terms: the surfaces by name and the triangles by their rows as read.
+/// Errors that name the parts of a model: surfaces by name, and triangles by their rows in the input.
 #pragma once
 
 #include <string>
@@ -11,12 +11,12 @@
 
 namespace geomesh::geomodel {
 
-/// What an error speaks of. Both lists may be empty.
+/// The surfaces and triangles to which an error refers. Both lists may be empty.
 struct ModelItems {
   std::vector<std::string> surfaces;  ///< each once
   struct SourceTriangle {
     std::string surface;
-    Index row;  ///< from 0, in the surface as read or given
+    Index row;  ///< row of the triangle, from 0, in the surface as read or given
   };
   std::vector<SourceTriangle> triangles;
 

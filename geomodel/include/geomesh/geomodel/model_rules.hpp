@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. Two
-/// steps, before and after the arrangement; both say what they changed and where, with areas or lengths.
-///
-///     surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
+/// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. There are
+/// two steps, before and after the arrangement; both report what they changed and where, with areas or lengths.
+/// surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
 #pragma once
 
 #include <algorithm>
@@ -19,38 +18,39 @@
 
 namespace geomesh::geomodel {
 
-/// How a surface goes on beyond its border. The continuation is made in the map for horizons, in the mean plane for
-/// faults.
+/// How a surface is extended beyond its border. The extension is computed over the map for horizons, over the mean
+/// plane for faults.
 enum class Extend {
   none,
-  flat,     ///< each point of the border goes on at its own height (faults: at its own distance from the mean plane)
-  tangent,  ///< goes on with the mean slope near the border
-  nearest,  ///< takes the height of the nearest vertex of the surface
+  flat,  ///< each point of the border is extended at its own height (faults: at its own distance from the mean plane)
+  tangent,  ///< the extension has the mean slope of the surface near the border
+  nearest,  ///< the extension takes the height of the nearest vertex of the surface
 };
 
-/// What happens at the base of a unit, that is, at a horizon.
+/// How the base of a unit, which is a horizon, cuts other horizons.
 enum class BaseRule {
   conformable,
-  erode,  ///< the horizon cuts what is older: parts of older horizons above it go
-  onlap,  ///< what is younger ends on the horizon: parts of younger horizons below it go
+  erode,  ///< the horizon cuts what is older: parts of older horizons above it are removed
+  onlap,  ///< younger units end on the horizon: parts of younger horizons below it are removed
 };
 
-/// Where horizons cross although no rule says how.
+/// What to do where horizons cross and no rule applies.
 enum class OnCrossing {
-  leave,         ///< both stay; pockets are named with a warning
-  clip_younger,  ///< parts of the younger one below the older one go
-  clip_older,    ///< parts of the older one above the younger one go
-  error,         ///< Error{invalid_input} with both names, the area and the place
+  leave,         ///< both horizons are kept; regions between them get names, with a warning
+  clip_younger,  ///< parts of the younger horizon below the older one are removed
+  clip_older,    ///< parts of the older horizon above the younger one are removed
+  error,         ///< throws Error{invalid_input} with both names, the area and the place
 };
 
-/// The triangles of a horizon that come from one field, and on which sides of faults that field holds.
+/// The triangles of a horizon that come from one scalar field, and the sides of faults on which that field is valid.
 struct FieldPart {
-  Index end = 0;                                    ///< behind its last triangle; the first follows the part before
-  std::vector<std::pair<std::string, bool>> sides;  ///< faults, each with whether the field holds above it
-  std::optional<Vec3> block;                        ///< a place in the fault block where the field holds
-  std::string field;                                ///< its file, or "its function", for messages
-  /// A doubt tells what of the field's surface was not proven. Its warning is due if the model keeps one of the
-  /// triangles, or if one of the places lies where the field holds.
+  Index end = 0;  ///< one past the row of its last triangle; its first row is the end of the part before
+  /// Names of faults, each with whether the field is valid above (true) or below it.
+  std::vector<std::pair<std::string, bool>> sides;
+  std::optional<Vec3> block;  ///< a point in the fault block in which the field is valid
+  std::string field;          ///< name of the field in messages: its file, or "its function"
+  /// Something that could not be proven about the level set of the field. The user is warned of it only if the model
+  /// keeps one of the triangles, or if one of the places lies where the field is valid.
   struct Doubt {
     std::vector<Index> triangles;
     std::vector<Vec3> places;
@@ -60,77 +60,89 @@ struct FieldPart {
 };
 
 struct SurfaceRules {
-  Extend extend = Extend::none;  ///< to beyond the box
-  double fill_holes = 0;         ///< fill holes whose border is at most this long (m); infinity: all
-  std::string stop_at;           ///< faults: a fault or horizon where the continuation ends (`extent: to_fault NAME`)
+  Extend extend = Extend::none;  ///< how the surface is extended beyond the box
+  double fill_holes = 0;         ///< holes with a border of at most this length (m) are filled; infinity: all holes
+  /// For faults: name of the fault or horizon at which the extension ends (`extent: to_fault NAME`).
+  std::string stop_at;
   bool close_at_box =
-      true;  ///< bodies: close open ends (rooted salt) beyond the side of the box that each end is nearest to
-  /// Bodies: the surface is a sheet, and the body has two walls half of this (m) on either side of it; 0: no sheet.
+      true;  ///< for bodies: whether open ends (rooted salt) are closed beyond the side of the box nearest to each end
+  /// For bodies given as a sheet: thickness in m, half of it on either side of the surface. 0: the surface itself is
+  /// the body's boundary.
   double thickness = 0;
-  BaseRule base = BaseRule::conformable;  ///< horizons of the column
-  std::vector<std::string> cut_units;     ///< faults: units of the column that it cuts, one after the other; none: all
-  /// Horizons given block by block: faults across which it has throw. Each block's sheets are continued on their own
-  /// (`extend`, flat where none) to beyond the faults; what then lies on the other side of one of them goes.
+  BaseRule base = BaseRule::conformable;  ///< how a horizon of the column cuts other horizons
+  /// For faults: consecutive units of the column that it cuts; if empty, it cuts all.
+  std::vector<std::string> cut_units;
+  /// For horizons given block by block: names of the faults that displace the horizon. The sheets of each block are
+  /// extended (`extend`, flat if none is given) beyond these faults, and whatever then lies on the other side of one of
+  /// them is removed.
   std::vector<std::string> throw_at;
-  bool throw_auto = false;  ///< find_ramps adds faults to throw_at; without any the horizon fills its blocks
-  /// Horizons with fault polygons: faults that pass through them are added to throw_at, where that is no list.
+  /// Whether find_ramps adds faults to throw_at; if throw_at is empty then too, the horizon fills its blocks.
+  bool throw_auto = false;
+  /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
+  /// project lists none.
   bool throw_at_polygons = false;
-  /// Level sets of fields: one part a field. Those with sides or a block are cut off at the faults in throw_at.
+  /// For level sets of fields: one part for each field. Parts with sides or a block are cut off at the faults in
+  /// throw_at.
   std::vector<FieldPart> field_parts;
-  /// Level sets of fields: names of other horizons and, for faults, of faults, above or below which the field holds.
+  /// For level sets of fields: names of the surfaces above or below which the field is valid, which are horizons for
+  /// horizons, and horizons or faults for faults.
   std::vector<std::string> holds_above, holds_below;
   bool has_fault_domain() const {
     return std::any_of(field_parts.begin(), field_parts.end(),
                        [](const FieldPart& part) { return part.block || !part.sides.empty(); });
   }
-  /// The surface is continued where it stops a little short of what bounds it (ContinuationRules).
+  /// Whether the surface is continued where it ends a little short of a surface that should bound it
+  /// (ContinuationRules).
   bool continues = true;
   bool continues_by_default() const {
     return continues && (fills_blocks() || (extend == Extend::none && throw_at.empty()));
   }
-  /// In each fault block in which it has data the horizon is continued to the walls, however far they are.
+  /// Returns whether the horizon is continued to the walls of every fault block in which it has data, however far they
+  /// are.
   bool fills_blocks() const { return throw_auto && throw_at.empty(); }
   bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
-  /// Horizons with throw_at: where one runs on across a fault as a ramp, the throw is restored in its place. False: the
-  /// ramp stays.
+  /// For horizons with throw_at: whether the throw is restored where the horizon crosses a fault as a smooth ramp. If
+  /// false, the ramp is kept.
   bool cut_smeared = true;
 };
 
-/// What becomes of layers of the column that are thinner than ModelRules::min_thickness.
+/// What to do with layers of the column that are thinner than ModelRules::min_thickness.
 enum class ThinLayers {
-  keep,      ///< a warning tells where
-  collapse,  ///< the younger horizon comes down onto the older one there
-  error,     ///< Error{invalid_input} with both names, the area and the place
+  keep,      ///< they are kept, and a warning says where they are
+  collapse,  ///< the younger horizon is lowered onto the older one there
+  error,     ///< throws Error{invalid_input} with both names, the area and the place
 };
 
-/// How far surfaces without a rule of their own are continued to what bounds them.
+/// How far surfaces without rules of their own are continued to what bounds them.
 struct ContinuationRules {
-  double within_of_horizons = 0;           ///< m; 0: borders stay as they are
+  /// Greatest distance in m over which horizons are continued; 0: borders are left as they are.
+  double within_of_horizons = 0;
   double within_of_faults = 0;             ///< m
-  Box3 bounds;                             ///< of the model volume
-  std::vector<TriangulatedSurface> sides;  ///< of the model volume
+  Box3 bounds;                             ///< bounding box of the model volume
+  std::vector<TriangulatedSurface> sides;  ///< sides of the model volume
 };
 
 struct ModelRules {
-  std::optional<Box3> box;             ///< needed by extend and close_at_box
-  std::vector<SurfaceRules> surfaces;  ///< parallel to the surfaces; missing ones have the defaults
-  std::vector<std::string> column;     ///< as in Project: tells older from younger
-  std::string topography;              ///< a horizon: parts of all other surfaces above it go
-  std::string floor;                   ///< a horizon: parts of all other surfaces below it go
+  std::optional<Box3> box;  ///< model box, required by extend and close_at_box
+  /// Rules of each surface, in the order of the surfaces; missing ones have the defaults.
+  std::vector<SurfaceRules> surfaces;
+  std::vector<std::string> column;  ///< as in Project: defines which horizons are older and younger
+  std::string topography;  ///< name of the horizon that is the ground: parts of all other surfaces above it are removed
+  std::string floor;       ///< name of the horizon that is the base: parts of all other surfaces below it are removed
   OnCrossing on_crossing = OnCrossing::leave;
   /// Pieces of horizons and faults that end freely no further than this (m) from the surface that they overshoot are
-  /// removed. Those on which alone another surface ends stay. 0: none.
+  /// removed. Pieces that are the only support of another surface's end are kept. 0: nothing is removed.
   double trim_overshoot = 0;
-  double min_thickness = 0;  ///< m, along the vertical; 0: no rule
+  double min_thickness = 0;  ///< least thickness of layers in m along the vertical; 0: no limit
   ThinLayers thin_layers = ThinLayers::keep;
   StackRules stack;
-  /// `rules.continue_within` of the project, m: in place of the distances that follow from the model; negative: not
+  /// The project's `rules.continue_within` in m, which replaces the distances derived from the model; negative: not
   /// given.
   double continue_within = -1;
   ContinuationRules continuation;
 
   SurfaceRules of(std::size_t row) const { return row < surfaces.size() ? surfaces[row] : SurfaceRules{}; }
-  /// Whether any rule acts on the soup.
+  /// Returns whether any rule acts on the soup.
   bool trims() const {
     for (const SurfaceRules& rule : surfaces)
       if (!rule.stop_at.empty() || rule.base != BaseRule::conformable || !rule.cut_units.empty() || rule.has_throw() ||
@@ -140,31 +152,35 @@ struct ModelRules {
   }
 };
 
-/// Which triangles are whose, per input surface.
+/// Per surface, which of its triangles were given and which were made by rules.
 struct BuiltRows {
-  std::vector<Index> n_given_triangles;  ///< from this row on triangles were made by rule
+  /// Number of given triangles per surface; the rows after them were made by rules.
+  std::vector<Index> n_given_triangles;
   std::vector<std::vector<Index>>
-      block_of_triangle;  ///< with throw_at: from 0, or one of the two below; empty for others
-  /// Per surface: rows of the faults that part it into blocks, those of throw_at that it does not run on across.
+      /// Per surface with throw_at: number of the block of each triangle from 0, or one of the two constants below;
+      /// empty for other surfaces.
+      block_of_triangle;
+  /// Per surface: rows of the faults that divide it into blocks, which are those of throw_at across which it does not
+  /// continue.
   std::vector<std::vector<Index>> parted_at;
-  /// Per surface and block: whether it lies above each fault of parted_at; empty for surfaces without blocks.
+  /// Per surface and block: whether the block lies above each fault of parted_at; empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
-  /// Per surface and block: faults of parted_at on both sides of which the block's field holds. Empty for surfaces
-  /// without fields that hold on certain sides of faults.
+  /// Per surface and block: the faults of parted_at on both sides of which the field of the block is valid. Empty for
+  /// surfaces without fields that are restricted to certain sides of faults.
   std::vector<std::vector<std::vector<bool>>> on_both_sides;
-  /// Whether the block holds on both sides of the k-th fault of parted_at.
+  /// Returns whether the block extends to both sides of the k-th fault of parted_at.
   bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
     return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
   }
-  /// Per surface: from this row on a fault that ends inside the model was continued only to part blocks; no_index where
-  /// none was.
+  /// Per surface: row of the first triangle by which a fault that ends inside the model was extended only to separate
+  /// blocks; no_index if there is none.
   std::vector<Index> first_only_parting;
 
   /// Per surface that was continued to what bounds it: 0 for triangles given or filled in, k for those that continue
   /// its k-th run of border. Empty for others.
   std::vector<std::vector<Index>> part_of_triangle;
-  /// Per surface and part from 1: the fault block in which it continues the surface; no_index for what follows a run of
-  /// border.
+  /// Per surface and part from 1: number of the fault block in which the part continues the surface; no_index for parts
+  /// that follow a run of border.
   std::vector<std::vector<Index>> block_of_part;
   /// Per surface: rows of the surfaces at which its continuations end, ascending.
   std::vector<std::vector<Index>> continued_to;
@@ -178,8 +194,10 @@ struct BuiltRows {
                        [](const auto& part) { return !part.empty(); });
   }
 
-  static constexpr Index of_every_block = no_index;   ///< runs on beyond the end of a fault with throw
-  static constexpr Index of_no_block = no_index - 1;  ///< given, but at a fault that ends inside: made anew there
+  /// Block number of a triangle that continues beyond the tip of a fault with throw.
+  static constexpr Index of_every_block = no_index;
+  /// Block number of a given triangle at a fault that ends inside the model; the surface is remade there.
+  static constexpr Index of_no_block = no_index - 1;
   static Index n_blocks(const std::vector<Index>& block_of) {
     Index n = 0;
     for (const Index block : block_of)
@@ -191,48 +209,49 @@ struct BuiltRows {
 /// A surface that was continued to what bounds it, for the report and the page.
 struct ContinuedSurface {
   std::string name;
-  std::string walls;    ///< names of what it was continued to, with commas
+  std::string walls;    ///< comma-separated names of the surfaces up to which it was continued
   double length = 0;    ///< of border, m
   double farthest = 0;  ///< m
   Vec3 place;           ///< of the farthest
-  double area = 0;      ///< of the continuation before it is cut off at the walls, m2
+  double area = 0;      ///< area of the continuation in m2 before it is cut off at the walls
   std::size_t n_filled = 0;
-  double area_filled = 0;  ///< of gaps in it, m2
+  double area_filled = 0;  ///< area in m2 of the gaps that were filled
   Vec3 place_filled;       ///< of the largest
 };
 
 struct BuiltSurfaces {
-  /// Rows of points and triangles as given stay, and what rules add follows; but layers that collapse give their
-  /// horizons new triangles.
+  /// Given points and triangles keep their rows, and those that rules add follow; but horizons of layers that collapse
+  /// get new triangles.
   std::vector<TriangulatedSurface> surfaces;
   BuiltRows rows;
   SettledStack stack;
   std::vector<ContinuedSurface> continued;
-  /// The surfaces without what only served to part blocks: what the model is to hold before anything is trimmed.
+  /// Returns the surfaces without the parts that only separate blocks, which is what the model should contain before
+  /// anything is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
-  std::vector<std::string> notes;     ///< what each rule did, with areas
+  std::vector<std::string> notes;     ///< what each rule changed, with areas
   std::vector<std::string> warnings;  ///< rules that could not be applied, and why
 };
 
-/// Adds faults to SurfaceRules::throw_at of horizons with `throw_auto`: those that horizons run across as ramps and,
-/// where there are any, those that lie between sheets of the horizon. Notes tell. Cost: that of find_ramp for each such
-/// horizon and each fault.
+/// Adds faults to SurfaceRules::throw_at of horizons with `throw_auto`: those that the horizon crosses as a ramp and,
+/// if there are any, those that lie between separate sheets of the horizon. Notes report which. Cost: that of find_ramp
+/// for each such horizon and each fault.
 void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules, std::vector<std::string>& notes);
 
-/// Takes from SurfaceRules::throw_at of each horizon the faults that lie wholly above or below it, as given. Such a
-/// fault has no throw there, and its continuation would part the horizon. A warning tells of each.
-/// Cost: vertices of such faults times a search in the map of the horizon.
+/// Removes from SurfaceRules::throw_at of each horizon the faults that, as given, lie entirely above or below it. Such
+/// a fault does not displace the horizon, and its extension would divide it. Each is reported by a warning. Cost:
+/// vertices of such faults times a search in the map of the horizon.
 void leave_out_unreached_faults(const std::vector<TriangulatedSurface>& surfaces, ModelRules& rules,
                                 std::vector<std::string>& warnings);
 
-/// Fills holes, extends, closes bodies. Throws Error{usage} where a rule needs a box and there is none. Surfaces done
-/// are counted, and a cancelled run ends between them.
-/// Cost: a 2D triangulation of the borders for each surface that has a rule.
+/// Fills holes, extends surfaces and closes bodies. Throws Error{usage} if a rule needs a box and there is none.
+/// Progress is counted in surfaces, and a cancelled run ends between two of them. Cost: a 2D triangulation of the
+/// borders for each surface that has a rule.
 BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules,
                              const RunContext& context = {});
 
-/// Names of the horizons that cut what is older: those that erode, and those that truncate faults.
-/// Cost: surfaces times the logarithm of the truncations.
+/// Returns the names of the horizons that cut older surfaces: those that erode, and those that truncate faults. Cost:
+/// surfaces times the logarithm of the truncations.
 std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                                         const ModelRules& rules);
 
@@ -244,8 +263,8 @@ struct TrimmedSoup {
 };
 /// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. Sides are decided by exact
 /// orientation along the curves where surfaces meet; pieces that do not meet the cutting surface are compared with it
-/// on the vertical through their largest facet. `surfaces` are the built ones followed by the box sides; `built` tells
-/// which of their triangles rules made.
+/// on the vertical through their largest facet. `surfaces` are the built ones followed by the box sides; `built` lists
+/// which of their triangles were made by rules.
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The whole jobs behind the command line: each is one function from a request to written files. They read as the flow
-/// of docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify, refine, improve], verify,
-/// write.
+/// The complete jobs behind the command line: each is one function that turns a request into written files. They follow
+/// the flow of docs/architecture.md: read, build, intersect, [core: delaunay, recover, classify, refine, improve],
+/// verify, write.
 #pragma once
 
 #include <filesystem>
@@ -20,14 +20,14 @@
 
 namespace geomesh::geomodel {
 
-/// What a job left behind.
+/// What a job produced.
 struct JobResult {
-  std::vector<std::filesystem::path> files;  ///< written, in order; the report last
+  std::vector<std::filesystem::path> files;  ///< paths of the written files in order; the report is the last
   std::vector<std::string> warnings;
-  std::vector<std::string> summary;  ///< about ten lines for a person: counts, units with volumes, the verdict
-  std::vector<std::string> details;  ///< further lines: every region, shapes, what solvers would fail at
-  ModelMesh mesh;                    ///< of project and mesh jobs that ran to the end: what was verified
-  std::string report_json;           ///< of these: the report, as in the file
+  std::vector<std::string> summary;  ///< about ten lines for a person: counts, units with volumes, and the verdict
+  std::vector<std::string> details;  ///< further lines: every region, element shapes, and what would make solvers fail
+  ModelMesh mesh;                    ///< the verified mesh, for project and mesh jobs that ran to the end
+  std::string report_json;           ///< the report as in the file, for project and mesh jobs that ran to the end
 };
 
 /// Names accepted by `--stop-after`, in order.
@@ -35,19 +35,21 @@ const std::vector<std::string>& stage_names();
 
 struct ProjectRequest {
   Project project;
-  bool preview = false;  ///< a coarse mesh in seconds, whatever the project asks of its mesh (preview_settings)
-  std::optional<std::filesystem::path> directory;  ///< wins over the project's output.directory
-  std::optional<std::filesystem::path> report;     ///< a further copy of the report
-  std::string stop_after;                          ///< empty: run to the end
-  /// `kept`: no file is written, and `directory` and `report` have no meaning.
+  bool preview = false;  ///< makes a coarse mesh in seconds, ignoring the project's mesh settings (preview_settings)
+  std::optional<std::filesystem::path> directory;  ///< output directory, which overrides the project's output.directory
+  std::optional<std::filesystem::path> report;     ///< path of a second copy of the report
+  std::string stop_after;                          ///< stage after which the run stops; empty: run to the end
+  /// Whether files are written. With `kept` none is, and `directory` and `report` are ignored.
   enum class Outputs { written, kept } outputs = Outputs::written;
 };
-/// `geomesh PROJECT.yaml`. Errors as the rooms it calls; nothing is written before the mesh has been verified.
+/// Runs `geomesh PROJECT.yaml`. Throws as the functions that it calls; nothing is written before the mesh has been
+/// verified.
 JobResult run_project(const ProjectRequest& request, const RunContext& context);
 
 struct MeshRequest {
   std::vector<std::filesystem::path> inputs;
-  std::filesystem::path output;  ///< .vtu: the four files with its stem; another known extension: that file alone
+  /// For .vtu, the four files with its stem are written; for other known extensions, this file alone.
+  std::filesystem::path output;
   TetrahedralizeOptions options;
   RefinementSettings refinement;
   enum class Intersect { automatic, always, never } intersect = Intersect::automatic;

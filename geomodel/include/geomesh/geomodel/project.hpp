@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The project file as understood (docs/project-file.md). Reading reports every mistake of one run together.
+/// The contents of a project file (docs/project-file.md). Reading collects all mistakes and reports them together.
 #pragma once
 
 #include <filesystem>
@@ -26,18 +26,18 @@
 
 namespace geomesh::geomodel {
 
-/// How the coordinates of one input are to be understood (docs/coordinates.md).
+/// How the coordinates of one input are to be interpreted (docs/coordinates.md).
 struct SourceSpec {
-  std::string object;         ///< name of the object in the file; empty: the only one, or the one named as the entry
-  std::string crs;            ///< empty: the file's own where it names one that is known, else the project's
-  std::string unit;           ///< of x, y and z; empty: the file's own, else the project's
-  std::string z_unit;         ///< of z alone; empty: as unit
-  std::optional<bool> depth;  ///< empty: the file's own, else the project's
-  double z_datum = 0;         ///< elevation of the input's zero in the project's height system, in the project's unit
-  ReadOptions reading;        ///< `columns` and `no_data`
+  std::string object;  ///< name of the object in the file; empty: the only one, or the one with the name of the entry
+  std::string crs;     ///< coordinate system; empty: that of the file if it names a known one, else the project's
+  std::string unit;    ///< unit of x, y and z; empty: that of the file, else the project's
+  std::string z_unit;  ///< unit of z alone; empty: the same as `unit`
+  std::optional<bool> depth;  ///< whether z is depth; empty: as the file says, else as the project says
+  double z_datum = 0;   ///< elevation of the input's zero level in the project's height system, in the project's unit
+  ReadOptions reading;  ///< `columns` and `no_data`
 };
 
-/// Key `fault_polygons` of a horizon.
+/// The key `fault_polygons` of a horizon.
 struct FaultPolygonsSpec {
   std::filesystem::path file;  ///< empty: none
   std::string file_as_written;
@@ -47,24 +47,27 @@ struct FaultPolygonsSpec {
 struct SurfaceSpec {
   std::string name;
   SurfaceKind kind = SurfaceKind::horizon;
-  std::filesystem::path file;  ///< absolute, resolved against the project file
+  std::filesystem::path file;  ///< absolute path, resolved against the project file's folder
   std::string file_as_written;
-  std::shared_ptr<const FileContents> given;  ///< in place of the file (given.hpp); null: the file
-  /// In place of a file: the surface is a level set of a field, or of several fields, each with a domain of its own.
+  /// Input in memory that replaces the file (given.hpp); null: the file is read.
+  std::shared_ptr<const FileContents> given;
+  /// One or several scalar fields, each with its own domain, of which the surface is a level set; used instead of a
+  /// file.
   std::vector<LevelSetSpec> level_sets;
-  bool cuts_all = false;  ///< `cuts: all`; default true for bodies
+  bool cuts_all = false;  ///< whether the surface cuts all others inside it (`cuts: all`); true by default for bodies
   SourceSpec source;
-  GriddingSpec gridding;  ///< how points become a surface
-  double resample = 0;    ///< length of the edges of the surface remade; 0: as it is
+  GriddingSpec gridding;  ///< how a surface is interpolated from points
+  double resample = 0;    ///< edge length with which the surface is remeshed; 0: the surface is used as it is
   int smooth = 0;         ///< passes of smoothing
   FaultPolygonsSpec fault_polygons;
-  std::string below;               ///< a horizon: this one lies below it, by `thickness` or the heights of the file
-  std::optional<double> below_by;  ///< `thickness` as a number; empty: the file holds thicknesses
+  std::string below;  ///< name of a horizon below which this one lies, by `thickness` or by the heights in the file
+  std::optional<double> below_by;  ///< `thickness` as a number; if empty, the file holds the thicknesses
   ExtrudeSpec extrude;
-  SurfaceRules rules;  ///< `extend`, `fill_holes`, `extent`, `base`
-  int line = 0;        ///< where it stands in the project file, from 1
+  SurfaceRules rules;  ///< the keys `extend`, `fill_holes`, `extent` and `base`
+  int line = 0;        ///< line of the entry in the project file, from 1
 
-  /// False where it is known to be another; a wrong word for the kind is one problem and no more.
+  /// Returns false if the surface is known to be of another kind. An unknown kind is reported once and may be any, so
+  /// that one mistake causes one message.
   bool may_be(SurfaceKind wanted) const { return kind == wanted || kind == SurfaceKind::surface; }
 };
 
@@ -74,16 +77,17 @@ struct WellSpec {
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< as of surfaces
   SourceSpec source;
-  std::optional<Vec3> head;  ///< where measured depth is zero, in the coordinates of the entry
+  std::optional<Vec3> head;  ///< point at which measured depth is zero, in the coordinates of the entry
   int line = 0;
 };
 
 struct CrsSpec {
-  std::string horizontal = "local";  ///< local, geographic, utm [ZONE], epsg:CODE
-  bool depth = false;  ///< z: depth; what the project file and its inputs count downwards. The mesh has elevation up
-  std::string unit = "m";  ///< of the mesh, and of all lengths in the project file
-  std::string z_datum;     ///< name of the height system, for the report alone
-  /// z is multiplied by this while meshing and divided in the mesh: a power of two, which is undone without rounding.
+  std::string horizontal = "local";  ///< horizontal system: local, geographic, utm [ZONE], epsg:CODE
+  /// Whether z in the project file and its inputs is depth, counted downwards; the mesh always has elevation, upwards.
+  bool depth = false;
+  std::string unit = "m";  ///< unit of the mesh and of all lengths in the project file
+  std::string z_datum;     ///< name of the height system, which only appears in the report
+  /// Factor on z during meshing, which is removed from the result: a power of two, so that no rounding occurs.
   double z_scale = 1;
 };
 
@@ -108,15 +112,15 @@ struct Project {
   std::vector<WellSpec> wells;
   TopsSpec tops;
   std::vector<NamedPoint> points;
-  /// unit, horizon, unit, horizon, ..., unit; youngest first. Empty where not given.
+  /// Alternating units and horizons (unit, horizon, ..., unit), youngest first. Empty if not given.
   std::vector<std::string> column;
-  ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; its surfaces, box and column are filled from the rest
+  ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; surfaces, box and column are filled in from other keys
   NamingRules
       naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
-  GivenColours colours;     ///< of units and surfaces, for pictures
-  double merge_within = 0;  ///< points, edges and facets nearer to each other than this merge
+  GivenColours colours;     ///< colours of units and surfaces in pictures
+  double merge_within = 0;  ///< points, edges and facets closer to each other than this are merged
   MeshSpec mesh;
-  std::vector<std::string> notes;  ///< of keys that are read under a former name
+  std::vector<std::string> notes;  ///< notes on keys that were given under a former name
   OutputSpec output;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reading of surface, grid and model files: one format a file under src/readers, chosen by content before extension.
+/// Reads surface, grid and model files. Each format has one file in src/readers, and is recognised by content before
+/// extension.
 #pragma once
 
 #include <filesystem>
@@ -16,25 +17,25 @@ namespace geomesh::geomodel {
 /// length unit converted to metres where the file names one. Throws Error{usage} where the file cannot be opened.
 /// Throws Error{invalid_input} where it is truncated, empty, lying about itself or of no known format; the message has
 /// file, line and what was expected; NaN and infinities are refused with their row. Heights that stand for "no value"
-/// though no header says so are left out, with a warning that tells value, count and place.
+/// though no header says so are left out, with a warning that gives value, count and place.
 FileContents read_surface_file(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// What a project says about a well whose file may be a table.
+/// Options for reading a well whose file may be a table.
 struct WellReading {
   ReadOptions options;
-  std::optional<Vec3> head;    ///< where measured depth is zero, in the coordinates in which the file is understood
-  bool head_is_depth = false;  ///< z of these counts downwards
-  double metres = 1;           ///< per unit of these
+  std::optional<Vec3> head;    ///< point at which measured depth is zero, in the coordinate system of the file
+  bool head_is_depth = false;  ///< whether z of the well head counts downwards
+  double metres = 1;           ///< metres per unit of the head's coordinates
 };
-/// A well's path: any format with polylines, or a table with x, y, z, a deviation survey (measured depth, inclination,
-/// azimuth), or offsets from the head. Errors as of read_surface_file.
+/// Reads a well's path: any format with polylines, or a table with x, y, z, a deviation survey (measured depth,
+/// inclination, azimuth), or offsets from the head. Throws as read_surface_file.
 FileContents read_well_file(const std::filesystem::path& path, const WellReading& reading);
 
-/// TetGen .poly / .smesh (and .node beside it): a PLC as it is.
+/// A TetGen .poly or .smesh file (with its .node file): a PLC that is meshed as it is.
 struct PlcFile {
   PiecewiseLinearComplex plc;
-  std::vector<std::string> region_names;  ///< by region seed id: "region_<attribute>"
-  std::vector<int> facet_markers;         ///< per facet, 0 where none
+  std::vector<std::string> region_names;  ///< names of regions by region seed id: "region_<attribute>"
+  std::vector<int> facet_markers;         ///< marker of each facet, 0 if it has none
   std::vector<std::string> warnings;
 };
 bool is_plc_file(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What a project or a command line asks of sizes and shapes, in the user's names (docs/meshing.md).
+/// Mesh sizes and shapes as requested by a project or the command line, with the names that users give
+/// (docs/meshing.md).
 #pragma once
 
 #include <filesystem>
@@ -13,76 +14,84 @@
 
 namespace geomesh::geomodel {
 
-/// A size asked near a place.
+/// A target size near a place.
 struct PlaceSize {
   Vec3 place;  ///< in the project's coordinates
   AskedSize asked;
 };
 
-/// Sizes by name. `base` holds what needs no names: global size, curvature, gaps, gradation, bounds.
+/// Target sizes by name. `base` holds those without names: global size, curvature, gaps, gradation, bounds.
 struct NamedSizes {
   SizeOptions base;
-  std::map<std::string, AskedSize> units;     ///< by unit, body or region; inside of it
-  std::map<std::string, AskedSize> surfaces;  ///< by surface or side of the box
-  /// By curve, by well, or by kind: `wells`, `intersections`, `borders`, `fault_tips`.
+  std::map<std::string, AskedSize> units;     ///< sizes inside of units, bodies or regions, by name
+  std::map<std::string, AskedSize> surfaces;  ///< sizes on surfaces or sides of the box, by name
+  /// Sizes on curves by name of the curve, by well, or by kind: `wells`, `intersections`, `borders`, `fault_tips`.
   std::map<std::string, AskedSize> curves;
   std::vector<PlaceSize> near;
-  std::map<std::string, double> layers;  ///< by unit, body or region: elements across it, however thin it is
-  double frequency = 0;  ///< Hz: units ask for a share of the wavelength of their slower wave (attributes vs, vp)
+  /// Number of elements across a unit, body or region, however thin it is, by name.
+  std::map<std::string, double> layers;
+  /// Frequency in Hz: sizes in units become a fraction of the wavelength of the slower wave (attributes vs, vp).
+  double frequency = 0;
   double points_per_wavelength = 5;
   struct DepthSize {
     double depth, size;
   };
-  std::vector<DepthSize> by_depth;  ///< depth below z = 0, rising; linear between
-  /// Sizes at points, read into base.background before meshing (docs/meshing.md says which files); empty: none.
+  std::vector<DepthSize> by_depth;  ///< sizes by depth below z = 0, ascending; interpolated linearly
+  /// File with sizes at points, read into base.background before meshing (docs/meshing.md lists the formats); empty:
+  /// none.
   std::filesystem::path background;
 };
 
 struct RefinementSettings {
-  bool refine = false;  ///< false: the mesh keeps the points that recovery needs, and the rest is not looked at
+  /// Whether the mesh is refined; if not, only the points that recovery needs are added, and other settings are
+  /// ignored.
+  bool refine = false;
   NamedSizes size;
   QualityLevel quality = QualityLevel::standard;
   QualityMeasure quality_measure = QualityMeasure::dihedral;
   Honour honour = Honour::exact;
-  ToleranceLedger tolerance;     ///< Honour::tolerance; its length is set by settle_sizes where it follows the sizes
-  bool derive_size = false;      ///< nobody asks for a size of the whole model: settle_sizes derives one
-  bool gaps_by_default = false;  ///< the project does not say what gaps between surfaces ask for
-  bool gradation_by_default = false;  ///< nor how soon sizes grow
-  double derived_elements = 1e5;      ///< for about so many elements
-  double target_elements = 0;         ///< all sizes are scaled so that about so many elements come out; 0: none
-  bool sizes_on_surfaces = true;      ///< false: surfaces get no points for sizes (RefineOptions::size_surfaces)
+  /// Tolerance of surfaces (Honour::tolerance); settle_sizes sets its length if it follows the sizes.
+  ToleranceLedger tolerance;
+  bool derive_size = false;           ///< set if no global size is given, so that settle_sizes derives one
+  bool gaps_by_default = false;       ///< set if the project does not say how gaps between surfaces are refined
+  bool gradation_by_default = false;  ///< set if the project does not give a gradation
+  double derived_elements = 1e5;      ///< approximate number of elements for which a size is derived
+  double target_elements = 0;  ///< all sizes are scaled to reach about this number of elements; 0: they are not scaled
+  /// If false, no points are added on surfaces to reach sizes (RefineOptions::size_surfaces).
+  bool sizes_on_surfaces = true;
   std::size_t max_elements = 50'000'000;
   double time_budget = 0;
-  std::vector<std::string> cell_arrays;  ///< of known_cell_arrays(), written with the mesh whether it is refined or not
+  /// Names from known_cell_arrays() that are written with the mesh, whether it is refined or not.
+  std::vector<std::string> cell_arrays;
 };
 
-/// Where neither is said: a twentieth of the size.
+/// Tolerance as a share of the size, if neither is given.
 inline constexpr double default_tolerance_share = 1.0 / 20;
 
-/// Values by unit or region: attribute: value.
+/// Values by unit or region, then by name of the attribute.
 using UnitAttributes = std::map<std::string, std::map<std::string, double>>;
 
-/// An edge length that comes to about so many elements in a volume of these bounds, with two digits.
+/// Returns the edge length, to two digits, with which these bounds are filled by about the given number of elements.
 double derived_size(const Box3& bounds, double elements = 1e5);
-/// By frequency and points per wavelength: of the slower of the waves whose velocities the attributes tell (vs where it
-/// is above 0, else vp); 0 where they tell none.
+/// Returns the size that follows from frequency and points per wavelength for the slower wave whose velocity the
+/// attributes give (vs if it is above 0, else vp); 0 if they give none.
 double wavelength_size(const NamedSizes& sizes, const std::map<std::string, double>& attributes);
-/// Sets what depends on the model: the size of the whole model where it is to be derived or follows from a frequency;
-/// sizes by depth as part of the background; and the largest distance of surfaces from the input where it follows the
-/// sizes. `origin` was subtracted from the model's coordinates. Throws Error{usage} where a frequency has no velocity.
+/// Sets what depends on the model: the global size, if it is to be derived or follows from a frequency; sizes by depth
+/// as part of the background; and the tolerance of surfaces, if it follows the sizes. `origin` was subtracted from the
+/// model's coordinates. Throws Error{usage} if a unit has no velocity although a frequency is given.
 void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
                   const Vec3& origin);
-/// How near to each other surfaces that meet are brought together before they are meshed within a tolerance: a share of
-/// the tolerance, and of the one that the least size asked would get by itself. 0: not at all, as where sizes come from
-/// a file.
+/// Returns the distance within which surfaces that meet are merged before they are meshed with a tolerance: a share of
+/// the tolerance, and of the tolerance that would belong to the smallest requested size. 0, for no merging, if sizes
+/// come from a file.
 double merging_distance(const RefinementSettings& settings);
-/// A coarse mesh in seconds: about 10,000 elements of one size, nothing else asked for.
+/// Settings for a coarse mesh in seconds: about 10,000 elements of one size and no other requests.
 RefinementSettings preview_settings();
 
-/// size, min_dihedral, max_dihedral, radius_ratio, mean_ratio, aspect.
+/// Names of cell arrays: size, min_dihedral, max_dihedral, radius_ratio, mean_ratio, aspect.
 const std::vector<std::string>& known_cell_arrays();
 
-/// What about the settings contradicts itself or the mode of meshing, in words; empty: nothing.
+/// Describes in words any contradiction among the settings or with the mode of meshing; empty if there is none.
 std::string contradiction(const RefinementSettings& settings, const RecoverOptions& recover);
 
 }  // namespace geomesh::geomodel

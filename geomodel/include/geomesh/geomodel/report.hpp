@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The report: what was understood, done, measured and warned of. JSON by docs/report.schema.json.
+/// The report: how the input was interpreted, what was done and measured, and the warnings. JSON according to
+/// docs/report.schema.json.
 #pragma once
 
 #include <filesystem>
@@ -27,53 +28,54 @@ namespace geomesh::geomodel {
 
 struct StageRecord {
   std::string name;
-  double wall_s = 0, cpu_s = 0;  ///< cpu counts all threads
-  std::size_t peak_bytes = 0;    ///< peak resident size of the process at the stage's end
+  double wall_s = 0, cpu_s = 0;  ///< wall time and CPU time; CPU time is the sum over all threads
+  std::size_t peak_bytes = 0;    ///< peak resident memory of the process at the end of the stage, in bytes
   std::size_t runs =
-      1;  ///< how often it ran: refine and improve more than once where surfaces had to be held more closely
+      1;  ///< number of runs of the stage: refine and improve run more than once if surfaces had left the tolerance
 };
 
-/// Element quality with the worst elements' causes in words.
+/// Element quality, with descriptions of why the worst elements are bad.
 struct QualityReport {
-  MeshQuality measured;             ///< parted by region: row is region id - 1
-  std::vector<std::string> causes;  ///< per row of measured.worst
-  bool has_sizes = false;           ///< edge lengths were held against the asked sizes
-  ShortEdges short_edges{};         ///< below a third of the asked size; of none where there are no sizes
+  MeshQuality measured;             ///< quality by region; the row is the region's id - 1
+  std::vector<std::string> causes;  ///< description of the cause for each row of measured.worst
+  bool has_sizes = false;           ///< whether edge lengths were compared with target sizes
+  ShortEdges short_edges{};         ///< edges shorter than a third of the target size; not filled if there are no sizes
 };
-/// "input angle of 3 degrees between fault F2 and horizon H1".
+/// Describes a cause, for example "input angle of 3 degrees between fault F2 and horizon H1".
 std::string cause_in_words(const WorstElement& worst, bool refined, const PolygonSoup& soup, const ModelPlc& plc,
                            const std::vector<TriangulatedSurface>& surfaces);
 
-/// Everything a report may hold; what a command did not do stays empty and is left out.
+/// Everything that a report can contain. Parts that a command does not produce are empty and are omitted.
 struct Report {
-  std::string command;  ///< "project", "mesh", "delaunay", "check", "info"
+  std::string command;  ///< command that made the report: "project", "mesh", "delaunay", "check", "info"
   std::string name;
   std::vector<StageRecord> stages;
-  std::string input_json;  ///< the input as understood, a JSON object in text ("" if none)
+  std::string input_json;  ///< the input as interpreted, as the text of a JSON object ("" if none)
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ToleranceLedger* tolerance = nullptr;
   const ModelMesh* mesh = nullptr;
-  const SettledStack* stack = nullptr;            ///< where the stack was settled
+  const SettledStack* stack = nullptr;            ///< the settled stack of horizons; null if nothing was settled
   std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to what bounds them
   std::vector<std::string>
-      surface_names;            ///< input surfaces, then box sides, for areas and spots; empty: those of `mesh`
-  std::vector<FittedTop> tops;  ///< of wells, with their misfits
+      /// Names of input surfaces, then of box sides, for areas and spots; if empty, those of `mesh` are used.
+      surface_names;
+  std::vector<FittedTop> tops;  ///< tops of wells, with their misfits
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
   std::optional<SolverVerdict> solver;
-  std::string model_verdict;                ///< whether units have regions, and how many warnings; of projects
+  std::string model_verdict;  ///< for projects: whether all units have regions, and the number of warnings
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
-  std::vector<std::string> notes;           ///< what was found before meshing and what rules changed, with areas
+  std::vector<std::string> notes;           ///< findings before meshing, and changes by rules with their areas
   std::vector<std::string> warnings;
-  std::vector<std::string> files;  ///< written, relative to the report
+  std::vector<std::string> files;  ///< paths of written files, relative to the report
 };
 std::string to_json(const Report& report);
 void write_report(const Report& report, const std::filesystem::path& file);
 
-/// The report as one web page that needs no other file: a turnable picture of the units, sections, tables, histograms,
-/// warnings. It holds the stages' times, so it differs from run to run as the JSON does. Size and time linear in the
-/// mesh.
+/// Returns the report as one self-contained web page: a rotatable picture of the units, sections, tables, histograms,
+/// warnings. It includes the run times of stages, so like the JSON it differs from run to run. Size and time are linear
+/// in the mesh.
 std::string to_html(const Report& report);
 void write_html_report(const Report& report, const std::filesystem::path& file);
 

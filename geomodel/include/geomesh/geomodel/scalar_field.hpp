@@ -20,21 +20,22 @@ namespace geomesh::geomodel {
 /// run. It is called from one thread at a time.
 using FieldFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
 
-/// A domain tells where a field holds: above some surfaces of the project, below others, and in one fault block. An
-/// empty one is everywhere. Above a fault is the side to which the fault dips.
+/// A domain in which a field is valid: above some surfaces of the project, below others, and in one fault block. An
+/// empty domain is all of space. Above a fault means the side towards which the fault dips.
 struct FieldDomain {
-  std::vector<std::string> above, below;  ///< names of horizons and faults
-  std::optional<Vec3> block;              ///< a place in the fault block
+  std::vector<std::string> above, below;  ///< names of the horizons and faults that bound the domain
+  std::optional<Vec3> block;              ///< a point in the fault block
   bool is_everywhere() const { return above.empty() && below.empty() && !block; }
 };
 
 /// A surface that is the set of places where a scalar field has one value.
 struct LevelSetSpec {
-  std::filesystem::path file;  ///< .vti, .npy or .vtu; empty: `function`
+  std::filesystem::path file;  ///< a .vti, .npy or .vtu file; empty: `function` is used
   std::string file_as_written;
-  std::string array;                        ///< of a VTK file; empty: the only one
-  std::optional<Vec3> origin, spacing;      ///< of the grid in a .npy file, whose axes are x, y, z
-  std::shared_ptr<FieldFunction> function;  ///< in the project's coordinates; its domain is the box
+  std::string array;                    ///< name of the array in a VTK file; empty: its only one
+  std::optional<Vec3> origin, spacing;  ///< origin and spacing of the grid in a .npy file, whose axes are x, y, z
+  /// Function of places in the project's coordinates, defined in the whole box.
+  std::shared_ptr<FieldFunction> function;
   double value = 0;
   FieldDomain domain;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What solvers will make of a mesh, judged as they will see it: from its doubles, and from coordinates written with 16
-/// digits, by plain floating-point arithmetic.
+/// Predicts what solvers will do with a mesh. It is checked with the numbers that solvers see, its doubles and
+/// coordinates written with 16 digits, and in plain floating-point arithmetic.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,21 @@
 
 namespace geomesh::geomodel {
 
-/// From which value on an element is counted as one at which a kind of solver fails or loses its speed.
+/// Limits beyond which an element makes a kind of solver fail or slow down.
 struct SolverLimits {
-  /// Volume over the cube of the longest edge: below it the Jacobian of a solver in doubles is no longer positive for
-  /// sure once coordinates are rounded.
+  /// Volume divided by the cube of the longest edge. Below this value a solver that computes in doubles may find a
+  /// Jacobian that is not positive, once coordinates have been rounded.
   double least_volume = 1e-10;
-  double least_implicit_angle = 1, most_implicit_angle = 179;    ///< degrees: direct solvers lose digits beyond
-  double least_iterative_angle = 5, most_iterative_angle = 175;  ///< degrees: iterative solvers take longer beyond
-  double most_flux_angle = 170;  ///< degrees: two-point fluxes of finite volumes are far off beyond
-  double least_step = 0.05;      ///< of the median explicit time step
+  /// Dihedral angles in degrees beyond which direct solvers lose digits.
+  double least_implicit_angle = 1, most_implicit_angle = 179;
+  /// Dihedral angles in degrees beyond which iterative solvers converge more slowly.
+  double least_iterative_angle = 5, most_iterative_angle = 175;
+  /// Dihedral angle in degrees beyond which two-point fluxes of finite volumes are inaccurate.
+  double most_flux_angle = 170;
+  double least_step = 0.05;  ///< least explicit time step, as a share of the median one
 };
 
-/// An element that is the worst of all in one respect.
+/// The element with the worst value of one measure.
 struct WorstForSolver {
   std::size_t tetrahedron = 0;
   Vec3 place;  ///< centroid
@@ -35,44 +38,48 @@ struct WorstForSolver {
 
 struct SolverVerdict {
   std::size_t n_tetrahedra = 0;
-  double least_volume = 0;            ///< in doubles, over the cube of the element's longest edge
-  double least_volume_16_digits = 0;  ///< the same once coordinates are rounded to 16 significant digits
+  double least_volume = 0;  ///< least volume, computed in doubles, divided by the cube of the element's longest edge
+  double least_volume_16_digits = 0;  ///< the same measure after coordinates are rounded to 16 significant digits
   double least_edge = 0, least_edge_over_diagonal = 0;
-  double least_edge_over_size = 0;  ///< 0: sizes are not known
+  double least_edge_over_size = 0;  ///< least ratio of an edge to its target size; 0 if sizes are not known
   double min_dihedral = 0, max_dihedral = 0;
-  std::size_t n_not_positive = 0;  ///< volume at most zero, in doubles or with 16 digits
-  std::size_t n_implicit = 0, n_iterative = 0, n_flux = 0, n_explicit = 0;  ///< beyond the limits; see SolverLimits
-  /// Least height over velocity: seconds where velocities are given, else the least height itself.
+  std::size_t n_not_positive = 0;  ///< number of elements whose volume is not positive, in doubles or with 16 digits
+  /// Numbers of elements beyond the limits of SolverLimits.
+  std::size_t n_implicit = 0, n_iterative = 0, n_flux = 0, n_explicit = 0;
+  /// Explicit time step, which is least height divided by velocity: in seconds if velocities are given, else the least
+  /// height itself.
   double time_step = 0, time_step_without_worst_ten = 0, median_time_step = 0;
   bool has_velocities = false;
   WorstForSolver flattest, sharpest, smallest_step;
 
-  /// A direct or iterative finite element solver takes the mesh.
+  /// Whether a finite element solver, direct or iterative, can use the mesh.
   bool passes() const { return n_tetrahedra > 0 && n_not_positive == 0 && n_implicit == 0; }
 };
 
 struct MeshForSolver {
   std::span<const Vec3> points;
   std::span<const Tetrahedron> tetrahedra;  ///< positively oriented
-  /// Velocity of compressional waves in a tetrahedron; empty, or a value of 0: not known.
+  /// Returns the velocity of compressional waves in a tetrahedron. Empty, or a value of 0, means unknown.
   std::function<double(std::size_t)> velocity;
-  /// Edge length asked in a tetrahedron at a place; where it is at most that given last, anything up to that will do.
-  /// Empty: not known.
+  /// Returns the target edge length in a tetrahedron at a place. The last argument is a length; if the target is at
+  /// most this length, any value up to it may be returned. Empty: unknown.
   std::function<double(std::size_t, const Vec3&, double)> size;
-  /// No size asked anywhere is larger: sizes need not be looked up where edges are not that short.
+  /// Upper bound of all target sizes. Edges longer than it need no look-up.
   double largest_size = std::numeric_limits<double>::infinity();
-  unsigned threads = 0;  ///< 0: all cores. Both functions are asked by all of them at once; the verdict is the same
+  /// Number of threads, 0 for all cores; all of them call both functions at the same time, and the verdict does not
+  /// depend on the number.
+  unsigned threads = 0;
 };
 
 /// O(n).
 SolverVerdict judge_for_solvers(const MeshForSolver& mesh, const SolverLimits& limits = {});
 
-/// The attribute that holds a unit's velocity of compressional waves, in the mesh's unit of length a second.
+/// Name of the attribute that holds a unit's velocity of compressional waves, in the mesh's unit of length per second.
 inline constexpr const char* velocity_attribute = "vp";
 
-/// For a program: the members of SolverVerdict under their own names, and `passes`. A JSON object.
+/// Returns a JSON object for programs: the members of SolverVerdict under their own names, and `passes`.
 std::string to_json(const SolverVerdict& verdict);
-/// Lines for a person: the verdict first.
+/// Returns lines of text for a person, with the verdict first.
 std::vector<std::string> to_lines(const SolverVerdict& verdict);
 
 }  // namespace geomesh::geomodel

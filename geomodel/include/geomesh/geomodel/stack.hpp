@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The stack of horizons as it was settled in the map before anything was intersected: what the report and the page
-/// tell of it.
+/// The stack of horizons after it was settled, which means ordered and thinned in the map before anything is
+/// intersected. The report and the page describe it.
 #pragma once
 
 #include <string>
@@ -17,17 +17,18 @@ enum class StackRule { automatic, keep };
 
 struct StackRules {
   StackRule rule = StackRule::automatic;
-  double size = 0;              ///< edge length asked on the horizons, m
-  double tolerance = 0;         ///< of surfaces against the input, m; 0: surfaces are kept exactly, nothing is settled
-  std::vector<Vec2> outline;    ///< corners of the model volume in the map
+  double size = 0;  ///< target edge length on the horizons, in m
+  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly and nothing is settled.
+  double tolerance = 0;
+  std::vector<Vec2> outline;    ///< corners of the model volume on the map
   bool outline_is_box = false;  ///< along the axes
 };
 
-/// Part of the tolerance that settling and thinning out may use; what remeshes the surfaces keeps within the rest.
+/// Share of the tolerance that settling and simplification may use; remeshing of the surfaces keeps within the rest.
 inline constexpr double stack_share = 0.5;
 
-/// Share of the size asked at a place by which surfaces of a settled stack may be off there at most: where a thin unit
-/// asks for the size, about a quarter of its thickness.
+/// Largest distance of the surfaces of a settled stack from the input, as a share of the local target size. If a thin
+/// unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
 /// One horizon of the stack. Areas in the map, m2; lengths along the vertical, m.
@@ -35,29 +36,32 @@ struct SettledHorizon {
   std::string name;
   std::size_t n_triangles_given = 0, n_triangles = 0;
   double area = 0;
-  double area_merged = 0;                  ///< shared with a neighbour
-  double area_above_topography = 0;        ///< where its input lies above it, so that it is cut off
-  double area_moved = 0;                   ///< elsewhere: off its input by more than the share of the tolerance
-  double largest_move = 0, mean_move = 0;  ///< where it was moved
-  Vec3 place;                              ///< of the largest move
-  double largest_off = 0;                  ///< elsewhere: distance from the input's points
-  double area_at_faults = 0;               ///< in strips along faults with throw, made anew from both sides
-  double largest_move_at_faults = 0;       ///< of what comes from one side, to bring it into order there
+  double area_merged = 0;            ///< area where it coincides with a neighbouring horizon
+  double area_above_topography = 0;  ///< area where its input lies above the topography, so that it is cut off
+  double area_moved = 0;  ///< remaining area where it is farther from its input than the share of the tolerance
+  double largest_move = 0, mean_move = 0;  ///< distances by which the horizon was moved, where it was moved
+  Vec3 place;                              ///< place of the largest move
+  double largest_off = 0;                  ///< largest distance from the input's points, where it was not moved
+  double area_at_faults = 0;  ///< area in strips along faults with throw, where the horizon is rebuilt from both sides
+  /// Largest vertical shift applied on one side of a fault to restore the order of the horizons.
+  double largest_move_at_faults = 0;
   Vec3 place_at_faults;
 };
 
 /// One unit between two horizons of the stack.
 struct SettledUnit {
   std::string name, top, base;
-  double area = 0;            ///< where it is there
-  double area_merged = 0;     ///< where its horizons share one surface
-  double volume = 0;          ///< between the settled horizons, in the bounds of the model volume
-  std::size_t n_islands = 0;  ///< too small to be shared or to stand alone, which went
-  double mean_thickness = 0, largest_thickness = 0;  ///< where it is there
-  std::vector<std::vector<Vec2>> pinch_outs;         ///< lines of the map
+  double area = 0;         ///< area over which the unit is present
+  double area_merged = 0;  ///< area over which its two horizons coincide
+  double volume = 0;       ///< volume between the settled horizons within the bounds of the model volume
+  /// Number of islands of the unit that were removed because they were too small to be merged or kept.
+  std::size_t n_islands = 0;
+  double mean_thickness = 0, largest_thickness = 0;  ///< thickness of the unit where it is present
+  std::vector<std::vector<Vec2>> pinch_outs;         ///< lines on the map along which the unit pinches out
 };
 
-/// Thicknesses over a raster of the map, for the page: one row of values a unit, from the south; NaN: not there.
+/// Thicknesses on a raster of the map, for the report page: one row of values per unit, from the south; NaN where the
+/// unit is absent.
 struct ThicknessMaps {
   Vec2 origin;
   double step = 0;
@@ -71,7 +75,7 @@ struct SettledStack {
   std::vector<SettledHorizon> horizons;  ///< youngest first
   std::vector<SettledUnit> units;
   ThicknessMaps maps;
-  std::vector<SizeSource> sizes;  ///< that thin units ask for
+  std::vector<SizeSource> sizes;  ///< sizes that thin units require
 };
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Tops of wells: where a well was seen to meet a horizon. Horizons are moved along the vertical to pass through them.
+/// Well tops: points at which a well was observed to meet a horizon. Horizons are moved vertically so that they pass
+/// through them.
 #pragma once
 
 #include <filesystem>
@@ -13,51 +14,53 @@
 
 namespace geomesh::geomodel {
 
-/// Key `tops` of a project.
+/// The key `tops` of a project.
 struct TopsSpec {
   enum class Depth {
-    along,  ///< along the well's path from its first point
-    z,      ///< the project's z: elevation, or depth as `crs.z` says
+    along,  ///< depth measured along the well's path from its first point
+    z,      ///< the project's z: elevation, or depth if `crs.z` says so
   };
   std::filesystem::path file;  ///< empty: no tops
   std::string file_as_written;
   Depth depth = Depth::along;
-  double reach = 0;  ///< of a top in the map; 0: a fifth of the longer side of the horizon's bounds
+  /// Radius on the map within which a top has an effect; 0: a fifth of the longer side of the horizon's bounding box.
+  double reach = 0;
 };
 
-/// One line of the table.
+/// One line of the table of tops.
 struct WellTop {
   std::string well, horizon;
   double depth = 0;
-  std::size_t line = 0;  ///< of the file, from 1
+  std::size_t line = 0;  ///< line number in the file, from 1
 };
 
-/// A top that was found on its well. Misfits: height of the top less that of the horizon there; NaN: no horizon over or
-/// under it.
+/// A top located on its well. Misfit: height of the top minus that of the horizon there; NaN if no horizon is above or
+/// below it.
 struct FittedTop {
   std::string well, horizon;
   Vec3 place;
-  double misfit_given = 0;   ///< of the horizon as it was given
-  double misfit_fitted = 0;  ///< of the horizon as it was moved
+  double misfit_given = 0;   ///< misfit of the horizon as given
+  double misfit_fitted = 0;  ///< misfit of the horizon after it was moved
   double misfit_meshed = 0;  ///< of the mesh
 };
 
-/// Columns named well, horizon (or top, surface, marker, pick) and depth (or md, z); parted by blanks, commas,
-/// semicolons or tabs. Throws Error{invalid_input} with the line where a column is missing or a depth is no number.
+/// Reads a table with columns named well, horizon (or top, surface, marker, pick) and depth (or md, z), separated by
+/// blanks, commas, semicolons or tabs. Throws Error{invalid_input} with the line if a column is missing or a depth is
+/// not a number.
 std::vector<WellTop> read_tops(const std::filesystem::path& file);
 
-/// Where the path is at that depth; nothing beyond its ends. `height`: the place is sought at this z in place of a
-/// length along the path; the first one counts.
+/// Returns the point of the path at that depth; nothing beyond its ends. With `height`, the first point at this z is
+/// returned instead of one by length along the path.
 std::optional<Vec3> place_on_path(const std::vector<Vec3>& path, double depth, bool height);
 
-/// Moves the horizon's points along the vertical, so that it passes through the tops. Further than `reach` from all of
-/// them it is as it was. A top moves the sheet that is over or under it, the nearest one. Between tops the move is
-/// a sum of Wendland's functions, one a top (H. Wendland, 1995). The triangles as they are pass through the tops;
-/// where more than three tops stand over one triangle they are met in the mean. Fills both misfits. Cost: tops times
-/// triangles, and the cube of the tops.
+/// Moves the horizon's points along the vertical, so that it passes through the tops. Farther than `reach` from all of
+/// them it is not changed. A top moves the sheet that is over or under it, the nearest one. Between tops the move is a
+/// sum of Wendland's functions, one a top (H. Wendland, 1995). The triangles are not subdivided; if a triangle has more
+/// than three tops above or below it, they are fitted on average. Fills both misfits. Cost: tops times triangles, and
+/// the cube of the tops.
 void fit_to_tops(TriangulatedSurface& horizon, std::span<FittedTop> tops, double reach);
 
-/// Height of the place less that of the nearest of the triangles over or under it; NaN where there is none.
+/// Returns the height of the place minus that of the nearest triangle above or below it; NaN if there is none.
 double misfit_of(const Vec3& place, std::span<const Vec3> points, std::span<const Triangle> triangles);
 
 }  // namespace geomesh::geomodel

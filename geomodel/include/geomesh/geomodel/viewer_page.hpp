@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The turnable picture of a mesh alone, as a page: for notebooks and for programs that show a mesh in a browser.
+/// The rotatable picture of a mesh as a web page of its own, for notebooks and for programs that show a mesh in a
+/// browser.
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// A whole HTML document that loads nothing from elsewhere: the viewer of the report (report.hpp), without its tables.
-/// A mesh with too many faces for a browser gives a page that says so.
+/// Returns a complete HTML document that loads no other files: the viewer of the report (report.hpp) without its
+/// tables. For a mesh with too many faces for a browser, the page says so.
 std::string viewer_page(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Warnings by their causes: what is said of many surfaces is one thing to a reader.
+/// Groups warnings by cause, so that one cause that affects many surfaces is shown once.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +10,20 @@
 
 namespace geomesh::geomodel {
 
-/// What a warning says, whatever it says it of: without the name at its beginning, numbers, names that are told by
-/// their characters, and all behind the first colon, semicolon or parenthesis. "falls into ... regions".
+/// Returns the cause of a warning: its text without the leading name, numbers, quoted names, and everything after the
+/// first colon, semicolon or parenthesis. "falls into ... regions".
 std::string warning_cause(std::string_view warning);
 
-/// The warning up to its first colon, semicolon or parenthesis, with its name and numbers: "basement falls into 3
-/// regions".
+/// Returns the warning up to its first colon, semicolon or parenthesis, with its name and numbers: "basement falls into
+/// 3 regions".
 std::string warning_statement(std::string_view warning);
 
 struct WarningGroup {
   std::string cause;
   std::size_t count = 0;
-  std::string first;  ///< the first warning of its cause
+  std::string first;  ///< text of the first warning with this cause
 };
-/// In the order of their first warnings.
+/// Returns the groups in the order of their first warnings.
 std::vector<WarningGroup> group_warnings(const std::vector<std::string>& warnings);
 
 }  // namespace geomesh::geomodel

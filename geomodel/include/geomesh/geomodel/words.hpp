@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Words that a user may have meant, and numbers as words.
+/// Suggestions for misspelt words, and numbers formatted as text.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@ namespace geomesh::geomodel {
 /// swaps of neighbours, at most a third of the length, at least one. Source: Damerau 1964 (optimal string alignment).
 std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& known);
 
-/// "a, b or c".
+/// Returns a list as text: "a, b or c".
 std::string listed(const std::vector<std::string_view>& words);
 
-/// "; was 'B' meant?" for the nearest word B; empty where none is near.
+/// Returns "; was 'B' meant?" for the most similar known word B; empty if none is similar.
 std::string was_meant(std::string_view word, const std::vector<std::string_view>& known);
-/// The same for a file that is not there, of the names in its folder.
+/// Returns the suggestion for a missing file, from the names in its folder.
 std::string file_was_meant(const std::filesystem::path& file);
 
-/// Four significant digits: no figure is rounded to zero.
+/// Formats a number with four significant digits, so that no figure is rounded to zero.
 std::string short_words(double x);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How files are written: beside the target and renamed, so that a file is complete or absent. Formats of meshes:
-/// formats.hpp.
+/// Writes files safely: they are composed under a temporary name and then renamed, so that a file is complete or
+/// absent. Mesh formats are in formats.hpp.
 #pragma once
 
 #include <filesystem>
@@ -10,23 +10,25 @@
 
 namespace geomesh::geomodel {
 
-/// Where an output file is composed before it gets its name.
+/// Names under which an output file is composed and finally stored.
 struct OutputTarget {
-  std::filesystem::path file;  ///< what will hold the content: where `file` is a symbolic link, what it points to
+  std::filesystem::path file;  ///< the file that will hold the content: the target, if the name is a symbolic link
   std::filesystem::path
-      temporary;  ///< beside `file`, of this process alone; `file` itself where that is a device or a pipe
+      temporary;  ///< name used while writing, unique to this process; `file` itself if that is a device or a pipe
   bool is_direct() const { return temporary == file; }
 };
 
-/// Throws Error{usage} where the name is a folder's.
+/// Throws Error{usage} if the name is that of a folder.
 OutputTarget output_target(const std::filesystem::path& file);
 
-/// Throws Error{usage} where the file could not be written: its name is a folder's, or its folder (the nearest that is
-/// there, as missing ones are made) may not be written to. Removes what killed runs left beside it (NAME.PID.part).
+/// Throws Error{usage} if the file cannot be written: its name is that of a folder, or its folder (the nearest existing
+/// one, since missing ones are created) is not writable. Removes temporary files that killed runs left beside it
+/// (NAME.PID.part).
 void require_writable(const std::filesystem::path& file);
 
-/// Makes a file that is being written known to remove_files_being_written, as long as this object lives. At most 64
-/// are known at once; others are left to the next run, which removes them by their names (require_writable).
+/// Registers a file that is being written, as long as this object lives, so that remove_files_being_written can remove
+/// it. At most 64 files are registered at once; others are removed by the next run, which recognises them by name
+/// (require_writable).
 class FileBeingWritten {
  public:
   explicit FileBeingWritten(const std::filesystem::path& temporary);
@@ -38,11 +40,11 @@ class FileBeingWritten {
   void* place_ = nullptr;
 };
 
-/// For a handler of signals that ends the process afterwards: it neither allocates nor locks.
+/// Called by a signal handler before the process ends, so it neither allocates nor locks.
 void remove_files_being_written() noexcept;
 
-/// Calls `write(temporary path)` and renames the temporary to `file`; removes it where `write` throws. Devices and
-/// pipes (/dev/stdout) are written to as they are.
+/// Calls `write(temporary path)` and renames the temporary to `file`; removes it if `write` throws. Devices and pipes
+/// (/dev/stdout) are written directly.
 template <class F>
 void write_complete_or_absent(const std::filesystem::path& file, F&& write) {
   const OutputTarget target = output_target(file);
@@ -58,10 +60,10 @@ void write_complete_or_absent(const std::filesystem::path& file, F&& write) {
   }
 }
 
-/// Throws Error{usage}: the file cannot be written.
+/// Throws Error{usage} because the file cannot be written.
 [[noreturn]] void refuse_to_write(const std::filesystem::path& file);
 
-/// A text file, complete or absent. Throws Error{usage} where it cannot be written.
+/// Writes a text file, which is complete or absent. Throws Error{usage} if it cannot be written.
 void write_text_file(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace geomesh::geomodel

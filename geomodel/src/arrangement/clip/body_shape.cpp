@@ -41,7 +41,7 @@ struct Border {
   Vec3 place;
 };
 
-/// The boundary of the oriented triangles as a chain: edges whose directions do not cancel.
+/// Returns the boundary of the oriented triangles as a chain: edges whose directions do not cancel.
 Border border_of(const Complex& complex, const std::vector<Triangle>& triangles) {
   Border border;
   const std::vector<DirectedEdge> edges = edges_of(triangles);
@@ -58,7 +58,7 @@ Border border_of(const Complex& complex, const std::vector<Triangle>& triangles)
   return border;
 }
 
-/// Turns triangles so that neighbours across edges of two agree.
+/// Flips triangles so that neighbours across edges with two triangles are consistently oriented.
 void orient_consistently(std::vector<Triangle>& triangles, std::vector<std::int8_t>& orientation) {
   const std::vector<DirectedEdge> edges = edges_of(triangles);
   std::vector<std::vector<std::pair<Index, int>>> neighbours(triangles.size());

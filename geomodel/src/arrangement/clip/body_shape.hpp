@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What is inside a body: its closed oriented triangles, or, where it is open, the rays along which that is still
-/// defined.
+/// Determines what is inside a body, from its closed oriented triangles or, if it is open, along the rays for which
+/// inside is still defined.
 #pragma once
 
 #include <map>
@@ -12,16 +12,18 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A body ready for winding numbers.
+/// A body, prepared for winding numbers.
 struct BodyShape {
   Index surface = no_index;
-  std::vector<Triangle> triangles;  ///< over the complex' points, one for each input triangle, consistently oriented
-  std::vector<std::int8_t> orientation;  ///< per input triangle: -1 where `triangles` turns it round
+  /// Consistently oriented triangles over the complex' points, one for each input triangle.
+  std::vector<Triangle> triangles;
+  std::vector<std::int8_t> orientation;  ///< for each input triangle: -1 if `triangles` has it inverted
   bool closed = false;
   double border_length = 0;
   Vec3 border_place;
-  /// Closed bodies: any axis will do. Open ones: a direction that leads away from all of the border, which lies beyond
-  /// one side of the box. Any cap beyond that side closes such a "rooted" body. None: inside is not defined.
+  /// Directions of rays for winding numbers. Closed bodies: any axis. Open ones: a direction that leads away from all
+  /// of the border, which lies beyond one side of the box, so that any cap beyond that side closes such a "rooted"
+  /// body. None: inside is not defined.
   std::optional<RayDirection> open_direction;
   bool has_inside() const { return closed || open_direction.has_value(); }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removal of pieces by rules, decided exactly on exact vertices: outside the box, inside bodies, inner parts of bodies
+/// Removes pieces by rules, decided exactly on exact vertices: outside the box, inside bodies, inner parts of bodies
 /// that cross themselves.
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one arrangement with the means to take origins away from them.
+/// Facets of one arrangement, with the data needed to remove origins from them.
 struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
-  ArrangementResult& result;  ///< areas, spots and warnings go here
-  double tolerance = 0;       ///< within which surfaces were merged before; 0: they were not
+  ArrangementResult& result;  ///< receives areas, spots and warnings
+  double tolerance = 0;       ///< distance within which surfaces were merged before; 0 if they were not
 };
 
 /// Removes facets, wells and points outside the closed box. A piece lies on one side of each box plane, as the sides
@@ -37,7 +37,8 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
-/// Facet f with which[f] loses the origins that `remove(f, origin)` accepts. Where none is left the facet is removed.
+/// Removes from each facet f with which[f] the origins that `remove(f, origin)` accepts. A facet without any origin
+/// left is removed.
 template <typename Remove>
 void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, Remove&& remove) {
   std::vector<Triangle> facets;
@@ -66,8 +67,8 @@ void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, 
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
 
 /// Removes the parts of continued surfaces that walls cut off from what was given (ArrangementOptions::ends_at), before
-/// merging can join them with what lies beside them beyond the wall. Faults lose nothing here: those that coincide
-/// to rounding are merged first. But what they will lose is no wall.
+/// merging can join them with other surfaces beyond the wall. Faults are not cut here, since those that coincide up to
+/// rounding are merged first; but the parts that they will lose are not walls.
 void end_continuations(ClipContext context, const ArrangementOptions& options);
 
 /// Removes pieces of wells marked `outside`, with a warning that gives their length.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clipping at the box, declared in arrangement/clip/clip.hpp.
+// Clips at the box, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 
 #include "arrangement/clip/clip.hpp"
@@ -7,7 +7,8 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Exactly outside the closed box. The nearest doubles decide unless they lie on a side's plane.
+/// Returns whether a vertex is exactly outside the closed box. The nearest doubles decide unless they lie on a side's
+/// plane.
 bool is_outside(const ExactVertices& vertices, Index v, const Box3& box) {
   const Vec3& p = vertices.rounded(v);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clipping at a model volume, declared in arrangement/clip/clip.hpp.
+// Clips at a model volume, declared in arrangement/clip/clip.hpp.
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/clip/facet_components.hpp"
 
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The closed volume that the sides enclose, with exact questions.
+/// The closed volume that the sides enclose, with exact queries.
 class Volume {
  public:
   Volume(const ClipContext& context, const Complex& complex, const Ingested& ingested)
@@ -15,7 +15,7 @@ class Volume {
         triangles_(triangles_of(context.surfaces, ingested)),
         winding_(complex.points, triangles_) {}
 
-  /// For points that are on no side, or anywhere where `closed`.
+  /// Returns whether q is outside. q must not be on a side unless `closed` is set.
   bool is_outside(const ExactPoint& q, bool closed) const {
     if (winding_(vertices_.frame(), q, vertices_.frame().to_nearest(q), {}) != 0) return false;
     return !closed ||

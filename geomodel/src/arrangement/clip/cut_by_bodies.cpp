@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clipping by bodies that cut, declared in arrangement/clip/clip.hpp.
+// Clips by bodies that cut, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 #include <sstream>
 
@@ -62,7 +62,7 @@ class BodyCutter {
         barrier[f] |= is_cutter_[o.surface];
       }
     for (std::size_t f = 0; f < chosen.size(); ++f)
-      if (barrier[f] || stays[f]) chosen[f] = 0;  // on a body: not strictly inside that one
+      if (barrier[f] || stays[f]) chosen[f] = 0;  // a facet on a body is not strictly inside that body
     const auto component = components(arranged_, chosen, barrier, [&](auto edge) {
       return std::none_of(edge.begin(), edge.end(), [&](const FacetEdge& e) { return barrier[e.facet] != 0; });
     });
@@ -90,7 +90,8 @@ class BodyCutter {
     return shape.closed ? RayDirection{axis, true} : *shape.open_direction;
   }
 
-  /// The winding numbers just above and just below the facet differ by what its own triangles contribute.
+  /// Returns whether the body is on both sides of the facet. The winding numbers just above and just below differ by
+  /// the contribution of the facet's own triangles.
   bool has_body_on_both_sides(std::size_t body, std::size_t f) const {
     const BodyShape& shape = bodies_[body];
     const Triangle& t = arranged_.facets[f];
@@ -134,10 +135,10 @@ class BodyCutter {
       context_.result.area_clipped_by_bodies[o.surface] += facet_area(arranged_, f);
     }
   }
-  /// `body_of` is called for facets inside a body.
+  /// Calls `body_of` for facets inside a body.
   template <typename BodyOf>
   void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
-    std::map<Index, std::map<Index, CutOff>> cut_off;  // by body and surface
+    std::map<Index, std::map<Index, CutOff>> cut_off;  // facets that were cut off, by body and surface
     std::vector<std::vector<Index>> left(context_.surfaces.size());
     for (Index f = 0; f < arranged_.facets.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {
@@ -166,7 +167,7 @@ class BodyCutter {
   const Complex& complex_;
   std::vector<BodyShape> bodies_;
   std::vector<WindingNumber> winding_;
-  std::vector<std::uint8_t> is_cutter_;  ///< by surface: a body with an inside that cuts all others
+  std::vector<std::uint8_t> is_cutter_;  ///< for each surface, whether it is a body with an inside that cuts all others
   std::map<std::pair<Index, Index>, Spot> cuts_;
   Displacement lost_;
 };

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The facets of the surface, each counted once for each of the surface's triangles that it stands for.
+/// The facets of the surface, counted once for each of the surface's triangles to which they belong.
 class PartFacets {
  public:
   PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in) : of_(of), in_(in) {
@@ -23,12 +23,12 @@ class PartFacets {
       first_.push_back(static_cast<Index>(before));
     }
     first_.push_back(static_cast<Index>(triangle_.size()));
-    joined_ = UnionFind(triangle_.size() + 1);  // the last: what was given
+    joined_ = UnionFind(triangle_.size() + 1);  // the last entry stands for the given part
     for (Index k = 0; k < triangle_.size(); ++k)
       if (in.part[triangle_[k]] == 0) joined_.unite(k, given());
   }
 
-  /// Joins what meets at edges without a wall.
+  /// Joins facets at edges without a wall.
   void join() {
     std::vector<std::array<VertexIndex, 2>> edges;
     for (const Index f : facets_)
@@ -93,7 +93,7 @@ class PartFacets {
   const FacetsWithOrigins& of_;
   const SurfaceInParts& in_;
   std::vector<Index> facets_;    ///< ascending
-  std::vector<Index> first_;     ///< per facet of these
+  std::vector<Index> first_;     ///< first entry of each facet
   std::vector<Index> triangle_;  ///< of the surface
   UnionFind joined_{0};
   std::vector<Index> here_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Facets of one arrangement that hang together: what lies on one side of a surface is decided once for each such set.
+/// Connected sets of facets of one arrangement: on which side of a surface they lie is decided once for each set.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ struct FacetEdge {
   bool operator<(const FacetEdge& o) const { return std::tie(a, b, facet) < std::tie(o.a, o.b, o.facet); }
 };
 
-/// Components of `chosen` facets joined across the edges that `passes(begin, end)` lets through. Edges are given by all
-/// chosen facets and all `barrier` facets at them. Returns per facet the component, from 0 in the order of the least
-/// facet, or no_index.
+/// Returns the components of `chosen` facets joined across the edges that `passes(begin, end)` lets through. Edges are
+/// given by all chosen facets and all `barrier` facets at them. Returns per facet the component, from 0 in the order of
+/// the least facet, or no_index.
 template <typename Passes>
 std::vector<Index> components(const Arranged& arranged, const std::vector<std::uint8_t>& chosen,
                               const std::vector<std::uint8_t>& barrier, Passes&& passes) {
@@ -53,8 +53,8 @@ std::vector<Index> components(const Arranged& arranged, const std::vector<std::u
   return component;
 }
 
-/// The largest facet of each component: merging bends walls beside the triangles that winding numbers are taken from,
-/// so that a sliver of a component may be on another side than the component is. The first of several. O(n).
+/// Returns the largest facet of each component, the first of several: merging bends walls beside the triangles that
+/// winding numbers are taken from, so that a sliver of a component may be on another side than the component is. O(n).
 inline std::vector<Index> largest_facets(const Arranged& arranged, const std::vector<Index>& component) {
   std::vector<Index> largest;
   std::vector<double> areas;

@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The body's triangles, turned as its shape is.
+/// Returns the body's triangles, oriented as in its shape.
 std::vector<Triangle> turned_triangles(const TriangulatedSurface& body, const BodyShape& shape) {
   std::vector<Triangle> triangles = body.triangles;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -50,10 +50,12 @@ BodyAsGiven::BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape
       ray_(shape.closed ? RayDirection{} : *shape.open_direction),
       tolerance_(tolerance) {}
 
-/// Points of an edge that are near to the body, and not on it. How far one is from it is how far the next may be.
+/// Visits points of an edge that are near the body and not on it. The distance of one point determines the distance to
+/// the next.
 template <typename Visit>
 void BodyAsGiven::visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) const {
-  constexpr double on_body = 1e-3, most_moves = 2;  // of the tolerance: the body, and what is brought to it
+  // Shares of the tolerance: within which a point is on the body, and up to which points are moved onto it.
+  constexpr double on_body = 1e-3, most_moves = 2;
   constexpr double most_on_edge = 256;
   const double total = length(b - a), least_step = std::max(tolerance_, total / most_on_edge);
   for (double at = 0;; at += least_step) {

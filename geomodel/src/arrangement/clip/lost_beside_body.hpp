@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places that were outside a body as given, and were removed with its inside, because merging had moved them into the
-/// body.
+/// Finds places that were outside a body as given, and were removed with its inside because merging had moved them into
+/// the body.
 #pragma once
 
 #include "arrangement/clip/body_shape.hpp"
@@ -12,7 +12,7 @@ namespace geomesh::geomodel::arrangement {
 
 /// Facets of one surface: rows of the arrangement.
 struct CutOff {
-  std::vector<Index> gone, left;  ///< cut off by a body; those that stay
+  std::vector<Index> gone, left;  ///< facets that a body cut off, and facets that were kept
 };
 
 /// A body as given, before anything was merged within `tolerance`.
@@ -21,10 +21,11 @@ class BodyAsGiven {
   /// `body` outlives this. O(n log n).
   BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance);
 
-  /// How far points on edges of what is gone that were outside of the body are from what is left, at most. Points
-  /// within a thousandth of the tolerance of the body count as on it. Where nothing is left it is the extent of what is
-  /// gone. Points are no nearer to each other than the tolerance, or a 256th of their edge. O(n log n) for what is
-  /// left, O(log n) for each point, and O(n) for each that is farther than all before it.
+  /// Returns the largest distance from the kept facets of points that were outside the body and lie on edges of removed
+  /// facets. Points within a thousandth of the tolerance of the body count as on it. If no facets are kept, the result
+  /// is the extent of the removed ones. Sampled points are no closer to each other than the tolerance, or a 256th of
+  /// their edge. O(n log n) for the kept facets, O(log n) for each point, and O(n) for each that is farther than all
+  /// before it.
   Displacement lost(const Arranged& arranged, const CutOff& cut) const;
 
  private:

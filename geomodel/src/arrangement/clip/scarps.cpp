@@ -10,14 +10,14 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-constexpr double least_share = 0.01;  // of the length: ends that say otherwise may have so much
+constexpr double least_share = 0.01;  // share of the length along which ends may contradict
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }
 
 /// Facets of one surface, by edge.
 using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
-/// The facets of one fault as one end of the model cuts it.
+/// The facets of one fault as they are cut by the topography or the base of the model.
 class FaultAtEnd {
  public:
   FaultAtEnd(const Arranged& arranged, const std::vector<Index>& facets, const FacetsAtEdges& end)
@@ -53,7 +53,8 @@ class FaultAtEnd {
     return *std::find_if(t.begin(), t.end(), [&](VertexIndex v) { return v != e.first && v != e.second; });
   }
 
-  /// Facets that hang together but for edges of the end, each turned as the first one or against it.
+  /// Returns facets that are connected without crossing edges of the end, each with its orientation relative to the
+  /// first one.
   std::vector<Index> take_piece(Index first) {
     std::vector<Index> piece{first};
     turned_[first] = 1;
@@ -68,7 +69,8 @@ class FaultAtEnd {
     return piece;
   }
 
-  /// Lengths of ends, by whether the piece lies below them and by the side of the piece on which ground is then.
+  /// Sums lengths of ends, by whether the piece lies below them and by the side of the piece on which the ground is
+  /// then.
   bool is_scarp(const std::vector<Index>& piece) const {
     std::array<std::array<double, 2>, 2> lengths{};
     for (const Index f : piece)
@@ -89,7 +91,7 @@ class FaultAtEnd {
     return agree(0) || agree(1);
   }
 
-  /// The sign of orient3d for places above the facet.
+  /// Returns the sign of orient3d for places above the facet.
   int up_side(Index facet) const {
     const Triangle& t = arranged_.facets[facet];
     const auto in_map = [&](std::size_t k) { return Vec2{point(t[k]).x, point(t[k]).y}; };
@@ -101,7 +103,7 @@ class FaultAtEnd {
   const std::vector<Index>& facets_;
   const FacetsAtEdges& end_;
   FacetsAtEdges at_;
-  std::map<Index, int> turned_;  ///< 1 or -1, by facet
+  std::map<Index, int> turned_;  ///< 1 or -1 for each facet
 };
 
 }  // namespace

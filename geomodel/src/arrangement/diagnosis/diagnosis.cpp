@@ -23,7 +23,8 @@ bool is_inside(const std::optional<Box3>& box, const Vec3& p) {
   return true;
 }
 
-/// Crossings that geology does not expect: a surface with itself, horizons with each other, surfaces of no known kind.
+/// Returns whether a crossing is geologically unexpected: of a surface with itself, of horizons with each other, of
+/// surfaces of unknown kind.
 bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
   if (spot.surface_a == spot.surface_b) return true;
   const SurfaceKind a = surfaces[spot.surface_a].kind, b = surfaces[spot.surface_b].kind;
@@ -31,9 +32,9 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
          b == SurfaceKind::surface;
 }
 
-/// Free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest in one
-/// spot. A closed piece is a gap, unless it may be the surface's outer border. That is its longest piece, but for
-/// horizons in a box, which are to reach its sides.
+/// Collects free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest
+/// in one spot. A closed piece is a gap, unless it may be the surface's outer border. The outer border is its longest
+/// piece, except for horizons in a box, which should reach its sides.
 void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;
@@ -65,7 +66,7 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
   std::map<Index, double> longest;
   for (const auto& [key, spot] : pieces) longest[key.first] = std::max(longest[key.first], spot.measure);
-  std::set<std::pair<Index, VertexIndex>> open;  // pieces with an end: they stop at another surface
+  std::set<std::pair<Index, VertexIndex>> open;  // pieces with an end, which stop at another surface
   for (const auto& [vertex, n] : degree)
     if (n % 2 != 0) open.insert(root(vertex));
   for (auto& [key, spot] : pieces)
@@ -96,7 +97,8 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
 }
 
-/// The input triangles of two origins lie in one plane exactly: where they share a facet, they did so as given.
+/// Returns whether the input triangles of two origins are exactly coplanar: if they share a facet, they overlapped in
+/// the input already.
 bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b) {
   const auto corner = [&](const Origin& o, std::size_t k) -> const Vec3& {
     return surfaces[o.surface].points[surfaces[o.surface].triangles[o.triangle][k]];
@@ -138,7 +140,7 @@ void add_vanished(const std::vector<VanishedFacet>& vanished, ArrangementResult&
   for (const auto& [surface, spot] : spots) result.spots.push_back(spot);
 }
 
-/// Measures crossings that should not be: how much of either surface lies beyond the other. Adds warnings.
+/// Measures forbidden crossings: how much of either surface lies beyond the other. Adds warnings.
 void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
   std::optional<SurfaceParts> parts;
   for (Spot& spot : result.spots) {

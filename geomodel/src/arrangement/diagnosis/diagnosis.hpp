@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What crosses, touches, overlaps and dangles, as spots and in a geologist's words.
+/// Describes what crosses, touches, overlaps and dangles, as spots and in a geologist's words.
 #pragma once
 
 #include "arrangement/model/arranged.hpp"
@@ -8,15 +8,15 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A complex with its contacts, and both arranged.
+/// A complex with its contacts, and the results of arranging both.
 struct ArrangedContacts {
   const Complex& complex;
   const Contacts& contacts;
   const Arranged& arranged;
 };
 
-/// Crossings of input surfaces (the box's sides apart), inside the box where there is one. Adds spots and warnings,
-/// fills n_crossing_pairs; `crosses_itself` is set per given surface.
+/// Finds crossings of input surfaces (excluding the sides of the box), inside the box if there is one. Adds spots and
+/// warnings, fills n_crossing_pairs; `crosses_itself` is set per given surface.
 void diagnose_crossings(const ArrangedContacts& round, const SurfaceList& surfaces, const std::optional<Box3>& box,
                         ArrangementResult& result, std::vector<std::uint8_t>& crosses_itself);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Edges of a soup with their facets.
+/// The edges of a soup with their facets.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double rounding_share = 32 * std::numeric_limits<double>::epsilon();  // of the greatest coordinate
+constexpr double rounding_share = 32 * std::numeric_limits<double>::epsilon();  // share of the greatest coordinate
 
 Box3 box_of(const TriangulatedSurface& surface) {
   Box3 box;
@@ -28,7 +28,7 @@ bool are_near(const Box3& a, const Box3& b, double distance) {
 
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
-/// Edges with one triangle alone.
+/// Returns the edges with one triangle.
 std::vector<Edge> borders_of(const TriangulatedSurface& surface) {
   std::vector<Edge> edges, borders;
   for (const Triangle& t : surface.triangles)

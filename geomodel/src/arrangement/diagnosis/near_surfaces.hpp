@@ -10,18 +10,19 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Pairs of rows, the lesser first, ascending.
+/// Pairs of rows, the smaller first, ascending.
 struct NearSurfaces {
-  /// One follows the other: more than half of its vertices are within a distance of it, and farther from it than
-  /// rounding. No size can mesh what is between them. What coincides but for rounding is none of these.
+  /// Pairs of which one follows the other: more than half of its vertices are within a distance of it, and farther from
+  /// it than rounding. No mesh of the target size can resolve the gap between them. Surfaces that coincide up to
+  /// rounding are not included.
   std::vector<std::pair<Index, Index>> twins;
-  /// One is a fault that ends beside the other: both ends of an edge with one triangle alone are within a distance of
-  /// it. Borders of horizons that lie over each other are none of these.
+  /// Pairs of which one is a fault that ends beside the other: both ends of an edge with one triangle are within a
+  /// distance of it. Borders of horizons that lie above each other are not included.
   std::vector<std::pair<Index, Index>> ending;
 };
 
-/// Examines pairs whose boxes are that near: some hundred vertices each for duplicates, all borders for surfaces that
-/// end. O(n log n) by surface.
+/// Examines pairs whose boxes are that close: some hundred vertices each for duplicates, all borders for surfaces that
+/// end. O(n log n) per surface.
 NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double twin_distance, double end_distance);
 
 }  // namespace geomesh::geomodel::arrangement

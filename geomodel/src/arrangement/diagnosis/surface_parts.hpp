@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Into which parts the surfaces of a soup cut each other.
+/// The parts into which the surfaces of a soup cut each other.
 #pragma once
 
 #include <vector>
@@ -17,8 +17,9 @@ class SurfaceParts {
   /// Near-linear.
   SurfaceParts(const PolygonSoup& soup, std::size_t n_surfaces);
 
-  /// Area of surface `a` that its curves with surface `b` part from the largest piece. It is what lies beyond `b` where
-  /// the two cross over a patch. 0 where `b` parts nothing. Linear in the edges at which `a` meets other surfaces.
+  /// Returns the area of surface `a` that its curves with surface `b` separate from its largest piece: the part beyond
+  /// `b` if the two cross over a patch. 0 if `b` separates nothing. Linear in the edges at which `a` meets other
+  /// surfaces.
   double area_parted(Index a, Index b) const;
 
  private:
@@ -29,7 +30,7 @@ class SurfaceParts {
   UnionFind joined_;          ///< rows of soup.origins
   std::vector<double> area_;  ///< per representative
   std::vector<SharedEdge> shared_;
-  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< per surface: rows in shared_; its parts, ascending
+  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< for each surface: rows in shared_; its parts, ascending
 };
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact check of a polygon soup. Shares no code with the arrangement: its own search tree, its own case analysis;
-// only the core's predicates are the same.
+// Checks a polygon soup exactly. Shares no code with the arrangement except the core's predicates: it has its own
+// search tree and its own case analysis.
 
 #include <algorithm>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 
 int to_int(Sign s) { return static_cast<int>(s); }
 
-/// Tree of boxes by median cuts.
+/// A tree of boxes, split at the median.
 class MedianTree {
  public:
   explicit MedianTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
@@ -78,12 +78,12 @@ class MedianTree {
   std::vector<Node> nodes_;
 };
 
-/// Whether two things of a soup meet anywhere but in shared vertices and edges, by exact signs.
+/// Tests by exact signs whether two items of a soup meet anywhere except in shared vertices and edges.
 class MeetingTests {
  public:
   explicit MeetingTests(const PolygonSoup& soup) : soup_(soup) {}
 
-  /// Does edge a b meet the closed facet anywhere but in a shared vertex or as a shared edge?
+  /// Returns whether edge a b meets the closed facet anywhere except in a shared vertex or as a shared edge.
   bool edge_meets_facet(VertexIndex a, VertexIndex b, const Triangle& t) const {
     const bool has_a = has(t, a), has_b = has(t, b);
     if (has_a && has_b) return false;
@@ -113,7 +113,7 @@ class MeetingTests {
   }
 
   static bool are_equal(const Triangle& a, const Triangle& b) { return has(a, b[0]) && has(a, b[1]) && has(a, b[2]); }
-  /// A corner of `a` near which the facets, which are not equal, meet.
+  /// Returns a corner of `a` near which the (different) facets meet.
   std::optional<VertexIndex> facets_meet(const Triangle& a, const Triangle& b) const {
     if (clear(a, b) || clear(b, a)) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k)
@@ -146,7 +146,7 @@ class MeetingTests {
     return has(t, v) ? 0 : to_int(orient3d(p(t[0]), p(t[1]), p(t[2]), p(v)));
   }
 
-  /// Sign of the area of a, b, c in the first coordinate plane in which t has an area, times that of t.
+  /// Returns the sign of the area of a, b, c, times that of t, in the first coordinate plane in which t has an area.
   int turn(const Triangle& t, VertexIndex a, VertexIndex b, VertexIndex c) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
@@ -157,19 +157,20 @@ class MeetingTests {
     return 0;
   }
 
-  /// v in the plane of t: in the closed facet.
+  /// Returns whether v, which lies in the plane of t, is in the closed facet.
   bool point_in_facet(VertexIndex v, const Triangle& t) const {
     return turn(t, t[0], t[1], v) >= 0 && turn(t, t[1], t[2], v) >= 0 && turn(t, t[2], t[0], v) >= 0;
   }
 
-  /// Coplanar segments without a common endpoint: do they meet?
+  /// Returns whether coplanar segments without a common endpoint meet.
   bool coplanar_segments_meet(const Triangle& plane, VertexIndex a, VertexIndex b, VertexIndex c, VertexIndex d) const {
     if (on_open_segment(a, c, d) || on_open_segment(b, c, d) || on_open_segment(c, a, b) || on_open_segment(d, a, b))
       return true;
     return turn(plane, a, b, c) * turn(plane, a, b, d) < 0 && turn(plane, c, d, a) * turn(plane, c, d, b) < 0;
   }
 
-  /// All corners that are not shared lie strictly on one side: nothing but shared vertices and edges can meet.
+  /// Returns whether all corners that are not shared lie strictly on one side, so that only shared vertices and edges
+  /// can meet.
   bool clear(const Triangle& t, const Triangle& other) const {
     int positive = 0, negative = 0, shared = 0;
     for (const VertexIndex v : other) {
@@ -187,7 +188,7 @@ class MeetingTests {
   const PolygonSoup& soup_;
 };
 
-/// The faults of a soup, up to a limit: sizes, points, facets, then contacts.
+/// Collects the faults of a soup, up to a limit: sizes, points, facets, then contacts.
 class Validator {
  public:
   Validator(const PolygonSoup& soup, std::size_t limit) : soup_(soup), tests_(soup), limit_(limit) {}

@@ -11,14 +11,14 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Sides of the volume are numbered behind the surfaces that were given.
+/// Sides of the volume are numbered after the given surfaces.
 std::size_t rows_in_use(const Complex& complex) {
   std::size_t n = 0;
   for (const Origin& o : complex.origins.items) n = std::max<std::size_t>(n, o.surface + std::size_t{1});
   return n;
 }
 
-/// Patches of the surfaces that may be merged, distinguished as if each were a surface of its own.
+/// Patches of the surfaces that may be merged, treated as if each were a surface of its own.
 class Patches {
  public:
   Patches(const Complex& complex, const std::vector<std::uint8_t>& may_join)
@@ -82,9 +82,9 @@ class Patches {
 
   std::size_t n_surfaces_;
   UnionFind joined_;                 ///< rows of origins
-  std::vector<Index> patch_of_row_;  ///< of other surfaces: the surface
-  std::vector<Index> surface_;       ///< of patches, which are numbered from n_surfaces_ on
-  std::set<SurfacePair> pairs_;      ///< patches of one surface
+  std::vector<Index> patch_of_row_;  ///< for rows of other surfaces: the surface itself
+  std::vector<Index> surface_;       ///< surface of each patch; patches are numbered from n_surfaces_ on
+  std::set<SurfacePair> pairs_;      ///< pairs of patches of one surface
 };
 
 /// Restores the origins as they were before patches were distinguished.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Merging of surfaces that coincide up to rounding, as wholes, and of surfaces that end within rounding of others.
+/// Merges surfaces that coincide up to rounding over their whole extent, and surfaces that end within rounding of
+/// others.
 #pragma once
 
 #include <optional>
@@ -9,8 +10,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// How far, and which surfaces are sides of the volume: rows from `first_side` on. A volume that is no box has none of
-/// its sides joined.
+/// The merging distance, and which surfaces are sides of the volume: rows from `first_side` on. Sides of a volume that
+/// is not a box are never joined.
 struct Joining {
   double distance = 0;
   std::optional<Box3> box;
@@ -20,15 +21,15 @@ struct Joining {
 
 /// Surfaces that still cross once they are rounded nearly coincide somewhere. They are merged wherever they are within
 /// the distance. If they were mended at the crossings alone, voids and gaps as thin as rounding would remain between
-/// them. Sides of a box keep their planes. Returns nothing if nothing was near enough, or if facets could not follow,
+/// them. Sides of a box keep their planes. Returns nothing if nothing was near enough, or if facets could not be moved
 /// because they would end beside their neighbours; the complex is then unchanged. Cost: that of snap_near.
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining);
 
-/// A surface that ends within the distance of another one is joined to it there: its end would be beside the other
-/// here, and beyond it there. Ends take part, and the facets that they come near to. Ends beyond the box, on its
-/// planes, and those of sides do not. `vertex_now` as snap_near() gives it. Nothing where nothing was near enough. O(n
-/// log n) in the number of ends, O(n) in that of facets, and the cost of snap_near for those that take part.
+/// Joins a surface that ends within the distance of another one to it, because rounded ends would lie partly before and
+/// partly beyond the other. Ends take part, and the facets to which they come close. Ends beyond the box, on its
+/// planes, and those of sides do not. `vertex_now` is as from snap_near(). Returns nothing if nothing was near enough.
+/// O(n log n) in the number of ends, O(n) in that of facets, and the cost of snap_near for those that take part.
 std::optional<SnapOutcome> join_ends(Complex& complex, const Joining& joining, std::vector<VertexIndex>& vertex_now);
 
 }  // namespace geomesh::geomodel::arrangement

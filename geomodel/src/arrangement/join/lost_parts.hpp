@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What surfaces lost with facets that vanished.
+/// Measures what surfaces lost with facets that vanished.
 #pragma once
 
 #include <span>

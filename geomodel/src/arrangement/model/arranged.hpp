@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One exact round: from contacts to facets over exact vertices that meet only in shared vertices and edges.
+/// One exact round of the arrangement: from contacts to facets over exact vertices that meet only in shared vertices
+/// and edges.
 #pragma once
 
 #include <vector>
@@ -11,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Vertices of a round: rows below n_given are the complex' own points, the others were constructed.
+/// Vertices of a round: rows below n_given are points of the complex, the others were constructed.
 class ExactVertices {
  public:
   ExactVertices(const std::vector<Vec3>& given, ExactFrame frame) : given_(given), frame_(frame) {}
@@ -31,25 +32,25 @@ class ExactVertices {
   std::vector<Vec3> made_rounded_;
 };
 
-/// Equal places have equal rows in `facets`, `segments`; rows may be unused.
+/// Result of a round. Equal places have equal rows in `facets` and `segments`; rows may be unused.
 struct Arranged {
   ExactVertices vertices;
   std::vector<Triangle> facets;
   OriginLists origins;
-  std::vector<std::uint8_t> changed;  ///< per facet: not one of the complex' facets
+  std::vector<std::uint8_t> changed;  ///< for each facet, whether it is not a facet of the complex
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
   /// For each facet contact: the one or two distinct vertices of its ends (the second is no_index if there is one).
   std::vector<std::array<Index, 2>> contact_ends;
 };
 
-/// Throws Error{cannot_mesh} where it would take more than `max_bytes`.
+/// Throws Error{cannot_mesh} if more than `max_bytes` would be needed.
 Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context,
                        std::size_t max_bytes = no_memory_bound);
 
-/// Facets that overlap in their plane, with all contacts on them, split into pieces.
+/// Facets that overlap in their plane, split into pieces together with all contacts on them.
 struct ClusterPieces {
-  static constexpr Index made_here = 0x80000000u;  ///< flag: row in `made` instead of a vertex
+  static constexpr Index made_here = 0x80000000u;  ///< bit that marks a row in `made` instead of a vertex
   std::vector<Triangle> facets;
   OriginLists origins;
   std::vector<ExactPoint> made;
@@ -57,7 +58,7 @@ struct ClusterPieces {
 };
 struct ClusterInput {
   std::vector<Index> members;  ///< facets, ascending
-  std::vector<Index> points;   ///< vertices on them besides corners
+  std::vector<Index> points;   ///< vertices on the facets other than corners
   struct Constraint {
     Index a, b;
     Line line;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What one round of the arrangement takes and gives: triangles, wells' segments and points in doubles, each with its
+/// Input and output of a round of the arrangement: triangles, wells' segments and points in doubles, each with its
 /// origins.
 #pragma once
 
@@ -19,15 +19,15 @@ inline constexpr std::size_t no_memory_bound = ~std::size_t{0};
 
 using Origin = PolygonSoup::Origin;
 
-/// An edge or a well's segment by its ends, the lesser one first.
+/// An edge or a well's segment by its ends, the smaller index first.
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-/// The edges from each corner to the next.
+/// Returns the edges from each corner to the next.
 inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
 
-/// Lists of origins, one for each facet, back to back.
+/// Lists of origins, one for each facet, stored consecutively.
 struct OriginLists {
   std::vector<Origin> items;
   std::vector<Index> offsets{0};
@@ -48,28 +48,29 @@ struct Complex {
   OriginLists origins;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// By facet and by segment: not known to be free of crossings with the others that are not dirty either.
+  /// For each facet and each segment: whether it may still cross others. Those that are not dirty do not cross each
+  /// other.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
-/// A facet that lost its area when its corners were rounded or merged, with the places of its corners since.
+/// A facet that lost its area when its corners were rounded or merged, with the current places of its corners.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< those of its origins; the first one is reported
+  std::vector<Index> surfaces{};  ///< surfaces of its origins; losses are reported for the first one
   std::array<Vec3, 3> corners{};
 };
 
 /// Ascending, each once.
 std::vector<Index> surfaces_of(std::span<const Origin> origins);
 
-/// A well that runs to and fro along the same line gives each piece once.
+/// Removes segments that occur twice because a well runs back along the same line.
 void remove_repeated_segments(Complex& complex);
 
-/// Sorts origins by surface and triangle and drops repeated ones. True where the first one is then reversed: all are
-/// turned, and the facet is to be.
+/// Sorts origins by surface and triangle and drops repeated ones. Returns true if the first one is then reversed: all
+/// are inverted, and the caller must invert the facet.
 bool normalise_origins(std::vector<Origin>& origins);
 
-/// Calls edit(facet, origins) for each facet with its origins, to change them. Facets without any then go. Facets whose
-/// first origin is reversed then are turned. O(n).
+/// Calls edit(facet, origins) for each facet with its origins, to change them. Facets without any origin left are
+/// removed. Facets whose first origin is then reversed are inverted. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
 
 /// Returns `origin` of the facet `from`, oriented as its surface continues over the edge (a, b) to the facet `to`.
@@ -86,20 +87,20 @@ struct PointHash {
   }
 };
 
-/// Points that no facet, segment or isolated point names go; the others keep their order.
+/// Removes points that no facet, segment or isolated point uses; the others keep their order.
 void drop_unused_points(Complex& complex);
 
-/// A facet's plane seen along the axis in which its normal is longest in doubles; `sign` is its orientation there,
-/// never zero.
+/// A facet's plane projected along the axis in which its normal is longest in doubles; `sign` is its orientation in the
+/// projection, never zero.
 struct Projection {
   std::size_t i = 0, j = 1;
   Sign sign = Sign::zero;
 };
 inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i], p[frame.j]}; }
-/// sign is zero only where a, b, c are exactly collinear.
+/// The sign is zero only if a, b, c are exactly collinear.
 Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The unit in the last place of the largest coordinate.
+/// Returns the unit in the last place of the largest coordinate.
 double unit_in_the_last_place(const Complex& complex);
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c);

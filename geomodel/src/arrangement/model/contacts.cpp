@@ -12,7 +12,7 @@ namespace {
 
 int to_int(Sign s) { return static_cast<int>(s); }
 
-/// Sign of d against the plane of a facet: the static filter inline, the rest in the core.
+/// Returns the sign of d against the plane of a facet: the static filter is inline, the rest in the core.
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return to_int(orient3d(a, b, c, d)); }
 
 struct FacetView {
@@ -26,7 +26,7 @@ struct FacetView {
 
 Projection projection_of(const FacetView& f) { return arrangement::projection_of(f.p(0), f.p(1), f.p(2)); }
 
-/// A point of the facet's plane: in the closed facet?
+/// Returns whether a point of the facet's plane is in the closed facet.
 bool plane_point_in_facet(const FacetView& f, const Vec3& q) {
   const Projection frame = projection_of(f);
   const Vec2 x = project(q, frame);
@@ -36,7 +36,7 @@ bool plane_point_in_facet(const FacetView& f, const Vec3& q) {
   return true;
 }
 
-/// The line through p and q, which crosses the facet's plane: does it meet the closed facet?
+/// Returns whether the line through p and q, which crosses the facet's plane, meets the closed facet.
 bool line_meets_facet(const FacetView& f, const Vec3& p, const Vec3& q) {
   bool positive = false, negative = false;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -64,8 +64,8 @@ class Ends {
   std::size_t n_ = 0;
 };
 
-/// Ends of `cut`'s intersection with the plane of `plane` that lie in the closed facet `plane`. signs: of cut's corners
-/// against the plane.
+/// Adds the ends of `cut`'s intersection with the plane of `plane` that lie in the closed facet `plane`. `signs` are
+/// those of cut's corners against the plane.
 void add_ends(const FacetView& plane, const FacetView& cut, const std::array<int, 3>& signs, Ends& ends) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (signs[i] == 0 && (plane.corner(cut.v[i]) >= 0 || plane_point_in_facet(plane, cut.p(i))))
@@ -76,7 +76,7 @@ void add_ends(const FacetView& plane, const FacetView& cut, const std::array<int
   }
 }
 
-/// A contact that adds nothing to the facet: one of its corners, or one of its edges.
+/// Returns whether a contact adds nothing to the facet because it is one of its corners or edges.
 bool is_own_border(const FacetView& f, const Ends& ends) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (!ends[i].is_point() || f.corner(ends[i].a) < 0) return false;
@@ -101,7 +101,7 @@ void emit_point(const FacetView& f, Index other, VertexIndex v, Contacts& out) {
   emit(f, other, Line::plane(other), ends, out);
 }
 
-/// An edge of `a` has all of coplanar `b` on its outer side or on its line.
+/// Returns whether an edge of `a` has all of the coplanar facet `b` on its outer side or on its line.
 bool separated_by_edge(const FacetView& a, const FacetView& b, const Projection& frame, Sign sign) {
   for (std::size_t i = 0; i < 3; ++i) {
     bool outside = true;
@@ -130,8 +130,8 @@ bool same_strict_side(const std::array<int, 3>& s) {
   return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
 }
 
-/// Signs of the corners of f against the plane; shared corners are zero without a call. False: they all keep to one
-/// strict side, or the facet only touches the plane in a shared corner or edge.
+/// Computes the signs of the corners of f against the plane; those of shared corners are zero without a test. Returns
+/// false if all are strictly on one side, or if the facet touches the plane only in a shared corner or edge.
 bool plane_signs(const FacetView& plane, const FacetView& f, std::array<int, 3>& signs) {
   int n_shared = 0, positive = 0, negative = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -148,7 +148,7 @@ bool plane_signs(const FacetView& plane, const FacetView& f, std::array<int, 3>&
   return n_shared == 0 ? !same_strict_side(signs) : positive != 3 - n_shared && negative != 3 - n_shared;
 }
 
-/// d between a and b on their line, none equal.
+/// Returns whether d is strictly between a and b on their line.
 bool strictly_between(const Vec3& a, const Vec3& d, const Vec3& b) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a[i] != b[i]) return (a[i] < d[i] && d[i] < b[i]) || (b[i] < d[i] && d[i] < a[i]);

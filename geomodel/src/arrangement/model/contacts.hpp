@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Narrow phase: the intersection of closed triangles, wells' segments and points, pair by pair, as symbols. Signs of
-/// exact predicates on doubles decide everything; no point is constructed here.
+/// Narrow phase: computes the intersection of closed triangles, wells' segments and points, pair by pair, as symbols.
+/// Signs of exact predicates on doubles decide everything; no point is constructed here.
 #pragma once
 
 #include <compare>
@@ -11,8 +11,9 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A point given by its definition: a point of the complex, the line through two of its points with a facet's plane, or
-/// two coplanar lines. The same place may have several symbols; identification is exact and comes later.
+/// A point given by its definition: a point of the complex, the intersection of the line through two of its points with
+/// a facet's plane, or that of two coplanar lines. The same place may have several symbols; equal places are identified
+/// exactly later.
 struct Symbol {
   Index a = no_index, b = no_index, c = no_index, d = no_index;
   static Symbol point(VertexIndex v) { return {v, no_index, no_index, no_index}; }
@@ -25,7 +26,8 @@ struct Symbol {
   friend auto operator<=>(const Symbol&, const Symbol&) = default;
 };
 
-/// The line that a constraint inside a facet lies on: an edge's, or the cut with another facet's plane (b == no_index).
+/// The line of a constraint inside a facet: that of an edge, or the intersection with another facet's plane (b ==
+/// no_index).
 struct Line {
   Index a = no_index, b = no_index;
   static Line edge(VertexIndex p, VertexIndex q) { return p < q ? Line{p, q} : Line{q, p}; }
@@ -34,7 +36,7 @@ struct Line {
   friend auto operator<=>(const Line&, const Line&) = default;
 };
 
-/// A point (all symbols name one place) or a segment (they name its two ends) in which something meets a facet.
+/// A point (all symbols denote one place) or a segment (they denote its two ends) in which something meets a facet.
 struct FacetContact {
   Index facet = no_index;
   Index other = no_index;  ///< the other facet, or no_index for a well or point
@@ -48,7 +50,7 @@ struct SegmentContact {
   Symbol point;
   friend auto operator<=>(const SegmentContact&, const SegmentContact&) = default;
 };
-/// Two coplanar facets whose insides overlap.
+/// Two coplanar facets whose interiors overlap.
 struct Overlap {
   Index a, b;
   friend auto operator<=>(const Overlap&, const Overlap&) = default;
@@ -70,8 +72,8 @@ void segment_segment_contact(const Complex& complex, Index a, Index b, Contacts&
 void point_facet_contact(const Complex& complex, VertexIndex point, Index facet, Contacts& out);
 void point_segment_contact(const Complex& complex, VertexIndex point, Index segment, Contacts& out);
 
-/// All contacts in which something dirty takes part, other than shared vertices and edges; sorted. Near-linear,
-/// parallel. Throws Error{cannot_mesh} where they would take more than `max_bytes`.
+/// Returns all contacts, sorted, in which something dirty takes part, other than shared vertices and edges. Nearly
+/// linear, parallel. Throws Error{cannot_mesh} if they would take more than `max_bytes`.
 Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes = no_memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far points moved, added up.
+/// Sums how far points were moved.
 #pragma once
 
 #include "geomesh/geomodel/arrangement.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
-/// The moves of one step.
+/// The movements of points in one step.
 class MovesOfStep {
  public:
-  /// To `where`, over the distance.
+  /// Records a movement to `where` over the distance.
   void note(double distance, const Vec3& where) {
     ++moved_.points_moved;
     sum_ += distance;
@@ -29,7 +29,7 @@ class MovesOfStep {
   double sum_ = 0;
 };
 
-/// A point may move once a step: the sum of the largest bounds it.
+/// A point may move once per step, so the sum of the largest movements is a bound.
 inline void add(const Displacement& more, Displacement& total) {
   if (more.largest > total.largest) total.where = more.where;
   total.largest += more.largest;

@@ -27,12 +27,12 @@ class ExactFrame {
   explicit ExactFrame(std::span<const Vec3> points);
   mpz_class to_integer(double value) const;
   ExactPoint to_exact(const Vec3& p) const;
-  /// Also for doubles that are no integers in the unit.
+  /// Also accepts doubles that are not integers in the unit.
   ExactPoint to_exact_beyond(const Vec3& p) const;
-  /// numerator / denominator in the coordinates' unit, to the nearest double; denominator > 0.
+  /// Returns numerator / denominator in the coordinates' unit, rounded to the nearest double; denominator > 0.
   double ratio(const mpz_class& numerator, const mpz_class& denominator) const;
-  /// The nearest doubles (ties to even). Rounding is monotone, so a coordinate that lies on an axis-aligned plane in
-  /// doubles remains on it. Equal points have equal doubles.
+  /// Returns the nearest doubles (ties to even). Rounding is monotone, so a coordinate that lies on an axis-aligned
+  /// plane in doubles remains on it. Equal points have equal doubles.
   Vec3 to_nearest(const ExactPoint& p) const;
 
  private:
@@ -41,20 +41,21 @@ class ExactFrame {
 
 using PlanePoints = std::array<Vec3, 3>;
 
-/// The intersection of the line through p and q with the plane; the line must not be parallel to the plane.
+/// Returns the intersection of the line through p and q with the plane; the line must not be parallel to the plane.
 ExactPoint line_plane_point(const ExactFrame& frame, const Vec3& p, const Vec3& q, const PlanePoints& plane);
-/// The intersection of three planes, which must meet in one point.
+/// Returns the intersection of three planes, which must meet in one point.
 ExactPoint three_planes_point(const ExactFrame& frame, const PlanePoints& a, const PlanePoints& b,
                               const PlanePoints& c);
-/// The intersection of the line through p and q with the line through r and s; they must be coplanar and not parallel.
+/// Returns the intersection of the line through p and q with the line through r and s; they must be coplanar and not
+/// parallel.
 ExactPoint line_line_point(const ExactFrame& frame, const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 
 bool equal(const ExactPoint& a, const ExactPoint& b);
-/// Sign of the doubled area of a, b, c in the coordinates i and j.
+/// Returns the sign of the doubled area of a, b, c in the coordinates i and j.
 Sign exact_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j);
-/// As geomesh::orient3d, for one exact point against three points.
+/// Like geomesh::orient3d, for one exact point against three points.
 Sign exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
-/// Sign of a[i] - b[i].
+/// Returns the sign of a[i] - b[i].
 Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, std::size_t i);
 ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 

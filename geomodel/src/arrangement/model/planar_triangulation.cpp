@@ -13,7 +13,8 @@ namespace {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
-/// Sign of the doubled area from nearest doubles, zero where their errors (half an ulp where not exact) leave it open.
+/// Returns the sign of the doubled area from nearest doubles, or zero if their errors (half an ulp where not exact)
+/// leave it open.
 Sign filtered_orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, std::size_t i, std::size_t j) {
   constexpr double u = 0x1p-53;
   const auto error = [](const PlanarPoint& p, std::size_t k) { return p.exact ? u * std::fabs(p.rounded[k]) : 0.0; };
@@ -70,7 +71,7 @@ int PlanarTriangulation::mirror(int face, int edge) const {
   return none;
 }
 
-/// After a face was rewritten: its vertices and its neighbours learn of it.
+/// Updates the vertices and neighbours of a face that was rewritten.
 void PlanarTriangulation::touch(int face) {
   for (int i = 0; i < 3; ++i) {
     face_of_[faces_[face].v[i]] = face;
@@ -113,7 +114,7 @@ PlanarTriangulation::Place PlanarTriangulation::locate(int p, int& face, int& in
   for (std::size_t steps = 0;; ++steps) {
     GEOMESH_CHECK(steps <= 1000 + 100 * faces_.size());
     turn_ = turn_ * 1103515245u +
-            12345u;  // a walk that starts at changing edges ends in any triangulation (Devillers et al. 2002)
+            12345u;  // a walk whose first edge varies ends in any triangulation (Devillers et al. 2002)
     int zeros = 0, zero_edge = none, move = none;
     for (int k = 0; k < 3 && move == none; ++k) {
       const int e = static_cast<int>((k + (turn_ >> 16)) % 3);
@@ -137,7 +138,7 @@ void PlanarTriangulation::insert_point(int p) {
   if (face_of_[p] != none) return;
   int face = none, index = none;
   const Place place = locate(p, face, index);
-  GEOMESH_CHECK(place != Place::on_vertex);  // equal points were identified before
+  GEOMESH_CHECK(place != Place::on_vertex);  // equal points were merged before
   if (place == Place::inside)
     split_face(face, p);
   else
@@ -176,7 +177,7 @@ void PlanarTriangulation::split_edge(int f, int e, int p) {
   faces_[f] = {{o, a, p}, {g, f2, old.neighbour[eb]}, {line, none, old.constraint[eb]}};
   faces_.push_back({{o, p, b}, {g2, old.neighbour[ea], f}, {line, old.constraint[ea], none}});
   if (g != none) {
-    // `other` turns q, b, a.
+    // The face `other` has the counter-clockwise corners q, b, a.
     const int q = other.v[m], opposite_b = next(m), opposite_a = previous(m);
     faces_[g] = {{q, p, a}, {f, other.neighbour[opposite_b], g2}, {line, other.constraint[opposite_b], none}};
     faces_.push_back({{q, b, p}, {f2, g, other.neighbour[opposite_a]}, {line, none, other.constraint[opposite_a]}});
@@ -192,7 +193,8 @@ void PlanarTriangulation::flip(int f, int e) {
   const int g = old.neighbour[e], m = mirror(f, e);
   const Face other = faces_[g];
   const int p = old.v[e], a = old.v[next(e)], b = old.v[previous(e)], q = other.v[m];
-  const int opposite_b = next(m), opposite_a = previous(m);  // in `other`, which turns q, b, a
+  // Rows in `other`, whose counter-clockwise corners are q, b, a.
+  const int opposite_b = next(m), opposite_a = previous(m);
   faces_[f] = {{p, a, q},
                {other.neighbour[opposite_b], g, old.neighbour[previous(e)]},
                {other.constraint[opposite_b], none, old.constraint[previous(e)]}};
@@ -217,7 +219,7 @@ bool PlanarTriangulation::wants_flip(int f, int e) const {
   const Vec3 pa = a - p, pb = b - p, qa = a - q, qb = b - q;
   const double cos_p = dot(pa, pb), sin_p = length(cross(pa, pb)), cos_q = dot(qa, qb), sin_q = length(cross(qa, qb));
   constexpr double margin =
-      1e-10;  // angles that add up to more than pi by a clear margin: flips strictly improve, so they end
+      1e-10;  // angles that exceed pi in sum by a clear margin: flips strictly improve, so they terminate
   return sin_p * cos_q + cos_p * sin_q < -margin * length(pa) * length(pb) * length(qa) * length(qb) && is_convex(f, e);
 }
 
@@ -266,7 +268,8 @@ PlanarTriangulation::Stop PlanarTriangulation::first_stop(int a, int b) const {
   return stop;
 }
 
-/// Inserts the first part of a b, up to the next vertex on it or the next constraint across it; returns where it ends.
+/// Inserts the first part of the segment a b, up to the next vertex on it or the next constraint across it; returns
+/// where it ends.
 int PlanarTriangulation::advance(int a, int b, int line) {
   const Stop stop = first_stop(a, b);
   if (stop.is_edge) {
@@ -296,7 +299,7 @@ int PlanarTriangulation::advance(int a, int b, int line) {
     }
     e = index_of(g, s == Sign::positive
                         ? left
-                        : right);  // leave through the edge between the apex and the one on the other side
+                        : right);  // leave through the edge between the apex and the vertex on the other side
     f = g;
   }
 }

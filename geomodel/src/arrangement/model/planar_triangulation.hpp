@@ -15,15 +15,16 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A point of the plane: its nearest doubles, and its exact place where these are not exact.
+/// A point of the plane: its nearest doubles, and its exact place if these are not exact.
 struct PlanarPoint {
   Vec3 rounded;
   const ExactPoint* exact = nullptr;
 };
 
 /// Incremental triangulation with constraint insertion by flips (Sloan 1993, "A fast algorithm for generating
-/// constrained Delaunay triangulations"). All decisions that touch validity are exact orientations. Being Delaunay is
-/// only wished for: flips for quality go by rounded angles, which keeps slivers away and costs no exact in-circle test.
+/// constrained Delaunay triangulations"). All decisions that touch validity are exact orientations. The Delaunay
+/// property is not required: flips for quality use rounded angles, which keeps slivers away and costs no exact
+/// in-circle test.
 /// Constraints that cross make a new point at their crossing.
 ///
 /// Invariants: triangles turn left in the projection; neighbours are mutual; a constrained edge is never flipped away.
@@ -40,10 +41,10 @@ class PlanarTriangulation {
       : frame_(frame), i_(i), j_(j), crossing_(std::move(crossing)) {}
 
   int add_point(const PlanarPoint& p);
-  /// The first face, turning left; every later point lies in it.
+  /// Creates the first face, which is counter-clockwise; every later point must lie in it.
   void start(int a, int b, int c);
   void insert_point(int p);
-  /// Makes the segment a union of constrained edges that bear `line`.
+  /// Makes the segment a union of constrained edges with the label `line`.
   void insert_constraint(int a, int b, int line);
   /// Marks edges of the first face before anything else is inserted.
   void constrain_border(const std::array<int, 3>& lines) { faces_[0].constraint = lines; }
@@ -51,17 +52,17 @@ class PlanarTriangulation {
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<PlanarPoint>& points() const { return points_; }
   Sign orient(int a, int b, int c) const;
-  /// Vertices from a to b along edges that are there already.
+  /// Returns the vertices from a to b along existing edges.
   std::vector<int> chain(int a, int b) const;
-  /// The face to the left of edge a b and the edge's index in it; {none, none} on the border.
+  /// Returns the face to the left of edge a b and the edge's index in it; {none, none} on the border.
   std::pair<int, int> left_face(int a, int b) const;
 
  private:
   enum class Place { inside, on_edge, on_vertex };
   struct Stop {
     int vertex = none;
-    bool is_edge = false;          ///< the edge from a to it is there
-    int face = none, edge = none;  ///< else: the constrained edge to split, or the first face crossed
+    bool is_edge = false;          ///< whether the edge from a to it exists
+    int face = none, edge = none;  ///< otherwise: the constrained edge to split, or the first face that is crossed
   };
   Place locate(int p, int& face, int& index) const;
   void split_face(int face, int p);
@@ -86,7 +87,7 @@ class PlanarTriangulation {
   Crossing crossing_;
   std::vector<PlanarPoint> points_;
   std::vector<Face> faces_;
-  std::vector<int> face_of_;  ///< per point: a face around it, none before its insertion
+  std::vector<int> face_of_;  ///< for each point: a face around it, none before its insertion
   mutable int hint_ = 0;
   mutable unsigned turn_ = 0;
 };

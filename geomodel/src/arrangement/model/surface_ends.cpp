@@ -15,7 +15,7 @@ template <class Visit>
 void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    Index last = no_index;  // origins of one surface follow each other
+    Index last = no_index;  // origins of one surface are consecutive
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == last) continue;
       last = o.surface;
@@ -27,7 +27,7 @@ void for_each_surface_edge(const Complex& complex, Visit visit) {
   }
 }
 
-/// Returns those edges, ascending by edge, then by surface: in buckets by their lesser end, each bucket sorted.
+/// Returns those edges in ascending order by edge, then by surface, using buckets by their smaller end.
 std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<std::size_t> begin(complex.points.size() + 1, 0);
   for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });

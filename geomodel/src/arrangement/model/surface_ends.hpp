@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Edges at which surfaces of a complex end.
+/// Finds edges at which surfaces of a complex end.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// An edge at which one facet of a surface is.
+/// An edge at which a surface has one facet.
 struct SurfaceEnd {
   VertexIndex a, b;  ///< a < b
   Index surface, facet;
 };
 
-/// Ascending by edge, then by surface. O(n log n).
+/// Returns the ends in ascending order by edge, then by surface. O(n log n).
 std::vector<SurfaceEnd> surface_ends(const Complex& complex);
 
-/// Surfaces with an edge at which three facets of theirs or more are, ascending. O(n log n).
+/// Returns the surfaces with an edge that has three or more of their facets, ascending. O(n log n).
 std::vector<Index> branching_surfaces(const Complex& complex);
 
 }  // namespace geomesh::geomodel::arrangement

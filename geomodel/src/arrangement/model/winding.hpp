@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Winding numbers by exact rays along an axis, made general by a symbolic shift of the ray.
+/// Winding numbers by exact rays along an axis, with a symbolic shift of the ray that excludes degenerate cases.
 #pragma once
 
 #include <array>
@@ -12,25 +12,25 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A ray along an axis; `up` towards greater coordinates.
+/// A ray along an axis; `up` means towards greater coordinates.
 struct RayDirection {
   std::size_t axis = 2;
   bool up = true;
 };
 
-/// Closed oriented triangles and queries against them. Triangles without area are ignored.
+/// Closed oriented triangles, prepared for queries. Triangles without area are ignored.
 class WindingNumber {
  public:
   WindingNumber(std::span<const Vec3> points, std::vector<Triangle> triangles);
 
-  /// Zero outside. `rounded`: nearest doubles of q. q may lie on triangles only if `skip` (ascending) lists them: these
-  /// are not counted.
+  /// Returns the winding number around q, zero outside. `rounded` contains the nearest doubles of q. q may lie on
+  /// triangles only if `skip` (ascending) lists them; they are not counted.
   int operator()(const ExactFrame& frame, const ExactPoint& q, const Vec3& rounded, RayDirection ray,
                  std::span<const Index> skip = {}) const;
-  /// q in doubles, not on a triangle.
+  /// Returns the winding number around q, which is not on a triangle.
   int operator()(const Vec3& q, RayDirection ray) const;
 
-  /// The contribution of crossing triangle t to the winding number of points on its lower side along the axis.
+  /// Returns the contribution of crossing triangle t to the winding number of points on its lower side along the axis.
   int contribution(Index t, std::size_t axis) const;
   const Box3& box() const { return box_; }
 

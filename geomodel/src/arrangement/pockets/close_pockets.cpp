@@ -34,7 +34,8 @@ std::vector<Triangle> triangles_of(const Complex& complex, const std::vector<Fac
   return triangles;
 }
 
-/// The farthest corner of one wall from the other, where all of the wall is proven to be within the distance.
+/// Returns the corner of one wall that is farthest from the other, if all of the wall is proven to be within the
+/// distance.
 std::optional<Displacement> way_between(const Complex& complex, const std::vector<FacetSide>& wall,
                                         const SurfaceDistance& other, double distance) {
   Displacement way;
@@ -55,9 +56,9 @@ Triangle sorted_corners(Triangle t) {
   return t;
 }
 
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends, the lesser first, and a surface
+using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends of an edge, the smaller first, and a surface
 
-/// The part of its surface that an origin is of.
+/// Determines the part of its surface to which an origin belongs.
 class Parts {
  public:
   explicit Parts(const std::vector<std::vector<Index>>& of_triangle) : of_triangle_(of_triangle) {}
@@ -70,10 +71,10 @@ class Parts {
   const std::vector<std::vector<Index>>& of_triangle_;
 };
 
-/// Surfaces that closed voids have given to facets beside them.
+/// Surfaces that closed voids have assigned to facets beside them.
 struct GivenSurfaces {
-  std::map<Triangle, std::set<Index>> of_facet;  ///< by the corners of the facet
-  std::set<SurfaceEdge> borders;                 ///< where surfaces ended before
+  std::map<Triangle, std::set<Index>> of_facet;  ///< assigned surfaces, by the corners of the facet
+  std::set<SurfaceEdge> borders;                 ///< edges at which surfaces ended before
 };
 
 /// Visits each edge of the facet with each of its surfaces.
@@ -106,9 +107,9 @@ void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& take
   });
 }
 
-/// A narrow part between two voids is given a surface that lost its walls on either side of it, and ends nowhere.
-/// Facets that were given a surface, and at one of whose edges it ends where it did not end before, lose it again,
-/// until there are none.
+/// Removes assigned surfaces that end in the open. A narrow strip between two voids gets a surface that lost its walls
+/// on either side of it. Facets that were assigned a surface, and have an edge at which it ends where it did not end
+/// before, lose it again; this is repeated until there are none.
 void prune_fins(Complex& complex, const GivenSurfaces& given) {
   std::map<SurfaceEdge, Index> n_at = facets_at_edges(complex);
   std::map<SurfaceEdge, std::vector<Index>> given_at;
@@ -140,7 +141,7 @@ void prune_fins(Complex& complex, const GivenSurfaces& given) {
   if (!taken.empty()) take_surface(complex, taken);
 }
 
-/// One round: thin voids that share no facet.
+/// One round: closes thin voids that share no facet.
 class PocketRound {
  public:
   PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts, GivenSurfaces& given)
@@ -164,7 +165,7 @@ class PocketRound {
   }
 
  private:
-  /// A closed space in which nothing dangles, thin in the mean.
+  /// Returns whether a shell encloses a space without dangling faces that is thin on average.
   bool is_thin(const std::vector<FacetSide>& shell) const {
     if (shell.size() < 4) return false;
     for (std::size_t k = 0; k + 1 < shell.size(); ++k)
@@ -188,7 +189,7 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// The facet becomes part of the surfaces of the removed facet nearest to its middle, as seen from beyond the void.
+  /// Assigns to the facet the surfaces of the removed facet nearest to its centre, as seen from beyond the void.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

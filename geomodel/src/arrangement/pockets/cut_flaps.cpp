@@ -15,7 +15,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr std::size_t most_facets = 64;  ///< of a dangling piece: the remains of a needle have few
+constexpr std::size_t most_facets = 64;  ///< number of facets of a dangling piece: the remains of a needle have few
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -23,10 +23,10 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length(p - (a + t * along));
 }
 
-constexpr int most_halvings = 24;  ///< of a facet, until each piece is near one edge of the hinge
+constexpr int most_halvings = 24;  ///< halvings of a facet, until each piece is near one edge of the hinge
 
-/// Returns whether all of the triangle is within the distance of the edges. The places that near to one of them are
-/// convex.
+/// Returns whether all of the triangle is within the distance of the edges. The set of places within the distance of
+/// one edge is convex.
 bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 2>>& edges, double distance,
                int halvings = most_halvings) {
   for (const auto& e : edges) {
@@ -43,7 +43,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
   const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
   for (std::size_t k = 1; k < 3; ++k)
     if (side(k) > side(longest)) longest = k;
-  if (side(longest) <= distance / 16) return true;  // off by no more than that
+  if (side(longest) <= distance / 16) return true;  // the error is at most that
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
   return is_within({a, middle, c}, edges, distance, halvings - 1) &&
          is_within({middle, b, c}, edges, distance, halvings - 1);
@@ -62,8 +62,8 @@ class SurfaceFacets {
     for (const Index f : facets)
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
-  /// Pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. Of pieces
-  /// that share one, those come first whose facets are lower.
+  /// Returns pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. If
+  /// pieces share one, those with lower facets come first.
   std::vector<Flap> take_flaps(double distance) {
     std::vector<Flap> flaps;
     for (std::vector<Index>& piece : pieces_that_end()) {
@@ -104,7 +104,7 @@ class SurfaceFacets {
       }
     return piece;
   }
-  /// Empty where there is none, or where the surface would end at it without the piece.
+  /// Returns the hinge; empty if there is none, or if the surface would end at it without the piece.
   std::vector<EdgeKey> hinge_of(const std::vector<Index>& piece) const {
     std::map<EdgeKey, std::size_t> own;
     for (const Index f : piece)
@@ -118,7 +118,7 @@ class SurfaceFacets {
     }
     return hinge;
   }
-  /// All of it is within the distance of its hinge, and not its corners alone.
+  /// Returns whether all of the piece, and not only its corners, is within the distance of its hinge.
   bool lies_along(const Flap& flap, double distance) const {
     std::vector<std::array<Vec3, 2>> hinge;
     for (const EdgeKey& e : flap.hinge) hinge.push_back({complex_.points[e.first], complex_.points[e.second]});
@@ -152,7 +152,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   for (const Index surface : branching_surfaces(complex)) facets_of[surface];
   if (facets_of.empty()) return facets_of;
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // origins of one surface follow each other
+    Index last = no_index;  // origins of one surface are consecutive
     for (const Origin& o : complex.origins.of(f))
       if (o.surface != std::exchange(last, o.surface))
         if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);
@@ -164,8 +164,9 @@ using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
 /// The surfaces that meet a dangling piece at edges other than its hinge, where the piece belongs to no other surface.
 struct Borne {
-  std::optional<Origin> ending;  ///< of a surface that ends there; `reversed` if the piece is oriented against it
-  bool by_others = false;        ///< a surface that continues beyond, or a second one
+  /// Origin of a surface that ends there; `reversed` if the piece is oriented against it.
+  std::optional<Origin> ending;
+  bool by_others = false;  ///< whether a surface continues beyond, or there is a second one
 };
 
 /// The origin that a facet loses, and the one that it gets if it has no other.

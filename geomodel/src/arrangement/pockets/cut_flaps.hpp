@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Dangling faces: parts of a surface that are attached along one edge and are thinner than the distance of merging.
+/// Removes dangling faces: parts of a surface that are attached along one edge and are thinner than the merging
+/// distance.
 #pragma once
 
 #include "arrangement/model/complex.hpp"
@@ -9,7 +10,7 @@ namespace geomesh::geomodel::arrangement {
 
 struct CutFlaps {
   std::size_t n_flaps = 0;
-  Displacement moved;  ///< of the corners of removed facets, to the surface that is kept
+  Displacement moved;  ///< movement of the corners of removed facets to the surface that is kept
   std::vector<VanishedFacet> vanished;
 };
 

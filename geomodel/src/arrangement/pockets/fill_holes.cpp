@@ -11,14 +11,14 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Returns the surface's origin of the facet beside, oriented as the surface continues over the edge to `t`.
+/// Returns the surface's origin of the adjacent facet, oriented as the surface continues over the edge to `t`.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-/// The third edge, at which a hole is open, is shorter than this share of the length of the two others together.
+/// Largest length of the third edge, at which a hole is open, relative to the sum of the two others.
 constexpr double mouth_of_notch = 0.125;
 
 class Holes {
@@ -61,7 +61,8 @@ class Holes {
     const double longest = std::max({edge_length(f, 0), edge_length(f, 1), edge_length(f, 2)});
     return 2 * area(complex_.points[a], complex_.points[b], complex_.points[c]) <= height_ * longest;
   }
-  /// The surface of `end`, which is at edge k, ends at the next edge too, and the third one is another end or short.
+  /// Returns whether facet f fills a hole: the surface of `end`, which is at edge k, ends at the next edge too, and the
+  /// third edge is another end or short.
   bool fills(Index f, std::size_t k, const SurfaceEnd& end) const {
     if (end.facet == f || !ends_at(f, k + 1, end.surface)) return false;
     if (ends_at(f, k + 2, end.surface)) return true;
@@ -74,7 +75,7 @@ class Holes {
   }
 
   const Complex& complex_;
-  double height_;  ///< of facets that fill holes
+  double height_;  ///< largest height of facets that fill holes
   std::vector<SurfaceEnd> ends_;
 };
 

@@ -13,7 +13,8 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double least_part = 0.3, most_part = 0.7;  // of the area of a thin void: the share of one of its two walls
+// Least and largest share of a thin void's area that one of its two walls may have.
+constexpr double least_part = 0.3, most_part = 0.7;
 
 /// Calls see(edge, facets) for each edge of the facets, ascending.
 template <class See>
@@ -76,9 +77,9 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Facets of one list of surfaces, connected across edges to which nothing else is attached.
+/// Returns connected sets of facets with one list of surfaces, joined across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
-  const auto row = [&](Index facet) {  // in the shell, which is ascending
+  const auto row = [&](Index facet) {  // row in the shell, which is ascending
     return static_cast<Index>(
         std::lower_bound(shell.begin(), shell.end(), facet, [](FacetSide s, Index f) { return facet_of(s) < f; }) -
         shell.begin());
@@ -96,7 +97,7 @@ std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<Facet
   return all;
 }
 
-/// The vertices inside it are its own.
+/// Returns whether a wall can be removed, because the vertices inside it belong to no other facet.
 bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   std::vector<VertexIndex> corners, on_rim;
   for (const FacetSide s : wall)
@@ -114,7 +115,7 @@ bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   return true;
 }
 
-/// Two facets share the edge, and no well can run along it.
+/// Returns whether exactly two facets share the edge, and no well can run along it.
 bool WallSearch::is_free_inside(VertexIndex a, VertexIndex b) const {
   if (is_held_[a] && is_held_[b]) return false;
   const auto less = [](const EdgeFacets::Use& use, const EdgeKey& edge) { return EdgeKey(use.a, use.b) < edge; };

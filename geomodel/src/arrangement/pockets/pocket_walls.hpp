@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The two walls of a closed space.
+/// Finds the two walls of a closed space.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct PocketWalls {
   std::vector<FacetSide> that_goes, that_stays;
 };
 
-/// Looks for a wall that can be taken out of a complex, which must not change meanwhile.
+/// Looks for a wall that can be removed from a complex, which must not change meanwhile.
 class WallSearch {
  public:
   /// Surfaces from the row `first_side` on are sides of the volume.
@@ -36,7 +36,7 @@ class WallSearch {
   const Complex& complex_;
   const EdgeFacets& edges_;
   Index first_side_;
-  std::vector<std::uint8_t> is_held_;  // per point: a well or a point of its own is there
+  std::vector<std::uint8_t> is_held_;  // for each point: whether a well or an isolated point is there
   std::vector<Index> n_facets_at_;     // per point
 };
 

@@ -18,7 +18,7 @@ VertexIndex third_corner(const Triangle& t, const EdgeFacets::Use& use) {
   return no_vertex;
 }
 
-/// Counterclockwise as seen against the edge from a to b, beginning at the first of them.
+/// Orders facets counter-clockwise as seen against the edge from a to b, starting at the first of them.
 class AngleOrder {
  public:
   AngleOrder(const Complex& complex, const EdgeFacets::Use& first)
@@ -34,7 +34,7 @@ class AngleOrder {
   const Vec3& corner(const EdgeFacets::Use& use) const {
     return complex_.points[third_corner(complex_.facets[use.facet], use)];
   }
-  /// 0: the first one; 1: less than half a turn from it; 2: half a turn; 3: more.
+  /// Returns 0 for the first one; 1 for an angle of less than half a turn from it; 2 for half a turn; 3 for more.
   int part_of_turn(const EdgeFacets::Use& use) const {
     const Vec3& p = corner(use);
     if (p == first_) return 0;
@@ -46,7 +46,7 @@ class AngleOrder {
   const Vec3 &a_, &b_, &first_;
 };
 
-/// The side of a facet that is met by turning on, and the one that is met by turning back.
+/// Returns the side of a facet that is met by turning forward, and the one that is met by turning back.
 FacetSide side_ahead(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 0 : 1); }
 FacetSide side_behind(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 1 : 0); }
 

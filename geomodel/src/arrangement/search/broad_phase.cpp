@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs of facets that may meet, declared in arrangement/model/contacts.hpp.
+// Finds pairs of facets that may meet, declared in arrangement/model/contacts.hpp.
 
 #include <algorithm>
 #include <atomic>
@@ -39,7 +39,7 @@ struct Limits {
   MemoryUse& memory;
 };
 
-/// Runs body(i, out) for i in [0, n) in fixed chunks and joins what they found in the order of the chunks.
+/// Runs body(i, out) for i in [0, n) in fixed chunks and concatenates the results in the order of the chunks.
 template <typename Body>
 void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limits, Body&& body) {
   const auto& [complex, context, memory] = limits;
@@ -64,7 +64,7 @@ void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limi
   for (const Contacts& part : found) all.append(part);
 }
 
-/// The facets that a dirty one may meet, dirty ones included; all where most are dirty.
+/// Returns the facets that a dirty one may meet, including dirty ones; all facets if most are dirty.
 std::vector<Index> facets_to_test(const Complex& complex) {
   std::vector<Index> dirty, result;
   for (Index f = 0; f < complex.facets.size(); ++f)

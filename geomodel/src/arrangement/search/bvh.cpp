@@ -85,7 +85,7 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) 
 void BoxTree::group_nodes(std::span<const Index> groups) {
   groups_.resize(order_.size());
   for (std::size_t i = 0; i < order_.size(); ++i) groups_[i] = groups[order_[i]];
-  // Nodes without boxes are never entered, so their group does not matter.
+  // Nodes without boxes are never visited, so their group does not matter.
   node_groups_.assign(2 * n_slots_, no_index);
   for (std::size_t leaf = 0; leaf < n_leaves_; ++leaf) {
     const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, groups_.size());

@@ -13,8 +13,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Closed box in floats relative to the tree's origin. The map from doubles is monotone, so boxes that meet in doubles
-/// meet here.
+/// A closed box in floats relative to the tree's origin. The conversion from doubles is monotone, so boxes that meet in
+/// doubles meet here too.
 struct FloatBox {
   std::array<float, 3> lo, hi;
   bool meets(const FloatBox& o) const {
@@ -33,9 +33,9 @@ class BoxTree {
  public:
   static constexpr std::size_t leaf_size = 4;
 
-  /// Time n log n (sort), parallel; boxes may not be empty. The tree is the same whatever the number of threads.
-  /// `groups`, where given, has a group or no_index for each box: boxes of one group are kept together, and pairs
-  /// within it are not visited.
+  /// Takes n log n time (sorting) in parallel; boxes must not be empty. The tree is the same whatever the number of
+  /// threads. `groups`, where given, has a group or no_index for each box: boxes of one group are kept together, and
+  /// pairs within it are not visited.
   explicit BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups = {});
 
   std::size_t n_leaves() const { return n_leaves_; }
@@ -77,7 +77,7 @@ class BoxTree {
   FloatBox relative(const Box3& box) const;
   void group_nodes(std::span<const Index> groups);
 
-  /// Visits leaves from `first` on whose box meets the query, except those that belong to `group` as a whole. Node k
+  /// Visits leaves from `first` on whose box meets the query, except those whose boxes all belong to `group`. Node k
   /// has the children 2k and 2k+1; leaf l is node n_slots_ + l.
   template <typename Visit>
   void descend(const FloatBox& query, std::size_t first, Index group, Visit&& visit) const {
@@ -111,8 +111,8 @@ class BoxTree {
   std::vector<Index> order_;     ///< boxes in Morton order
   std::vector<FloatBox> boxes_;  ///< in that order
   std::vector<FloatBox> nodes_;
-  std::vector<Index> groups_;       ///< per box in that order; empty where none were given
-  std::vector<Index> node_groups_;  ///< per node: the group of all its boxes, or no_index
+  std::vector<Index> groups_;       ///< group of each box in that order; empty if none were given
+  std::vector<Index> node_groups_;  ///< for each node: the group of all its boxes, or no_index
 };
 
 }  // namespace geomesh::geomodel::arrangement

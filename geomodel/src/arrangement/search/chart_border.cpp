@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How often the border of a chart winds about a point, declared in arrangement/search/charts.hpp.
+// Computes how often the border of a chart winds around a point, declared in arrangement/search/charts.hpp.
 #include <algorithm>
 #include <map>
 
@@ -24,14 +24,14 @@ class Border {
   }
 
  private:
-  /// One end of an edge at `at`; `is_out` where the edge leaves it.
+  /// One end of an edge at vertex `at`; `is_out` if the edge leaves it.
   struct End {
     VertexIndex at, other;
     bool is_out;
   };
   Vec2 flat(VertexIndex v) const { return {points_[v][i_], points_[v][j_]}; }
 
-  /// Edges meet in shared vertices alone.
+  /// Returns whether edges meet only in shared vertices.
   bool is_simple() const {
     std::vector<Box3> boxes(edges_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -43,7 +43,7 @@ class Border {
     return simple;
   }
 
-  /// True also for some collinear edges that only come near each other: it costs speed alone.
+  /// May return true for collinear edges that only come near each other, which costs only speed.
   bool meet(const BorderEdge& e, const BorderEdge& f) const {
     for (const auto& [s, p] : {std::pair{e.from, e.to}, std::pair{e.to, e.from}})
       for (const auto& [t, q] : {std::pair{f.from, f.to}, std::pair{f.to, f.from}})
@@ -56,7 +56,7 @@ class Border {
            std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
   }
 
-  /// Segments s p and s q run along each other.
+  /// Returns whether segments s p and s q overlap.
   static bool overlap_from(const Vec2& s, const Vec2& p, const Vec2& q) {
     return orient2d(s, p, q) == Sign::zero && before(s, p) == before(s, q);
   }
@@ -73,8 +73,8 @@ class Border {
     begin_.push_back(ends_.size());
   }
 
-  /// Edges around each vertex, by angle, leave and reach it in turns: the winding numbers there are two that follow
-  /// each other.
+  /// Returns whether the edges around each vertex, ordered by angle, alternately leave and reach it: the winding
+  /// numbers there are then two consecutive ones.
   bool alternates_everywhere() {
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const std::size_t n = begin_[k + 1] - begin_[k];
@@ -86,7 +86,7 @@ class Border {
     return true;
   }
 
-  /// Counterclockwise, from the direction straight down on.
+  /// Sorts counter-clockwise, starting with the direction straight down.
   void sort_by_angle(std::size_t begin, std::size_t end) {
     const Vec2 s = flat(ends_[begin].at);
     std::sort(ends_.begin() + static_cast<std::ptrdiff_t>(begin), ends_.begin() + static_cast<std::ptrdiff_t>(end),
@@ -97,8 +97,8 @@ class Border {
               });
   }
 
-  /// Connected parts of the border whose outside is on the right of their edges. With one, the others bound holes in
-  /// it: see the header.
+  /// Returns the number of connected parts of the border whose outside is on the right of their edges. If there is one,
+  /// the others bound holes in it: see the header.
   std::size_t n_outer_components() {
     std::map<VertexIndex, VertexIndex> parent;
     const auto root = [&parent](VertexIndex v) {
@@ -110,7 +110,8 @@ class Border {
       const VertexIndex a = root(e.from), b = root(e.to);
       parent[std::max(a, b)] = std::min(a, b);
     }
-    std::map<VertexIndex, std::size_t> first_of;  // component -> row in begin_ of its least vertex as seen
+    // Row in begin_ of the least vertex of each component in the projection.
+    std::map<VertexIndex, std::size_t> first_of;
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const auto [at, is_new] = first_of.try_emplace(root(ends_[begin_[k]].at), k);
       if (!is_new && before(flat(ends_[begin_[k]].at), flat(ends_[begin_[at->second]].at))) at->second = k;
@@ -118,7 +119,7 @@ class Border {
     std::size_t n = 0;
     for (const auto& [component, k] : first_of) {
       sort_by_angle(begin_[k], begin_[k + 1]);
-      n += ends_[begin_[k]].is_out;  // below it lies the outside
+      n += ends_[begin_[k]].is_out;  // the outside lies below it
     }
     return n;
   }

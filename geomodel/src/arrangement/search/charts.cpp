@@ -11,8 +11,8 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// By facet and edge k (from corner k to corner k+1): the facet and edge beyond it as 4 * facet + edge; no_index if the
-/// edge does not have exactly two facets.
+/// Neighbours by facet and edge k (from corner k to corner k+1): the facet and edge beyond it as 4 * facet + edge;
+/// no_index if the edge does not have exactly two facets.
 using Neighbours = std::vector<std::array<Index, 3>>;
 
 constexpr Index facet_of(Index side) { return side / 4; }
@@ -51,7 +51,7 @@ Neighbours find_neighbours(const Complex& complex) {
 
 struct View {
   std::size_t axis;
-  double least_cosine;  ///< of the angle between a facet's normal and the axis, for the facet to be taken in
+  double least_cosine;  ///< least cosine of the angle between a facet's normal and the axis for the facet to be added
 };
 
 /// Charts among the facets begin .. end - 1, numbered from 0 by the order of their least facets.
@@ -67,7 +67,7 @@ class ChartFinder {
         turn_(end - begin, 0) {}
 
   Index run() {
-    // Wide views make few charts; a part that overlaps itself in a wide view is taken apart by a narrow one.
+    // Wide view cones give few charts; a part that overlaps itself in a wide view is divided with a narrow one.
     for (const double least_cosine : {0.25, 0.6}) {
       visited_.assign(end_ - begin_, 0);
       for (Index f = begin_; f < end_; ++f)
@@ -77,7 +77,7 @@ class ChartFinder {
   }
 
  private:
-  /// Below this many facets a chart is not worth its proof.
+  /// Number of facets below which proving a chart takes longer than it saves.
   static constexpr std::size_t least_facets = 24;
 
   void try_chart(Index seed, double least_cosine) {
@@ -97,7 +97,7 @@ class ChartFinder {
     return cross(complex_.points[b] - complex_.points[a], complex_.points[c] - complex_.points[a]);
   }
 
-  /// The facet's turn as seen, or 0 where it is seen too steeply or its sign is not proven by doubles.
+  /// Returns the facet's orientation in the projection, or 0 if it is too steep or its sign is not proven by doubles.
   int turn_as_seen(Index f, const View& view) const {
     const Vec3 n = normal(f);
     if (!(n[view.axis] * n[view.axis] >= view.least_cosine * view.least_cosine * dot(n, n))) return 0;
@@ -109,7 +109,7 @@ class ChartFinder {
 
   bool is_within(Index f) const { return f >= begin_ && f < end_ && chart_of_[f] == no_index && !visited_[f - begin_]; }
 
-  /// Edge k of f, in the direction in which the chart lies on its left.
+  /// Returns edge k of f in the direction in which the chart lies on its left.
   BorderEdge directed(Index f, std::size_t k) const {
     const Triangle& t = complex_.facets[f];
     const VertexIndex a = t[k], b = t[(k + 1) % 3];
@@ -156,13 +156,13 @@ class ChartFinder {
   const Neighbours& neighbours_;
   Index begin_, end_;
   std::vector<Index>& chart_of_;
-  std::vector<std::int8_t> turn_;      ///< per facet of the chart at hand: its turn as seen; else 0
-  std::vector<std::uint8_t> visited_;  ///< per facet: taken in or tried as a seed in this pass
+  std::vector<std::int8_t> turn_;  ///< for each facet of the current chart: its orientation in the projection; else 0
+  std::vector<std::uint8_t> visited_;  ///< for each facet: whether it was added or tried as a seed in this pass
   std::vector<Index> facets_;
   Index n_charts_ = 0;
 };
 
-/// First facet of each run of facets of one surface, and the end.
+/// Returns the first facet of each run of facets of one surface, and the end.
 std::vector<Index> surface_runs(const Complex& complex) {
   std::vector<Index> runs;
   for (Index f = 0; f < complex.facets.size(); ++f)

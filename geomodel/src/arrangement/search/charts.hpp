@@ -4,10 +4,11 @@
 /// them.
 ///
 /// Most pairs of triangles whose boxes meet are neighbours in one surface. A chart is a set of facets joined across
-/// edges that all turn left when seen along one axis. Each is taken in the orientation in which it does. Take a point
+/// edges that are all counter-clockwise in projection along one axis, in a suitable orientation. Take a point
 /// of the plane that lies on no edge. The number of facets of a chart over it is the winding number of its border about
-/// the point. Let the border's edges meet in shared ends alone and the winding number never exceed one. Then facets of
-/// the chart are disjoint as seen, but for shared corners and edges, and so they are in space. (The idea of culling
+/// the point. Let the border's edges meet only in shared ends and the winding number never exceed one. Then the
+/// projected facets of the chart are disjoint except for shared corners and edges, and therefore so are the facets
+/// themselves. (The idea of culling
 /// self-collisions by normals and contours is Volino and Magnenat-Thalmann's, 1994; here every sign is exact.)
 #pragma once
 
@@ -21,12 +22,12 @@ namespace geomesh::geomodel::arrangement {
 /// same whatever the number of threads; linear time, plus n log n for the borders.
 std::vector<Index> find_charts(const Complex& complex);
 
-/// An edge of a chart's border, the chart on its left.
+/// An edge of a chart's border, with the chart on its left.
 struct BorderEdge {
   VertexIndex from, to;
 };
-/// The border, seen along `axis`, meets itself in shared vertices alone and no point has a winding number above one.
-/// Border edges leave each vertex as often as they reach it.
+/// Returns whether the border, projected along `axis`, meets itself only in shared vertices and no point has a winding
+/// number above one. Border edges leave each vertex as often as they reach it.
 bool winds_at_most_once(const std::vector<Vec3>& points, std::size_t axis, const std::vector<BorderEdge>& border);
 
 }  // namespace geomesh::geomodel::arrangement

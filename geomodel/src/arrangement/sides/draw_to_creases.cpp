@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Facets that pass beside edges of the volume, declared in arrangement/sides/join_to_sides.hpp.
+// Moves facets that pass beside edges of the volume onto them, declared in arrangement/sides/join_to_sides.hpp.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -28,8 +28,8 @@ class Drawing {
         on_edges_(complex, tolerance),
         places_(complex) {}
 
-  /// Ends of the edge nearer than the distance are inserted into the facet or its edges. Edges that pass it get a
-  /// vertex on it, and so does it.
+  /// Inserts ends of the edge that are closer than the distance into the facet or its edges. Facet edges that pass the
+  /// edge get a common vertex with it.
   void see(const EdgeKey& crease, Index facet, double distance) {
     for (const VertexIndex corner : {crease.first, crease.second}) insert_corner(corner, facet, distance);
     for (const EdgeKey& e : edges_of(complex_.facets[facet])) {
@@ -107,12 +107,12 @@ class Drawing {
   std::size_t n_points_;  ///< that there were
   double rounding_;
   bool is_any_beside_ =
-      false;  ///< if everything lies on edges of the volume exactly, it is left to the exact intersection
+      false;  ///< if everything lies exactly on edges of the volume, it is left to the exact intersection
   BoxPlanes planes_;
   VerticesOnEdges on_edges_;
   std::map<Index, std::vector<VertexIndex>> in_facet_;
   VerticesByPlace places_;
-  std::set<EdgeKey> edges_;  ///< of facets that were seen, and of the volume
+  std::set<EdgeKey> edges_;  ///< edges of the examined facets, and of the volume
 };
 
 Box3 box_about(const Complex& complex, const auto& vertices, double margin) {

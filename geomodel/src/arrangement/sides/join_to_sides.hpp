@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Surfaces on sides of the volume, or beside edges between them, up to rounding or a tolerance. Hardly any double lies
-/// on a side of a turned box or of a polygon of the map, so points that were given on it are beside it by rounding.
+/// Moves surfaces that lie on sides of the volume, or beside edges between them, onto these, up to rounding or a
+/// tolerance. Hardly any double lies on a side of a turned box or of a polygon of the map, so points that were given on
+/// it are beside it by rounding.
 #pragma once
 
 #include <optional>
@@ -20,9 +21,9 @@ std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joinin
                                          std::vector<VertexIndex>& vertex_now);
 
 /// Vertices within reach of a corner of the volume move to it, otherwise to an edge between two sides, otherwise to a
-/// side (Reach). They do so from either side of it, apart from rounding. Ends of an edge of a surface that is as near
-/// to a side's plane move to it, even if they are beyond the volume. join_to_sides() does the rest. Movements that
-/// would turn a triangle over are left out. Cost as above.
+/// side (Reach). They do so from either side of it, apart from rounding. Ends of a surface's edge that is as close to a
+/// side's plane move to it, even if they are beyond the volume. join_to_sides() does the rest. Movements that would
+/// invert a triangle are left out. Cost as above.
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
 
 /// Moves facets that run along an edge between two sides within reach onto it. They are split at its ends, if these are
@@ -32,7 +33,8 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
 /// n facets and c such edges, if each facet's box meets few of these.
 std::optional<SnapOutcome> draw_to_creases(Complex& complex, const Joining& joining, double tolerance);
 
-/// For SnapOptions::sides_of, of a volume that is no box along the axes; otherwise empty. O(n log s).
+/// Returns the bits for SnapOptions::sides_of for a volume that is not a box along the axes; otherwise empty. O(n log
+/// s).
 std::vector<std::uint64_t> sides_of_vertices(const Complex& complex, const Joining& joining);
 
 }  // namespace geomesh::geomodel::arrangement

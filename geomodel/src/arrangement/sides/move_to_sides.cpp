@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices that go to sides, declared in arrangement/sides/join_to_sides.hpp.
+// Moves vertices to sides, declared in arrangement/sides/join_to_sides.hpp.
 #include <algorithm>
 #include <limits>
 #include <unordered_set>
@@ -47,8 +47,8 @@ class SidePlaces {
     return corner.place ? corner.place : edge.place ? edge.place : side.place;
   }
 
-  /// A facet of a side that the edge passes within reach. Both ends are as near to its plane, wherever they are along
-  /// it. no_index: there is none.
+  /// Returns a facet of a side that the edge passes within reach: both ends are that close to its plane, wherever they
+  /// are along it. no_index if there is none.
   Index followed_by(const SurfaceEnd& e) const {
     const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
@@ -82,7 +82,7 @@ class SidePlaces {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::optional<Vec3> place{};
-    /// `reach()`: from how far the place may be taken.
+    /// Considers the place `at` for p; `reach()` returns the distance from which it may be used.
     void see(const Vec3& p, const Vec3& at, auto reach) {
       const double d = length(p - at);
       if (!(d < distance) || !(d < reach())) return;
@@ -109,7 +109,7 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves of vertices, without those that would turn a facet over.
+/// Moves vertices, except if a facet would be inverted.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
@@ -146,7 +146,7 @@ class Moves {
     return true;
   }
 
-  static constexpr double least_share = 0.1;  // of the facet's area
+  static constexpr double least_share = 0.1;  // share of the facet's area
 
   const Complex& complex_;
   double unit_;
@@ -154,7 +154,7 @@ class Moves {
   std::unordered_set<Vec3, PointHash> taken_;
 };
 
-/// Vertices of surfaces that are on no side, by the way in which they may move.
+/// Vertices of surfaces that are on no side, grouped by how they may move.
 class VerticesToMove {
  public:
   VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)
@@ -189,13 +189,13 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  constexpr double moves_a_distance = 16;  // of those by which surfaces are joined
+  constexpr double moves_a_distance = 16;  // number of moves by the distance within which surfaces are joined
   const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);
   std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
   const VerticesToMove vertices(complex, sides, ends);
   Moves moves(complex, joining.distance / moves_a_distance);
-  const bool is_box = !joining.sides_are_fixed;  // rounding brings what is as near to its planes
+  const bool is_box = !joining.sides_are_fixed;  // rounding moves points that are as close to its planes
   std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
   for (VertexIndex v = 0; v < complex.points.size(); ++v) {
     if (vertices.is_fixed(v)) continue;

@@ -28,7 +28,7 @@ class Reach {
   bool is_crease(const EdgeKey& e) const { return sides_at_.contains(e); }
   const std::map<EdgeKey, std::array<Index, 2>>& creases() const { return sides_at_; }
 
-  /// `side`: a facet of one.
+  /// `side` is a facet of a side.
   double of_facet(Index facet, Index side) const { return follows(facet, side) ? least_ : tolerance_; }
   double of_facet(Index facet, const EdgeKey& crease) const {
     const auto& [s, t] = sides_at_.at(crease);
@@ -53,8 +53,9 @@ class Reach {
   }
 
  private:
-  static constexpr double least_share = 0.05;      // of the tolerance
-  static constexpr double sine_of_followed = 0.1;  // of the angle between a facet and a side that it follows
+  static constexpr double least_share = 0.05;  // of the tolerance
+  // Largest sine of the angle between a facet and a side that it follows.
+  static constexpr double sine_of_followed = 0.1;
 
   Vec3 normal(Index f) const {
     const Triangle& t = complex_.facets[f];
@@ -72,7 +73,7 @@ class Reach {
     return reach;
   }
 
-  /// The facets that are no sides, one vertex after the other.
+  /// Lists, vertex by vertex, the facets that are not sides.
   void list_facets_of_vertices(const SideFacets& sides) {
     first_facet_.assign(complex_.points.size() + 1, 0);
     const auto visit = [&](auto take) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Facets that overlap, triangulated together, declared in arrangement/model/arranged.hpp.
+// Triangulates facets that overlap together, declared in arrangement/model/arranged.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Points by rows of a coarse lattice, to and fro: neighbours in the order are near in the plane.
+/// Sorts points by rows of a coarse lattice in alternating direction, so that neighbours in the order are near in the
+/// plane.
 void sort_in_rows(std::vector<int>& order, const std::vector<PlanarPoint>& points, const Projection& frame) {
   Box3 box;
   for (const int p : order) box.add(points[p].rounded);
@@ -41,7 +42,7 @@ class Crossings {
     lines_.push_back(line);
     return static_cast<int>(lines_.size()) - 1;
   }
-  /// The point where two lines cross, which the triangulation has as `row`.
+  /// Makes the point where two lines cross, which has the number `row` in the triangulation.
   PlanarPoint make(int row_a, int row_b, std::size_t row) {
     const Line a = lines_[row_a], b = lines_[row_b];
     ExactPoint p;
@@ -57,11 +58,11 @@ class Crossings {
     rows_.push_back(static_cast<int>(row));
     return {frame_.to_nearest(made_.back()), &made_.back()};
   }
-  /// Number of a made point by its row in the triangulation.
+  /// Returns the number of a made point from its row in the triangulation.
   Index number(int row) const {
     return static_cast<Index>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
   }
-  /// Hands over the points, with their doubles in the triangulation.
+  /// Transfers the points, with their doubles in the triangulation.
   void move_to(ClusterPieces& pieces, const std::vector<PlanarPoint>& points) {
     for (std::size_t k = 0; k < made_.size(); ++k) {
       pieces.made_rounded.push_back(points[rows_[k]].rounded);
@@ -84,7 +85,8 @@ class Crossings {
   std::vector<int> rows_;  ///< of made_, ascending
 };
 
-/// Marks the faces inside a member, given its corners turning left: a flood from its border that does not cross it.
+/// Marks the faces inside a member, given its corners in counter-clockwise order, by a flood fill that does not cross
+/// its border.
 void cover(const PlanarTriangulation& mesh, const std::array<int, 3>& corners, Index member,
            std::vector<std::vector<Index>>& members_of) {
   std::vector<std::pair<int, int>> border;
@@ -108,7 +110,7 @@ void cover(const PlanarTriangulation& mesh, const std::array<int, 3>& corners, I
   }
 }
 
-/// The triangulation of a cluster in its plane, and the pieces taken from it.
+/// The triangulation of a cluster in its plane, and the pieces extracted from it.
 class Cluster {
  public:
   Cluster(const Complex& complex, const ExactVertices& vertices, ClusterInput input)
@@ -143,7 +145,7 @@ class Cluster {
     const Triangle& t = complex_.facets[member];
     return mesh_.orient(local(t[0]), local(t[1]), local(t[2]));
   }
-  /// Its corners in the triangulation.
+  /// Returns the corners' rows in the triangulation.
   std::array<int, 3> local_corners(const Triangle& t) const { return {local(t[0]), local(t[1]), local(t[2])}; }
   Triangle turning_left(Index member) const {
     Triangle t = complex_.facets[member];
@@ -167,8 +169,8 @@ class Cluster {
                             crossings_.add(Line::edge(t[0], t[1]))});
   }
 
-  /// A triangle around all members, of coordinates that are integers in the exact frame; no piece that touches it is
-  /// kept.
+  /// Starts with a triangle around all members, with coordinates that are integers in the exact frame; no piece that
+  /// touches it is kept.
   void start_with_a_frame() {
     const std::size_t i = frame_.i, j = frame_.j;
     Vec3 centre = point(base()[0]);
@@ -233,7 +235,7 @@ class Cluster {
       std::vector<Origin> origins;
       for (const Index m : members_of[f])
         for (Origin o : complex_.origins.of(m)) {
-          o.reversed = (sign_of(m) == Sign::negative) != o.reversed;  // here: turns right in the projection
+          o.reversed = (sign_of(m) == Sign::negative) != o.reversed;  // in this cluster: clockwise in the projection
           origins.push_back(o);
         }
       if (origins.empty()) continue;

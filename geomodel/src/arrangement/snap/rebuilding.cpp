@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
+/// Returns pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
 std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
   std::sort(vertices.begin(), vertices.end());
   std::vector<EdgeKey> found;
@@ -22,7 +22,7 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
 /// The facets and segments of a complex with the vertices inserted in them.
 class Rebuilding {
  public:
-  /// `edges` are those of the facets that were snapped, `touched` the facets of which a corner merged.
+  /// `edges` are those of the facets that were snapped; `touched` are the facets with a merged corner.
   Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
@@ -128,7 +128,7 @@ class Rebuilding {
     }
     return open;
   }
-  /// On its border and inside.
+  /// Returns the vertices on its border and inside.
   std::vector<VertexIndex> vertices_of(Index f) const {
     std::vector<VertexIndex> all = border_of(complex_.facets[f]);
     if (const auto inside = insertions_.in_facet.find(f); inside != insertions_.in_facet.end())
@@ -136,7 +136,7 @@ class Rebuilding {
     return all;
   }
 
-  /// Walks from a to b with the vertices inserted between, without b.
+  /// Lists the vertices from a to b with the inserted ones in between, without b.
   void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
     walk.push_back(a);
     const auto on = insertions_.on_edge.find(edge_key(a, b));
@@ -152,7 +152,8 @@ class Rebuilding {
     return walk;
   }
 
-  /// Pieces of the active facets' edges from both ends, sorted, between vertices of facets that are to be split.
+  /// Returns pieces of the active facets' edges from both ends, sorted, between vertices of facets that are to be
+  /// split.
   std::vector<EdgeKey> list_pieces() const {
     std::vector<EdgeKey> pieces;
     std::vector<VertexIndex> walk;
@@ -192,8 +193,9 @@ class Rebuilding {
   const std::vector<EdgeKey>& edges_;
   const std::set<Index>& touched_;
   SnapOutcome& outcome_;
-  std::unordered_map<Index, std::optional<std::vector<Triangle>>> splits_;  ///< by facet; nothing: left alone
-  std::vector<std::uint8_t> is_of_split_;  ///< by vertex: of a facet that is to be split
+  /// Triangles of each split facet; nothing if it is left unchanged.
+  std::unordered_map<Index, std::optional<std::vector<Triangle>>> splits_;
+  std::vector<std::uint8_t> is_of_split_;  ///< for each vertex: whether it belongs to a facet that is to be split
 };
 
 void note_insertions(const Complex& complex, const Insertions& insertions, SnapOutcome& outcome, MovesOfStep& moves) {

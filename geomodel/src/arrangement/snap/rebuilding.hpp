@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The facets and segments of a complex with vertices inserted in them.
+/// Inserts vertices into the facets and segments of a complex.
 #pragma once
 
 #include <set>

@@ -17,7 +17,7 @@ int sides_at(const Vec3& p, const Box3& box) {
   return n;
 }
 
-/// Places that constructed points may snap to, in cells twice the snapping distance wide.
+/// Places to which constructed points may snap, in cells twice the snapping distance wide.
 class Anchors {
  public:
   explicit Anchors(const RoundingOptions& options) : options_(options), snap_(options.snap) {}
@@ -36,7 +36,7 @@ class Anchors {
   }
 
  private:
-  /// The nearest anchor closer than the snapping distance that keeps p on the box planes it lies on, or null.
+  /// Returns the nearest anchor closer than the snapping distance that keeps p on its box planes, or null.
   const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;
@@ -64,7 +64,7 @@ class Anchors {
       if ((p[i] == options_.box->min[i] || p[i] == options_.box->max[i]) && p[i] != q[i]) return false;
     return true;
   }
-  /// Nearer to a side than the snapping distance, and not on it.
+  /// Returns whether p is closer to a side than the snapping distance, but not on it.
   bool is_beside_side(const Vec3& p) const {
     for (std::size_t i = 0; options_.box && i < 3; ++i)
       for (const double side : {options_.box->min[i], options_.box->max[i]})
@@ -129,8 +129,8 @@ class Rounding {
     out.input_point.resize(out.points.size(), no_index);
   }
 
-  /// Made vertices that are used. Where points may snap, those on the box's sides come first: they cannot leave a side,
-  /// and others can go to them.
+  /// Returns the used constructed vertices in the order in which they are placed. If points may snap, those on the
+  /// box's sides come first: they cannot leave a side, and others can snap to them.
   std::vector<Index> order_of_placing() const {
     const ExactVertices& vertices = arranged_.vertices;
     std::vector<Index> order;
@@ -163,7 +163,7 @@ class Rounding {
     }
   }
 
-  /// True where the doubles are not the exact place.
+  /// Returns true if the doubles are not the exact place.
   bool note_displacement(Index v, const Vec3& p) {
     const ExactPoint& q = *arranged_.vertices.made(v);
     const ExactPoint r = arranged_.vertices.frame().to_exact_beyond(p);

@@ -8,12 +8,13 @@
 namespace geomesh::geomodel::arrangement {
 
 struct RoundingOptions {
-  /// 0: constructed points go to their nearest doubles. Else to a vertex of the changed facets or an earlier
-  /// constructed point where one is nearer than this: crossings then bend to vertices that are there instead of making
-  /// ever more of them (as hot pixels do in snap rounding: Hobby 1999).
+  /// Snapping distance. With 0, constructed points are rounded to their nearest doubles. Otherwise a point closer than
+  /// this to a vertex of the changed facets, or to an earlier constructed point, is moved to it: crossings then bend to
+  /// existing vertices instead of making ever more of them (like hot pixels in snap rounding: Hobby 1999).
   double snap = 0;
-  std::optional<Box3> box;        ///< points on its planes stay on them
-  bool onto_sides_alone = false;  ///< only points off a plane of the box, but nearer to it than `snap`, go elsewhere
+  std::optional<Box3> box;  ///< points on the planes of this box stay on them
+  /// Whether only points that are off a plane of the box, but closer to it than `snap`, are moved to other places.
+  bool onto_sides_alone = false;
 };
 
 struct Rounded {
@@ -22,9 +23,9 @@ struct Rounded {
   std::vector<VanishedFacet> vanished;
 };
 
-/// Merges vertices with equal doubles. Facets that lose their area by that are dropped: their neighbours take their
-/// place, or the next round mends them. Only used vertices are kept, those of the complex first. Marks facets and
-/// segments that may have become improper as dirty.
+/// Merges vertices with equal doubles. Facets that lose their area are dropped: their neighbours replace them, or the
+/// next round mends them. Only used vertices are kept, those of the complex first. Marks facets and segments that may
+/// have become invalid as dirty.
 Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places where a surface ends along an edge that another facet of it all but touches.
+/// Finds cracks: places where a surface ends along an edge that another of its facets almost touches.
 #pragma once
 
 #include <cstdint>

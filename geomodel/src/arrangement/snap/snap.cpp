@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The course of snapping: vertices merged, then inserted in edges and facets that are near.
+/// Performs snapping: vertices are merged, then inserted in edges and facets that are near.
 class Snapper {
  public:
   Snapper(Complex& complex, const std::vector<std::uint8_t>& active, SnapOptions options)
@@ -69,8 +69,8 @@ class Snapper {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  /// Places must stay distinct: a vertex that would come to another's place merges with it afterwards, being nearer
-  /// than the distance.
+  /// Places must stay distinct: a vertex that would move to another's place is merged with it afterwards, because it is
+  /// closer than the distance.
   void move_to_box() {
     std::set<std::array<double, 3>> taken;
     for (const Vec3& p : complex_.points) taken.insert({p.x, p.y, p.z});
@@ -131,10 +131,10 @@ class Snapper {
   SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
-  std::vector<Index> facets_, active_facets_;  ///< active ones; those of them left with three corners
+  std::vector<Index> facets_, active_facets_;  ///< active facets; those of them that still have three corners
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;
-  std::set<Index> touched_;  ///< facets of which a corner merged
+  std::set<Index> touched_;  ///< facets with a merged corner
   SnapOutcome outcome_;
   MovesOfStep moves_;
 };

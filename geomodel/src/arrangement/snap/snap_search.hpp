@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which vertices, edges and facets lie nearer to each other than a distance. Lengths are rounded; nothing about
-/// validity rests on them.
+/// Finds vertices, edges and facets that are closer to each other than a distance. Lengths are rounded; no decision on
+/// validity depends on them.
 #pragma once
 
 #include <array>
@@ -11,27 +11,27 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The box planes that points lie on, as bits: 2 * axis for the minimum, 2 * axis + 1 for the maximum.
+/// The box planes on which points lie, as bits: 2 * axis for the minimum, 2 * axis + 1 for the maximum.
 class BoxPlanes {
  public:
   explicit BoxPlanes(const std::optional<Box3>& box) : box_(box) {}
   unsigned of(const Vec3& p) const;
-  /// p with its coordinates on those planes.
+  /// Returns p with its coordinates on those planes.
   Vec3 onto(Vec3 p, unsigned planes) const;
-  /// p on the planes that it is nearer to than the distance, where it is not beyond the box by more.
+  /// Returns p moved to the planes that are closer than the distance, unless it is beyond the box by more.
   Vec3 onto_near(const Vec3& p, double distance) const;
 
  private:
   std::optional<Box3> box_;
 };
 
-/// Vertices by place, in cells of a few distances: a ball of that radius meets one to eight of them, two mostly.
+/// Vertices by place, in cells of a few distances: a ball of that radius meets one to eight of them, mostly two.
 class VertexGrid {
  public:
   VertexGrid(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {}
   void add(VertexIndex v);
-  /// The nearest vertex closer to p than the distance that lies on all of `planes` and may be taken, or no_vertex. Of
-  /// several as near the first by index.
+  /// Returns the nearest vertex closer to p than the distance that lies on all of `planes` and may be used, or
+  /// no_vertex; of equally near ones the first by index.
   VertexIndex nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
                       const std::function<bool(VertexIndex)>& may_take) const;
 
@@ -47,8 +47,8 @@ class VertexGrid {
 
   const std::vector<Vec3>& points_;
   double distance_;
-  std::vector<Slot> slots_;        // a power of two, with linear probing
-  std::vector<VertexIndex> next_;  // by vertex: another of its cell
+  std::vector<Slot> slots_;        // size is a power of two; linear probing
+  std::vector<VertexIndex> next_;  // for each vertex: another vertex of its cell
   std::size_t n_cells_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Vertices to insert, while they are gathered: on edges, and at places of their own.
+/// Collects vertices to insert: on edges, and at places of their own.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@ class VerticesOnEdges {
  public:
   VerticesOnEdges(const Complex& complex, double distance) : complex_(complex), distance_(distance) {}
 
-  /// Parameter of the point of the edge's line nearest to p.
+  /// Returns the parameter of the point on the edge's line nearest to p.
   double parameter(const EdgeKey& e, const Vec3& p) const {
     const Vec3 d = point(e.second) - point(e.first);
     return dot(p - point(e.first), d) / dot(d, d);
   }
   Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
 
-  /// The edge's ends are on it.
+  /// Returns whether v is an inserted vertex or an end of the edge.
   bool is_on(const EdgeKey& e, VertexIndex v) const {
     if (v == e.first || v == e.second) return true;
     const auto on = on_edge_.find(e);
@@ -31,7 +31,7 @@ class VerticesOnEdges {
   }
   void insert(const EdgeKey& e, VertexIndex v) { on_edge_[e].push_back(v); }
 
-  /// A vertex of the edge, inserted ones included, nearer to p than the distance.
+  /// Returns a vertex of the edge, including inserted ones, that is closer to p than the distance.
   VertexIndex nearer(const EdgeKey& e, const Vec3& p) const {
     const auto on = on_edge_.find(e);
     if (on != on_edge_.end())
@@ -42,7 +42,7 @@ class VerticesOnEdges {
     return no_vertex;
   }
 
-  /// In order along each edge.
+  /// Returns the insertions, in order along each edge.
   decltype(Insertions::on_edge) take_sorted() {
     for (auto& [edge, on] : on_edge_)
       std::sort(on.begin(), on.end(), [&, &e = edge](VertexIndex a, VertexIndex b) {
@@ -64,7 +64,7 @@ class VerticesOnEdges {
 class VerticesByPlace {
  public:
   explicit VerticesByPlace(Complex& complex) : complex_(complex) {}
-  /// The first vertex at p, made where there is none. `second`: it was made.
+  /// Returns the first vertex at p, which is made if there is none. `second`: whether it was made.
   std::pair<VertexIndex, bool> at(const Vec3& p) {
     for (; n_known_ < complex_.points.size(); ++n_known_)
       known_.emplace(complex_.points[n_known_], static_cast<VertexIndex>(n_known_));

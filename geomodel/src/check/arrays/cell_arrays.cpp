@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sizes and shapes of elements, declared in check/arrays/judge_arrays.hpp.
+// Checks arrays of element sizes and shapes, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +23,7 @@ constexpr std::array<Measure, 5> measures{{{"min_dihedral", &JudgedShape::min_di
 
 using Values = std::vector<double>;
 
-/// nullptr where the file has no array of that name with a value for each cell.
+/// Returns nullptr if the file has no array of that name with a value for each cell.
 const Values* array_of(const MeshFile& file, const std::string& name) {
   const auto at = file.cell_values.find(name);
   return at != file.cell_values.end() && at->second.size() == file.tetrahedra.size() ? &at->second : nullptr;
@@ -41,7 +41,8 @@ void check_shapes(const JudgedMesh& mesh, double ulp, FaultCollector& wrong) {
   }
 }
 
-/// Sizes are lengths. In one region they grow by no more than `most` per unit of distance; 0: that is not judged.
+/// Checks that sizes are lengths, and that within one region they grow by at most `most` per unit of distance; 0:
+/// growth is not checked.
 void check_sizes(const JudgedMesh& mesh, double most, FaultCollector& wrong) {
   const Values* const sizes = array_of(mesh.file, "size");
   if (!sizes) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes for the judge, declared in check/arrays/judged_shape.hpp.
+// Measures element shapes for the checker, declared in check/arrays/judged_shape.hpp.
 #include "check/arrays/judged_shape.hpp"
 
 #include <algorithm>
@@ -11,21 +11,21 @@ namespace geomesh::geomodel::checking {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-/// Ulps of coordinates by which corners may be off for others.
+/// Number of ulps by which other programs may round the coordinates of corners differently.
 constexpr double ulps_of_corners = 64;
-/// By which sums of products of edges may be off, here and in the mesher, relative to products of the longest edge. It
-/// counts for needles, whose faces and volumes are much smaller than these.
+/// Bound on the error of sums of products of edges, here and in the mesher, relative to products of the longest edge.
+/// It matters for needles, whose faces and volumes are much smaller than these products.
 constexpr double epsilons_of_products = 32;
-/// What double arithmetic costs besides.
+/// Relative error that double arithmetic adds.
 constexpr double agreement = 1e-9;
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// Corners of an edge, then the other two.
+/// For each edge its two corners, followed by the other two corners.
 constexpr std::array<std::array<int, 4>, 6> edges{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Between what is left of the ways to `k` and to `l` once the part along the edge is taken out, in degrees.
+/// Angle in degrees between the directions to `k` and to `l`, projected perpendicular to the edge.
 double angle_at_edge(const Vec3& along, const Vec3& k, const Vec3& l) {
   const double square = dot(along, along);
   const Vec3 u = k - (dot(k, along) / square) * along, v = l - (dot(l, along) / square) * along;

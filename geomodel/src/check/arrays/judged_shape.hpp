@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The shape of one element as the judge measures it, by formulas apart from those of the mesher.
+/// Measures the shape of one element for the checker, with formulas independent of those of the mesher.
 #pragma once
 
 #include <array>
@@ -15,17 +15,17 @@ struct JudgedShape {
   double min_dihedral, max_dihedral;
   double radius_ratio, mean_ratio, aspect;
   double shortest_edge, longest_edge;
-  /// How far rounding of the coordinates may turn a face, in radians; above 1 for elements as low as rounding, infinite
-  /// where floats tell no volume (ratios are 0 then).
+  /// How far rounding of the coordinates may rotate a face, in radians; above 1 for elements as flat as rounding,
+  /// infinite if the volume is zero in floating point (ratios are 0 then).
   double turn;
   double ulp;  ///< as given
-  /// How far another program's angles (degrees), ratios and lengths may be off these.
+  /// Returns how far another program's angles (degrees), ratios and lengths may differ from these.
   double slack_of_angles() const;
   double slack_of_ratios() const;
   double slack_of_lengths() const;
 };
 
-/// `ulp`: the distance between neighbouring numbers at the mesh's largest coordinate. The volume is positive.
+/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. The volume must be positive.
 JudgedShape judged_shape(const std::array<Vec3, 4>& corners, double ulp);
 JudgedShape judged_shape(const JudgedMesh& mesh, const Tetrahedron& cell, double ulp);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The points of the files against each other, declared in check/arrays/judge_arrays.hpp.
+// Checks the points of the files against each other, declared in check/arrays/judge_arrays.hpp.
 #include "check/arrays/judge_arrays.hpp"
 #include "check/judged/faults.hpp"
 

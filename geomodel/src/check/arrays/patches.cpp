@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of patches, declared in check/arrays/judge_arrays.hpp.
+// Checks the numbers of patches, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <numeric>
 
@@ -9,7 +9,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Faces joined across edges with just two faces, both of one set; a root for each face.
+/// Returns a union-find root for each face; faces are joined across edges with exactly two faces, both of one set of
+/// surfaces.
 std::vector<Index> joined_faces(const ClaimedFaces& claimed) {
   std::map<MeshEdge, std::vector<Index>> edges;
   const auto& triangles = claimed.candidates();
@@ -38,7 +39,7 @@ std::vector<Index> joined_faces(const ClaimedFaces& claimed) {
 void check_patches(const ClaimedFaces& claimed, CheckResult& result) {
   const FacesFile& faces = *claimed.faces();
   const std::vector<Index> root = joined_faces(claimed);
-  // Where the model ends at a surface, what joined two parts of a patch may be outside.
+  // If the model ends at a surface, the part that connects two pieces of a patch may lie outside.
   const bool parts_may_be_joined_outside = claimed.claim().ends_inside || !claimed.claim().volume;
   std::map<Index, std::int32_t> patch_of_root;
   std::map<std::int32_t, Index> root_of_patch;

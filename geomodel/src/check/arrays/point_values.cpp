@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arrays of points, declared in check/arrays/judge_arrays.hpp.
+// Checks the arrays of points, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,11 +15,11 @@ namespace {
 
 enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4, midpoint = 5 };
 
-/// What lies at a point of the mesh.
+/// The surfaces and curves at a point of the mesh.
 struct AtPoint {
   std::set<std::int32_t> surfaces;
   bool on_curve = false, is_named = false;
-  bool may_be_on_curve = false;  ///< the files hold no curves
+  bool may_be_on_curve = false;  ///< set if the files contain no curves
 };
 
 std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedCurves* curves) {
@@ -39,7 +39,7 @@ std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedC
   return at;
 }
 
-/// Rows of the input's points by place; the first of equal ones.
+/// Rows of the input's points by coordinates; the first of equal ones.
 class InputRows {
  public:
   explicit InputRows(const std::vector<Vec3>& points) : points_(points), order_(points.size()) {
@@ -48,7 +48,7 @@ class InputRows {
       return points_[a] == points_[b] ? a < b : comes_before(points_[a], points_[b]);
     });
   }
-  /// -1 where there is none.
+  /// Returns -1 if there is no such point.
   std::int32_t first_at(const Vec3& p) const {
     const auto at = std::lower_bound(order_.begin(), order_.end(), p,
                                      [&](std::size_t row, const Vec3& q) { return comes_before(points_[row], q); });
@@ -60,8 +60,8 @@ class InputRows {
   std::vector<std::size_t> order_;
 };
 
-/// Whether the kind fits what lies at the point. `may_be_bare`: rules or bodies took surfaces away, so that an
-/// intersection may have lost one of its surfaces.
+/// Returns whether the kind of a point agrees with what lies at it. With `may_be_bare`, rules or bodies removed parts
+/// of surfaces, so that an intersection may have lost one of its surfaces.
 bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool may_be_bare) {
   if (at.may_be_on_curve) {
     const bool with_curve = fits(kind, {at.surfaces, true, true}, input_vertex, may_be_bare);
@@ -84,8 +84,8 @@ bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool 
   }
 }
 
-/// Whether two triangles of the input that share no corner pass p within rounding: bringing surfaces together there, or
-/// closing a crack, may have left nothing of the intersection but the point. O(triangles).
+/// Returns whether two triangles of the input without a common corner pass p within rounding: merging surfaces there,
+/// or closing a crack, may have left only the point of the intersection. O(triangles).
 bool were_apart_at(const Claim& claim, const Vec3& p, double rounding) {
   std::vector<Corners> near;
   for (const TriangulatedSurface& s : claim.surfaces)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report against the mesh, declared in check/arrays/judge_arrays.hpp.
+// Checks the report against the mesh, declared in check/arrays/judge_arrays.hpp.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// How far sums in floats may differ from those of the report, relative to the sum; and to the whole of what is summed,
-/// since parts thin as rounding have volumes that are rounding.
+/// Allowed differences of floating-point sums from those of the report, relative to the sum, and relative to the total,
+/// since the volumes of parts as thin as rounding are rounding errors.
 constexpr double agreement = 1e-9, agreement_of_whole = 1e-14;
 
 bool is_about(double a, double b, double whole = 0) {
@@ -20,7 +20,7 @@ bool is_about(double a, double b, double whole = 0) {
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// The entries of a list by id; entries that are no objects with an id are passed over.
+/// Returns the entries of a list by id; entries that are not objects with an id are ignored.
 std::map<std::int32_t, nlohmann::json> by_id(const nlohmann::json& report, const char* list) {
   std::map<std::int32_t, nlohmann::json> entries;
   if (report.is_object() && report.contains(list) && report[list].is_array())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The report's shapes against the mesh, declared in check/arrays/judge_arrays.hpp.
+// Checks the element shapes in the report against the mesh, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 using json = nlohmann::json;
 
-/// Bounds of a number that rounding leaves uncertain.
+/// Bounds of a number that is uncertain because of rounding.
 struct Between {
   double low, high;
   void make_least(double value, double slack) {
@@ -29,12 +29,12 @@ struct Between {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Between above_all{infinity, infinity}, below_all{-infinity, -infinity};
 
-/// A whole number from `least` to `most`.
+/// Returns whether the value is an integer from `least` to `most`.
 bool is_count(const json& told, std::size_t least, std::size_t most) {
   return told.is_number_unsigned() && told.get<std::size_t>() >= least && told.get<std::size_t>() <= most;
 }
 
-/// A histogram: what is in a bin for certain, and what may be.
+/// A histogram that counts what is certainly in each bin, and what may be.
 class Bins {
  public:
   Bins(std::size_t n, double width) : certain_(n, 0), possible_(n, 0), width_(width) {}
@@ -64,7 +64,7 @@ class Bins {
   double width_;
 };
 
-/// A mean of values that are each uncertain, by no more than the range that they come from.
+/// A mean of values that are each uncertain, by at most the range from which they come.
 class Mean {
  public:
   explicit Mean(double range) : range_(range) {}
@@ -83,10 +83,10 @@ class Mean {
   std::size_t n_ = 0;
 };
 
-/// Below so many degrees elements are counted and listed.
+/// Elements with an angle below this many degrees are counted and listed.
 constexpr double sharp = 8;
 
-/// The elements of the whole or of a region.
+/// Shapes of the elements of the whole mesh or of a region.
 struct Shapes {
   std::size_t n = 0, n_sharp = 0, n_sharp_at_most = 0;
   Between min_dihedral = above_all, max_dihedral = below_all, min_radius_ratio = above_all, shortest = above_all,
@@ -115,7 +115,7 @@ struct Shapes {
   }
 };
 
-/// null where the report has nothing there.
+/// Returns null if the report has nothing there.
 const json& at(const json& from, const char* path) {
   static const json nothing;
   const json::json_pointer pointer(path);
@@ -144,7 +144,7 @@ bool agree(const json& told, const Shapes& due) {
          histograms_agree(told, due);
 }
 
-/// What the report tells of the whole besides its statistics.
+/// Compares what the report contains about the whole mesh besides its statistics.
 bool agree_on_whole(const json& quality, const Shapes& due) {
   return agree(at(quality, "/whole"), due) && is_in(at(quality, "/min_dihedral"), due.min_dihedral) &&
          is_in(at(quality, "/max_dihedral"), due.max_dihedral) &&
@@ -152,7 +152,7 @@ bool agree_on_whole(const json& quality, const Shapes& due) {
          is_count(at(quality, "/below_8_degrees/tetrahedra"), due.n_sharp, due.n_sharp_at_most);
 }
 
-/// Of a mesh made on ranks: docs/ranks-report.schema.json.
+/// Checks the report of a mesh made on ranks (docs/ranks-report.schema.json).
 bool agree_on_parts(const json& quality, const Shapes& due) {
   return is_in(at(quality, "/min_dihedral/min"), due.min_dihedral) &&
          is_in(at(quality, "/min_dihedral/mean"), due.mean_min_dihedral.between()) &&
@@ -162,7 +162,7 @@ bool agree_on_parts(const json& quality, const Shapes& due) {
          is_in(at(quality, "/mean_ratio"), due.mean_mean_ratio.between());
 }
 
-/// An element of the list of the worst: its row, angles, place and region.
+/// Checks an element in the list of the worst: its row, angles, place and region.
 bool agree_on_element(const JudgedMesh& mesh, const json& told, double ulp) {
   const json& row = at(told, "/tetrahedron");
   if (!is_count(row, 0, mesh.cells.size() - 1)) return false;
@@ -185,7 +185,7 @@ struct MeasuredShapes {
   double ulp;
 };
 
-/// Of a mesh made in one process: docs/report.schema.json.
+/// Checks the report of a mesh made in one process (docs/report.schema.json).
 void compare(const JudgedMesh& mesh, const json& quality, const MeasuredShapes& due, FaultCollector& differs) {
   if (!agree_on_whole(quality, due.whole)) differs.add(0, {});
   const json& told = at(quality, "/regions");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lists of surfaces and of their sets, declared in check/arrays/judge_arrays.hpp.
+// Checks the lists of surfaces and of their sets, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,7 +16,7 @@ struct Listed {
   std::string name, kind;
 };
 
-/// The project's surfaces in its order, then the sides of the volume.
+/// Returns the expected list: the project's surfaces in its order, then the sides of the volume.
 std::vector<Listed> due_surfaces(const Claim& claim) {
   std::vector<Listed> due;
   for (const TriangulatedSurface& s : claim.surfaces) due.push_back({s.name, to_string(s.kind)});
@@ -63,7 +63,7 @@ void check_set_names(const FacesFile& faces, CheckResult& result) {
   wrong.report(result, "sets of surfaces are not in the order of ids or do not bear their members' names");
 }
 
-/// Where several surfaces coincide, the face lies on each; the first is judged by its source triangle.
+/// Where several surfaces coincide, the face must lie on each of them; the first is checked by its source triangle.
 void check_members(const ClaimedFaces& claimed, double rounding, CheckResult& result) {
   FaultCollector off("faces_off_their_surface");
   std::map<Index, std::optional<TriangleSet>> sets;
@@ -71,7 +71,7 @@ void check_members(const ClaimedFaces& claimed, double rounding, CheckResult& re
     const auto& ids = claimed.set_of(f);
     for (std::size_t k = 1; k < ids.size(); ++k) {
       const Index row = claimed.surface_of(ids[k]);
-      if (row == no_index) continue;  // box sides are judged apart
+      if (row == no_index) continue;  // sides of the box are checked separately
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(claimed.claim().surfaces[row]));
       const Corners c = corners_of(claimed, f);

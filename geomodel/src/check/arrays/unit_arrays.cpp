@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arrays of units, declared in check/arrays/judge_arrays.hpp.
+// Checks the arrays of units, declared in check/arrays/judge_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// A region's name and its unit's, the one to give way first.
+/// Returns a region's unit and name; an entry for the name takes precedence over one for the unit.
 std::map<std::int32_t, std::array<std::string, 2>> unit_and_name(const ClaimedFaces& claimed) {
   const std::set<std::string> known = names_of_claim(claimed.claim());
   std::map<std::int32_t, std::array<std::string, 2>> names;

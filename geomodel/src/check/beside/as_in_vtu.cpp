@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* fault_id = "not_as_in_vtu";
 
-/// One place a number, ascending by coordinates, for points of both meshes.
+/// Numbers the places of points of both meshes, ascending by coordinates.
 class Places {
  public:
   explicit Places(const ModelMesh& mesh) : points_(mesh.points) {
@@ -44,17 +44,18 @@ class Places {
   std::vector<Vec3> points_;
 };
 
-/// Places of the corners, ascending; of faces, edges and nodes no_index follows them.
+/// Place numbers of the corners, ascending; for faces, edges and nodes no_index follows them.
 using Corners = std::array<Index, 4>;
 constexpr Corners nowhere{no_index, no_index, no_index, no_index};
-/// What stands under each name, ascending.
+/// The elements, faces, edges or nodes under each name, ascending.
 using NamedParts = std::map<std::string, std::vector<Corners>>;
 
 struct NamedMesh {
   NamedParts solids, groups, faces, edges, nodes;
 };
 
-/// A mesh by names, its points by their places: what the output asked for gives a solver's file.
+/// Converts a mesh to named parts whose points are identified by their places, in the same way as `output` selects
+/// parts for a solver's file.
 class Namer {
  public:
   Namer(const ModelMesh& mesh, std::vector<Index> place, const WriteOptions& output)
@@ -123,7 +124,7 @@ class Namer {
 
 using CurvedEdges = std::vector<std::pair<Corners, std::array<double, 3>>>;
 
-/// Nodes in the middle of edges that are not half-way, by the places of the ends.
+/// Returns the midpoint nodes that are not half-way along their edges, by the places of the ends.
 CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& place) {
   CurvedEdges edges;
   for (const CurvedEdge& e : mesh.curved_edges) {
@@ -134,13 +135,13 @@ CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& pla
   return edges;
 }
 
-/// Holds what stands under the names of one file against the other.
+/// Compares the parts under the names of one file with those of the other.
 class Comparison {
  public:
   Comparison(const Places& places, std::string file, CheckResult& result)
       : places_(places), file_(std::move(file)), result_(result) {}
 
-  /// `what`: "faces of surface".
+  /// `what` describes the parts, for example "faces of surface".
   void compare(const std::string& what, const NamedParts& given, const NamedParts& due) {
     std::set<std::string> names;
     for (const NamedParts* parts : {&given, &due})
@@ -156,7 +157,7 @@ class Comparison {
         tell(in_one_alone(g->second, d->second), named + " are here or in " + file_ + " alone");
     }
   }
-  /// Nodes in the middle of edges that are not half-way.
+  /// Compares midpoint nodes that are not half-way along their edges.
   void compare(const CurvedEdges& given, const CurvedEdges& due) {
     std::vector<Corners> edges;
     for (const auto& [ends, middle] : in_one_alone(given, due)) edges.push_back(ends);
@@ -181,7 +182,7 @@ class Comparison {
   CheckResult& result_;
 };
 
-/// Each point's place; nothing, and a fault, where one is no point of the .vtu.
+/// Returns the place number of each point; reports a fault and returns nothing if one is not a point of the .vtu.
 std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places& places, const std::string& file,
                                             CheckResult& result) {
   FaultCollector elsewhere(fault_id);

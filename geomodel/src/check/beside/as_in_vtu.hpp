@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A solver's file (.msh, .inp, .e, .med) against the .vtu of the same name beside it.
+/// Compares a solver's file (.msh, .inp, .e, .med) with the .vtu of the same name beside it.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Whether what stands under each name has the same places in both files (`not_as_in_vtu`): elements, faces, edges and
-/// nodes by their corners, and nodes in the middle of edges. `output` tells what solvers are given of it. Where a
-/// format has no edges the nodes of curves are asked. False, and said, where there is no .vtu, where the format has no
-/// names, and where a file is not understood (prisms); false for files of VTK. O(n log n).
+/// Checks that the parts under each name have the same places in both files (`not_as_in_vtu`): elements, faces, edges
+/// and nodes by their corners, and midpoint nodes. `output` determines which parts solvers get. If a format has no
+/// edges, the nodes of curves are compared. Returns false, with a message, if there is no .vtu, if the format has no
+/// names, or if a file is not understood (prisms); returns false for VTK files. O(n log n).
 bool check_as_in_vtu(const std::filesystem::path& mesh, const WriteOptions& output, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The claim of a project or of surface files, declared in check/claim/claim.hpp.
+// Derives the specification from a project or from surface files, declared in check/claim/claim.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// What the project's rules may take away of each surface, read off the rules alone.
+/// Determines what the project's rules may remove from each surface, from the rules alone.
 class TrimReader {
  public:
   explicit TrimReader(const Project& project) : project_(project) {}
@@ -46,14 +46,14 @@ class TrimReader {
     const Index row = name.empty() ? no_index : row_of(name);
     if (row != no_index && row != but) rows.push_back(row);
   }
-  /// Number of the horizon in the column, youngest first; no_index where it is none.
+  /// Returns the number of the horizon in the column, youngest first; no_index if it is not in the column.
   Index rank_of(const std::string& horizon) const {
     for (std::size_t i = 1; i < project_.column.size(); i += 2)
       if (project_.column[i] == horizon) return static_cast<Index>(i / 2);
     return no_index;
   }
 
-  /// Erosion, onlap, and what horizons that cross do to each other.
+  /// Adds erosion, onlap, and the effects of crossing horizons on each other.
   void add_order_of_horizons(Index row, TrimRules& trim) const {
     const Index own = rank_of(project_.surfaces[row].name);
     if (own == no_index) return;
@@ -68,7 +68,7 @@ class TrimReader {
     }
   }
 
-  /// A fault that cuts some units alone ends at the horizons above the first and below the last of them.
+  /// A fault that cuts only some units ends at the horizon above the first and the one below the last of them.
   void add_cut_units(Index row, TrimRules& trim) const {
     const auto& units = project_.surfaces[row].rules.cut_units;
     if (units.empty()) return;
@@ -87,7 +87,7 @@ class TrimReader {
   const Project& project_;
 };
 
-/// What continues the faults with throw of a horizon beyond their ends.
+/// Returns the triangles that extend the faults with throw of a horizon beyond their ends.
 std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<Index>& faults) {
   std::vector<std::array<Vec3, 3>> partings;
   for (const Index s : faults) {
@@ -113,14 +113,14 @@ ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
   return names;
 }
 
-/// The most that sizes asked in one region may grow per unit of distance; 0: they follow a grid or depth.
+/// Returns the largest growth of target sizes within one region per unit of distance; 0 if they follow a grid or depth.
 double size_growth(const NamedSizes& sizes) {
-  constexpr double most_of_searches = 1;  // where a number of elements is asked for
+  constexpr double most_of_searches = 1;  // factor on the gradation if a number of elements is requested
   if (!sizes.background.empty() || !sizes.by_depth.empty()) return 0;
   return std::max(most_of_searches, sizes.base.gradation);
 }
 
-/// Of a regular tetrahedron with edges of this length.
+/// Volume of a regular tetrahedron with edges of this length.
 double volume_of_element(double edge) { return edge * edge * edge / (6 * std::sqrt(2.0)); }
 
 }  // namespace
@@ -140,7 +140,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, claim.volume ? claim.volume->bounds : bounds_of(inputs.surfaces), project.naming.attributes,
                Vec3{});
-  RefinementSettings of_build = refinement;  // the triangulation of a level set has used up its share then
+  RefinementSettings of_build = refinement;  // the triangulation of a level set has used its share by then
   if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (claim.volume) {
     ask_stack(rules, of_build, *claim.volume);
@@ -148,11 +148,11 @@ Claim claim_of_project(const std::filesystem::path& file) {
   }
   inputs.add_throws(rules);
   inputs.complete_field_parts(rules);
-  std::vector<std::string> found, doubts;  // the run tells them
+  std::vector<std::string> found, doubts;  // messages that the run itself gives
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // regions are units in fault blocks, and small ones have joined others
+  if (built.stack.settled) {  // regions are units in fault blocks, and small ones were merged with others
     claim.names.fault_blocks = true;
     claim.names.merges_small = true;
     if (!(claim.names.min_volume > 0)) claim.names.min_volume = 0.1 * volume_of_element(built.stack.size);
@@ -188,7 +188,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   claim.cell_arrays = refinement.cell_arrays;
   claim.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    claim.within = refinement.tolerance.requested();  // not together with crs.z_scale
+    claim.within = refinement.tolerance.requested();  // cannot be combined with crs.z_scale
   claim.within_by_count = claim.within > 0 && refinement.tolerance.follows_sizes() &&
                           (refinement.derive_size || refinement.target_elements > 0);
   return claim;

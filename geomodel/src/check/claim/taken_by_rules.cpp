@@ -29,7 +29,7 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   if (claim_.volume->box) return false;
   const auto& sides = claim_.volume->sides;
   bool inside = false;
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // zmin and zmax are the last
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // zmin and zmax are the last two sides
     const Vec3 &a = sides[i].points[0], &b = sides[i].points[1];
     const double t = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
                                     std::max((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), 1e-300),
@@ -40,7 +40,8 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   return !inside;
 }
 
-/// Whether a fault of the input passes between p and height z over it by more than the room.
+/// Returns whether a fault of the input passes between p and height z above it, with more than the allowed distance
+/// from both.
 bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
   bool is_between = false;
   for (Index s = 0; s < claim_.surfaces.size() && !is_between; ++s) {
@@ -52,7 +53,8 @@ bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
   return is_between;
 }
 
-/// Above (below) the other surface on the vertical; where it is not over p, against its nearest point.
+/// Returns whether p is above (below) the other surface on the vertical, or relative to its nearest point if it is not
+/// above or below p.
 bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above, Heights heights) const {
   const TriangulatedSurface& cutter = claim_.surfaces[other];
   bool any = false, beyond = false;
@@ -115,7 +117,7 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
     const Vec3 n = cross(b - a, c - a);
     height = dot(n, upward_[fault]) < 0 ? -dot(n, p - a) : dot(n, p - a);
   };
-  // The reach grows until what it holds is nearer than what it may lack.
+  // The search distance grows until the surface found is closer than any that may have been missed.
   Box3 bounds;
   for (const Vec3& q : s.points) bounds.add(q);
   const Vec3 size = bounds.max - bounds.min, away = p - bounds.min;
@@ -126,7 +128,7 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
   }
 }
 
-/// Whether p lies on a side of a fault where the field of its triangle does not hold, or near a fault.
+/// Returns whether p lies on a side of a fault on which the field of its triangle is not valid, or near a fault.
 bool TakenByRules::is_outside_domain(Index surface, Index triangle, const Vec3& p) const {
   const std::vector<FieldPart>& fields = claim_.trims[surface].fields;
   const auto part = std::find_if(fields.begin(), fields.end(), [&](const FieldPart& f) { return triangle < f.end; });

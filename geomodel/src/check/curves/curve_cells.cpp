@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cells of curves against edges of the mesh, declared in check/curves/judge_curves.hpp.
+// Checks cells of curves against edges of the mesh, declared in check/curves/judge_curves.hpp.
 #include <algorithm>
 #include <set>
 
@@ -22,7 +22,8 @@ std::set<MeshEdge> edges_of_mesh(const JudgedMesh& mesh) {
 
 constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "point"};
 
-/// Ids differ from each other and from those of regions and surfaces and follow them; kinds are known; each has cells.
+/// Checks that ids are distinct, and follow those of regions and surfaces; that kinds are known; and that each curve
+/// has cells.
 void check_lists(const JudgedMesh& mesh, const CurvesFile& file, const FacesFile& faces, CheckResult& result) {
   FaultCollector wrong("wrong_curve_lists");
   std::set<std::int32_t> used(file.edge_curve.begin(), file.edge_curve.end()), listed, taken;

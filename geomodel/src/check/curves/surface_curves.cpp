@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves that surfaces must have, declared in check/curves/judge_curves.hpp.
+// Determines the curves that surfaces must have, declared in check/curves/judge_curves.hpp.
 #include <algorithm>
 #include <set>
 
@@ -14,7 +14,7 @@ struct Named {
   friend auto operator<=>(const Named&, const Named&) = default;
 };
 
-/// The rows of faces at each edge of the face set.
+/// Returns the rows of faces at each edge of the face set.
 std::map<MeshEdge, std::vector<Index>> faces_at_edges(const ClaimedFaces& claimed) {
   std::map<MeshEdge, std::vector<Index>> at;
   for (Index f = 0; f < claimed.candidates().size(); ++f) {
@@ -25,7 +25,7 @@ std::map<MeshEdge, std::vector<Index>> faces_at_edges(const ClaimedFaces& claime
   return at;
 }
 
-/// What docs/output-files.md calls an edge with these faces; nothing inside a patch.
+/// Returns the curve that docs/output-files.md defines for an edge with these faces; nothing inside a patch.
 std::optional<Named> curve_at(const ClaimedFaces& claimed, const std::vector<Index>& faces) {
   if (faces.size() == 2 && claimed.set_of(faces[0]) == claimed.set_of(faces[1])) return std::nullopt;
   std::set<std::int32_t> ids;

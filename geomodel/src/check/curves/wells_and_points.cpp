@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wells and named points, declared in check/curves/judge_curves.hpp.
+// Checks wells and named points, declared in check/curves/judge_curves.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@ struct Interval {
   double from, to;
 };
 
-/// The place of p along the segment a b (0 to 1) and its distance from it.
+/// Returns the position of p along the segment a b (0 to 1) and its distance from it.
 std::pair<double, double> along(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 d = b - a;
   const double t = dot(d, d) > 0 ? std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) : 0;
@@ -61,7 +61,7 @@ std::vector<MeshEdge> WellJudge::edges_of(const std::string& name) {
   return edges;
 }
 
-/// Both ends and the middle near one stretch of the path after the other.
+/// Checks that both ends and the midpoint are near one segment of the path.
 bool WellJudge::lies_on(const MeshEdge& e, const Polyline& well) const {
   const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -74,7 +74,8 @@ bool WellJudge::lies_on(const MeshEdge& e, const Polyline& well) const {
   return true;
 }
 
-/// Inside the mesh and not within the room of its border, as far as places about p tell.
+/// Returns whether a point is inside the mesh and farther than the allowed distance from its border, tested at places
+/// around p.
 bool WellJudge::is_due(const Vec3& p) const {
   if (volume_.is_outside(p)) return false;
   if (claimed_.claim().volume && !claimed_.claim().ends_inside) return true;
@@ -84,7 +85,7 @@ bool WellJudge::is_due(const Vec3& p) const {
   return true;
 }
 
-/// Each stretch of the path inside the mesh has edges along all of it.
+/// Checks that edges run along the whole of each segment of the path inside the mesh.
 void WellJudge::check_covered(const Polyline& well, const std::vector<MeshEdge>& edges) {
   for (std::size_t i = 1; i < well.points.size(); ++i) {
     const Vec3 &a = well.points[i - 1], &b = well.points[i];
@@ -94,7 +95,8 @@ void WellJudge::check_covered(const Polyline& well, const std::vector<MeshEdge>&
     for (const MeshEdge& e : edges) {
       const auto [t, d] = along(claimed_.mesh().point(e[0]), a, b);
       const auto [u, f] = along(claimed_.mesh().point(e[1]), a, b);
-      // Where points may move an edge may pass a bend of the path: each end is then near one of the two stretches.
+      // If points may move, an edge may cut a corner of the path: each of its ends is then near one of the two
+      // segments.
       if (d <= 2 * room_ || f <= 2 * room_) covered.push_back({std::min(t, u), std::max(t, u)});
     }
     std::sort(covered.begin(), covered.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
@@ -139,8 +141,8 @@ void WellJudge::report(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Each named point inside the model is there under its name, exactly where it was asked (or nearby, where what is near
-/// was brought together).
+/// Checks that each named point inside the model exists under its name, at exactly the requested place, or near it if
+/// features were merged.
 void check_points(const ClaimedFaces& claimed, const JudgedCurves& curves, double room, CheckResult& result) {
   FaultCollector wrong("wrong_named_points");
   std::set<std::string> asked;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A bounding volume tree over boxes. Order and answers depend on the boxes alone.
+/// A bounding volume tree over boxes. Its order and its results depend on the boxes alone.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline bool overlap(const Box3& a, const Box3& b) {
          b.min.z <= a.max.z;
 }
 
-/// Splits at the median along the longest axis. O(n log n) to build, O(log n + answers) a query on well-spread boxes.
+/// Splits at the median along the longest axis. O(n log n) to build, O(log n + results) per query on well-spread boxes.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), items_(boxes_.size()) {
@@ -60,7 +60,7 @@ class BoxTree {
   struct Node {
     Box3 box;
     Index begin, end;
-    Index right = 0;  ///< 0: a leaf; the left child stands next to its parent
+    Index right = 0;  ///< 0 for a leaf; the left child is next to its parent
   };
 
   Index build(Index begin, Index end) {

@@ -12,14 +12,14 @@ namespace {
 
 bool opposite(Sign a, Sign b) { return a * b == Sign::negative; }
 
-/// r, known to be on the line p q, lies between them (ends included). Projected along `axis`.
+/// Returns whether r, which is known to be on the line p q, lies between them (ends included). Projected along `axis`.
 bool between(const Vec3& p, const Vec3& q, const Vec3& r, int axis) {
   for (std::size_t i = 0; i < 3; ++i)
     if (static_cast<int>(i) != axis && (r[i] < std::min(p[i], q[i]) || r[i] > std::max(p[i], q[i]))) return false;
   return true;
 }
 
-/// Closed segments p q and r s in the projection along `axis`.
+/// Returns whether the closed segments p q and r s meet in the projection along `axis`.
 bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, int axis) {
   const Sign pr = projected_orientation(p, q, r, axis), ps = projected_orientation(p, q, s, axis);
   const Sign rp = projected_orientation(r, s, p, axis), rq = projected_orientation(r, s, q, axis);
@@ -28,14 +28,14 @@ bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s, i
          (rp == Sign::zero && between(r, s, p, axis)) || (rq == Sign::zero && between(r, s, q, axis));
 }
 
-/// p in the closed triangle a b c, in the projection along `axis`.
+/// Returns whether p lies in the closed triangle a b c in the projection along `axis`.
 bool inside_projected(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
   const Sign s0 = projected_orientation(a, b, p, axis), s1 = projected_orientation(b, c, p, axis),
              s2 = projected_orientation(c, a, p, axis);
   return !opposite(s0, s1) && !opposite(s1, s2) && !opposite(s0, s2);
 }
 
-/// Closed segment p q and closed triangle a b c (not degenerate, projectable along `axis`).
+/// Returns whether the closed segment p q meets the closed triangle a b c (not degenerate, projectable along `axis`).
 bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c, int axis) {
   const Sign sp = orientation(a, b, c, p), sq = orientation(a, b, c, q);
   if (sp * sq == Sign::positive) return false;
@@ -46,7 +46,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
   return !opposite(s0, s1) && !opposite(s1, s2) && !opposite(s0, s2);
 }
 
-/// Corners of both triangles with the shared ones first, in equal order.
+/// Corners of both triangles with the shared ones first, in the same order.
 struct Shared {
   Triangle s, t;
   int n = 0;
@@ -66,27 +66,27 @@ Shared sort_shared(Triangle s, Triangle t) {
   return shared;
 }
 
-/// Heights of the triangle p q r and the centroid of c over the other two axes: +1 / -1 as the ray from the centroid
-/// crosses the triangle from its back (front), 0 where it does not. The ray goes along +axis, or along -axis where `up`
-/// is false. Sets `on` where the centroid lies on it.
+/// Returns +1 or -1 if the ray from the centroid of c crosses the triangle p q r from its back or its front, 0 if it
+/// does not cross it. The ray points along +axis, or along -axis if `up` is false. Sets `on` if the centroid lies on
+/// the triangle.
 int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int axis, bool up, bool& on) {
   const Sign s0 = centroid_side(c[0], c[1], c[2], t[0], t[1], axis),
              s1 = centroid_side(c[0], c[1], c[2], t[1], t[2], axis),
              s2 = centroid_side(c[0], c[1], c[2], t[2], t[0], axis);
   if (s0 == Sign::zero || s0 != s1 || s1 != s2) return 0;
-  // In cyclic order the normal's component along the axis has the sign of the projected area.
+  // With cyclic axes, the normal's component along the axis has the sign of the projected area.
   const Sign side = centroid_orientation(t[0], t[1], t[2], c[0], c[1], c[2]);
   if (side == Sign::zero) {
     on = true;
     return 0;
   }
-  const bool above = side == s0;  // the centroid is on the +axis side of the triangle's plane
+  const bool above = side == s0;  // whether the centroid is on the +axis side of the triangle's plane
   if (above == up) return 0;
   const bool leaves_along_normal = (s0 == Sign::positive) == up;
   return leaves_along_normal ? 1 : -1;
 }
 
-/// The box that the ray runs through; the centroid in floats with room for its rounding.
+/// Returns a box that contains the ray; the centroid is in floating point, with room for its rounding.
 Box3 ray_box(const std::array<Vec3, 3>& c, int axis, bool up) {
   Box3 box;
   const Vec3 m = (1.0 / 3) * (c[0] + c[1] + c[2]);

@@ -10,10 +10,9 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Pieces of one triangle beyond which the rest is sampled only.
+/// Number of pieces of one triangle beyond which the rest is only sampled.
 constexpr std::size_t most_pieces = 4000;
-/// Pieces with a corner that is beyond the tolerance and not due are cut this often: to a sixteenth of the triangle's
-/// edges.
+/// Number of bisections of pieces with a corner beyond the tolerance: down to a sixteenth of the triangle's edges.
 constexpr int depth_beyond = 8;
 
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
@@ -27,7 +26,7 @@ std::vector<Box3> boxes_of(const std::vector<Corners>& triangles) {
   return boxes;
 }
 
-/// Distance of two segments. Ericson 2005, section 5.1.9.
+/// Returns the distance of two segments. Ericson 2005, section 5.1.9.
 double segment_distance(const Vec3& p, const Vec3& q, const Vec3& u, const Vec3& v) {
   const Vec3 d = q - p, e = v - u, r = p - u;
   const double dd = dot(d, d), ee = dot(e, e), er = dot(e, r), dr = dot(d, r), de = dot(d, e);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far a triangle is from a triangulated set, at worst: a bound that is proven where it can be, and samples where
-/// it cannot.
+/// Bounds the largest distance of a triangle from a triangulated set: proven where possible, sampled elsewhere.
 ///
 /// A triangle is within a distance t of a set where one of these holds:
 ///   - its corners are within t of one triangle X of the set: the distance to a convex set is convex;
@@ -24,10 +23,10 @@ namespace geomesh::geomodel::checking {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Point of the triangle (which may be degenerate) nearest to p. Ericson 2005, section 5.1.5.
+/// Returns the point of the triangle (which may be degenerate) nearest to p. Ericson 2005, section 5.1.5.
 Vec3 nearest_on_triangle(const Vec3& p, const Corners& t);
 
-/// Triangles with what is needed to measure distances to them. Edges with equal coordinates are shared.
+/// Triangles, prepared for measuring distances to them. Edges with equal coordinates are shared.
 class TriangleSet {
  public:
   explicit TriangleSet(std::vector<Corners> triangles);
@@ -37,37 +36,39 @@ class TriangleSet {
     double distance;
     Vec3 point;  ///< of the triangle
   };
-  /// Triangles within `reach` of p, by row.
+  /// Returns the rows of triangles within `reach` of p.
   std::vector<Near> near(const Vec3& p, double reach) const;
-  /// Distance to the whole set; infinite for an empty one.
+  /// Returns the distance to the whole set; infinite if it is empty.
   double distance(const Vec3& p) const;
-  /// The edge that triangles a and b share; nothing where they share none.
+  /// Returns the edge that triangles a and b share; nothing if there is none.
   std::optional<std::array<Vec3, 2>> shared_edge(Index a, Index b) const;
   bool empty() const { return triangles_.empty(); }
 
  private:
   std::vector<Corners> triangles_;
-  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal for equal coordinates
+  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal ids for equal coordinates
   Box3 box_;
   BoxTree tree_;
 };
 
-/// What is known of triangles against a set, added up over all that were measured.
+/// Results of measuring triangles against a set, summed over all of them.
 struct Deviation {
-  double largest = 0;  ///< over the samples that are within the tolerance
+  double largest = 0;  ///< largest distance among the samples within the tolerance
   double area = 0, proven = 0,
-         beyond = 0;   ///< judged; proven within; in pieces all of whose corners are farther and not due
-  double spacing = 0;  ///< longest edge of a piece that was sampled only
+         /// Areas: measured; proven within; and in pieces whose corners are all beyond the tolerance at places that
+         /// count.
+      beyond = 0;
+  double spacing = 0;  ///< longest edge of a piece that was only sampled
 };
 
-/// Judges whether triangles lie within a tolerance of the set.
+/// Decides whether triangles lie within a tolerance of the set.
 class DeviationJudge {
  public:
-  /// `is_due`: whether a point farther away than the tolerance is a fault; where not given, every one is.
+  /// `is_due` returns whether a point farther away than the tolerance is a fault; without it, every such point is.
   DeviationJudge(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
-  /// Adds the triangle to `so_far`. A point that is farther than the tolerance and due is returned.
-  /// At most `most_pieces` pieces are looked at; what is undecided then has been sampled at the corners of pieces.
+  /// Adds the triangle to `so_far`. Returns a point that is farther than the tolerance and counts as a fault. At most
+  /// `most_pieces` pieces are examined; what is undecided then was sampled at the corners of pieces.
   std::optional<Vec3> judge(const Corners& triangle, Deviation& so_far) const;
 
  private:

@@ -12,33 +12,34 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Sign of det[b-a, c-a, d-a]: positive for a tetrahedron in VTK order.
+/// Returns the sign of det[b-a, c-a, d-a]: positive for a tetrahedron in VTK order.
 Sign orientation(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Sign of the area of a, b, c projected along `axis` (0: x, so onto y,z; 1: y, onto z,x; 2: z, onto x,y).
+/// Returns the sign of the area of a, b, c projected along `axis` (0: x, so onto y,z; 1: y, onto z,x; 2: z, onto x,y).
 Sign projected_orientation(const Vec3& a, const Vec3& b, const Vec3& c, int axis);
 
-/// Positive where e is strictly inside the sphere through the positively oriented a, b, c, d.
+/// Returns positive if e is strictly inside the sphere through the positively oriented a, b, c, d.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// An axis along which the triangle has a projection of nonzero area, the greatest in floats first; -1 where its points
-/// are collinear.
+/// Returns an axis along which the triangle has a projection of nonzero area, the greatest in floating point if
+/// possible; -1 if its points are collinear.
 int projection_axis(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Side of the vertical line (along `axis`) through the centroid of (a,b,c), seen from the directed line u -> v in the
-/// projection along `axis`; ties are broken by moving the centroid by an infinitesimal (e, e^2). Never zero unless u
-/// and v coincide in the projection.
+/// Returns the side of the line (along `axis`) through the centroid of (a,b,c), seen from the directed line u -> v in
+/// the projection along `axis`; ties are broken by moving the centroid by an infinitesimal (e, e^2). Never zero unless
+/// u and v coincide in the projection.
 Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, const Vec3& v, int axis);
 
-/// Sign of det[q-p, r-p, m-p] for the centroid m of (a,b,c).
+/// Returns the sign of det[q-p, r-p, m-p] for the centroid m of (a,b,c).
 Sign centroid_orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The determinant that `orientation` judges, right to 1e-12 relative whatever the cancellation: for distances.
+/// Returns the determinant whose sign `orientation` returns, with a relative error of 1e-12 whatever the cancellation;
+/// used for distances.
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// cross(b-a, c-a), each component computed exactly and rounded once.
+/// Returns cross(b-a, c-a), each component computed exactly and rounded once.
 Vec3 exact_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Adds up determinants exactly and rounds once at the end.
+/// Sums determinants exactly and rounds once at the end.
 class ExactVolume {
  public:
   ExactVolume();

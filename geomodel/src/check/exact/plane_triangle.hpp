@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// An input triangle with its plane, for judging which mesh faces lie on it. Normals and distances come from exact
-/// determinants, so that needles are judged as well as round triangles; areas and clipping are in doubles relative to a
-/// corner.
+/// An input triangle with its plane, for deciding which mesh faces lie on it. Normals and distances come from exact
+/// determinants, so that needles are handled as accurately as other triangles; areas and clipping are in doubles
+/// relative to a corner.
 #pragma once
 
 #include <array>
@@ -23,18 +23,19 @@ class PlaneTriangle {
   const Vec3& normal() const { return normal_; }  ///< of unit length
   const std::array<Vec3, 3>& corners() const { return corner_; }
 
-  /// Distance of p from the plane.
+  /// Returns the distance of p from the plane.
   double distance(const Vec3& p) const;
-  /// How far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its sides.
+  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its
+  /// sides.
   double outside(const Vec3& p) const;
-  /// Whether both points, projected into the plane, lie beyond the line of one side, or within it by `tolerance` at
-  /// most.
+  /// Returns whether both points, projected into the plane, lie beyond the line of one side, or within it by
+  /// `tolerance` at most.
   bool are_beyond_a_side(const Vec3& p, const Vec3& q, double tolerance) const;
-  /// Area that the triangle p q r, projected into the plane, has in common with this one.
+  /// Returns the area of the triangle p q r, projected into the plane, that overlaps this one.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
-  /// Area of the part inside the closed box.
+  /// Returns the area of the part inside the closed box.
   double area_inside(const Box3& box) const;
-  /// That part, a convex polygon (fewer than three points: nothing).
+  /// Returns that part as a convex polygon (empty if fewer than three points).
   std::vector<Vec3> inside(const Box3& box) const;
 
  private:
@@ -43,7 +44,7 @@ class PlaneTriangle {
   std::array<Vec3, 3> corner_;
   Vec3 normal_, axis_u_, axis_v_;  ///< unit vectors
   double length_;                  ///< twice the area
-  std::array<Vec2, 3> flat_;       ///< corners in the plane, counter-clockwise
+  std::array<Vec2, 3> flat_;       ///< corners in coordinates of the plane, counter-clockwise
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where the vertical through a point passes a triangulated surface.
+/// Finds where the vertical line through a point crosses a triangulated surface.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@ namespace geomesh::geomodel::checking {
 
 BoxTree tree_over_triangles(const TriangulatedSurface& surface);
 
-/// Calls visit(triangle, z) for every triangle of the surface that the vertical through p passes or comes nearer to
-/// than `room` in the map; inclusion is decided exactly but for that room, heights are rounded.
+/// Calls visit(triangle, z) for every triangle of the surface that the vertical line through p crosses, or passes at a
+/// distance of less than `room` in the map; inclusion is decided exactly apart from that distance, heights are rounded.
 void for_each_height(const TriangulatedSurface& surface, const BoxTree& tree, const Vec3& p, double room,
                      const std::function<void(Index, double)>& visit);
 

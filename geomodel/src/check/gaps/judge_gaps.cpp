@@ -15,12 +15,14 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The nearest place of a wall is nearer than the wall is along the horizon, by half where both meet at 30 degrees.
+/// The distance to the nearest point of a wall is less than that along the horizon; half of it if both meet at 30
+/// degrees.
 constexpr double share_of_distance = 0.5;
-/// Cosine between the way on and that to the nearest place of a wall: a horizon next below or above is no wall ahead.
+/// Least cosine of the angle between the direction outward from a border and that to the nearest point of a wall: a
+/// horizon next below or above is not a wall ahead.
 constexpr double least_ahead = 0.25;
 
-/// The faces of each cell, and which of them surfaces have.
+/// The faces of each cell, and which of them belong to surfaces.
 struct MeshWays {
   std::vector<std::array<Index, 4>> faces_of_cell;
   std::vector<bool> has_surface;  ///< per FacePair
@@ -38,7 +40,7 @@ struct MeshWays {
   }
 };
 
-/// A face of a horizon inside one region.
+/// A face of a horizon that has the same region on both sides.
 struct InnerFace {
   Index face;         ///< of claimed.candidates()
   Index over, under;  ///< cells
@@ -48,7 +50,7 @@ enum class Side : std::uint8_t { none, over, under };
 
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
-/// One horizon in one region that lies on both sides of it.
+/// Checks one horizon in one region that lies on both sides of it.
 class GapJudge {
  public:
   GapJudge(const ClaimedFaces& claimed, const MeshWays& ways, Index horizon, std::int32_t region)
@@ -72,7 +74,7 @@ class GapJudge {
     walls_ = TriangleSet(std::move(walls));
   }
 
-  /// A place in a gap all of whose border has a wall before it; nothing where there is none.
+  /// Returns a place in a gap whose whole border has a wall in front of it; nothing if there is none.
   std::optional<Vec3> narrow_gap(const std::vector<InnerFace>& inner, double distance) {
     spread(inner);
     const std::vector<Index> between = faces_between();
@@ -97,7 +99,7 @@ class GapJudge {
   }
 
  private:
-  /// Each cell of the region gets the side that is nearest to it.
+  /// Assigns to each cell of the region the nearer side of the horizon.
   void spread(const std::vector<InnerFace>& inner) {
     struct Reached {
       double distance;
@@ -127,7 +129,7 @@ class GapJudge {
     }
   }
 
-  /// Calls visit(face, cell) for the cells of the region across faces of no surface.
+  /// Calls visit(face, cell) for the cells of the region across faces that belong to no surface.
   template <class F>
   void for_each_neighbour(Index cell, F&& visit) const {
     for (const Index f : ways_.faces_of_cell[cell]) {
@@ -155,7 +157,8 @@ class GapJudge {
     }
   }
 
-  /// Whether something else lies ahead of an edge of the border, in the direction away from its face's third corner.
+  /// Returns whether another surface lies in front of a border edge, in the direction away from the third corner of its
+  /// face.
   bool has_wall_ahead(const Edge& edge, VertexIndex third, double distance) const {
     const Vec3 &a = mesh_.point(edge.first), &b = mesh_.point(edge.second);
     const Vec3 along = b - a, middle = 0.5 * (a + b), inward = mesh_.point(third) - a;
@@ -170,11 +173,11 @@ class GapJudge {
   const MeshWays& ways_;
   std::int32_t region_;
   TriangleSet walls_;                   ///< faces of other surfaces at the region
-  std::map<Edge, VertexIndex> border_;  ///< edges of one face of the horizon, with the third corner of that
+  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, with the third corner of their face
   std::vector<Side> side_;              ///< per cell
 };
 
-/// The faces of a horizon inside one region each, by region.
+/// Returns the faces of horizons that lie inside one region, by region.
 std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const ClaimedFaces& claimed, Index horizon) {
   const JudgedMesh& mesh = claimed.mesh();
   const FacesFile& faces = *claimed.faces();
@@ -203,7 +206,8 @@ std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const ClaimedFaces& c
   return found;
 }
 
-/// Whether the name has a unit next to the horizon: a piece of an older horizon above an unconformity divides nothing.
+/// Returns whether the name contains a unit next to the horizon: a piece of an older horizon above an unconformity
+/// separates nothing.
 bool is_named_beside(const std::string& name, const std::string& horizon, const Claim& claim) {
   const std::vector<std::string>& column = claim.names.column;
   const auto at = std::ranges::find(column, horizon);
@@ -213,7 +217,7 @@ bool is_named_beside(const std::string& name, const std::string& horizon, const 
          units.find("+" + *(at + 1) + "+") != std::string::npos;
 }
 
-/// Whether the run told that the horizon is open somewhere, or that units join in the region.
+/// Returns whether the run reported that the horizon is open somewhere, or that units are joined in the region.
 bool is_told(const std::vector<ToldGap>& told, const std::string& horizon, const std::string& region) {
   return std::ranges::any_of(
       told, [&](const ToldGap& gap) { return gap.horizon == horizon || (gap.joins_units && gap.region == region); });

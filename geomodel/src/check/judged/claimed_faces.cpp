@@ -30,7 +30,7 @@ ClaimedFaces::ClaimedFaces(const JudgedMesh& mesh, const Claim& claim, const Fac
                            const std::vector<Triangle>& set_faces)
     : mesh_(mesh), claim_(claim), faces_(faces) {
   if (faces_) {
-    candidates_ = set_faces;  // all rows, so that they can be told apart
+    candidates_ = set_faces;  // use all rows, so that faces can be distinguished
   } else {
     for (const FacePair& face : mesh_.faces) candidates_.push_back(face.key);
   }

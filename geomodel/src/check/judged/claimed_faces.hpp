@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The faces of the mesh that stand for surfaces, and what the rules take away of these: what the checks against the
-/// input share.
+/// The mesh faces that represent surfaces, and the parts of surfaces that rules remove; shared by all checks against
+/// the input.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@ inline constexpr const char* box_side_names[] = {"xmin", "xmax", "ymin", "ymax",
 
 BoxTree tree_over(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
-/// A body: with `cuts_all` it removes horizons and faults inside it; what of it lies inside itself on both sides is
-/// removed too.
+/// A body. With `cuts_all` it removes horizons and faults inside it; parts of itself that have its inside on both sides
+/// are removed too.
 struct Body {
   const TriangulatedSurface* surface;
   BoxTree tree;
 };
-/// Whether a triangle of the body is no farther from p than that. O(log n) and the triangles whose boxes are.
+/// Returns whether a triangle of the body is no farther than `reach` from p. O(log n) and the triangles whose boxes are
+/// that close.
 bool is_near(const Body& body, const Vec3& p, double reach);
 
 class ClaimedFaces {
  public:
-  /// `set_faces`: rows of the face set in mesh vertices; every face of the mesh is a candidate where there is no set.
+  /// `set_faces` are the rows of the face set in mesh vertices; without a set, every face of the mesh is a candidate.
   ClaimedFaces(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                const std::vector<Triangle>& set_faces);
 
@@ -39,25 +40,25 @@ class ClaimedFaces {
   const std::vector<Body>& bodies() const { return bodies_; }
   const Vec3& corner(const Triangle& t, int i) const { return mesh_.point(t[i]); }
 
-  /// Whether the face may stand for the surface: always where faces bear no names.
+  /// Returns whether the face may represent the surface; always true if faces have no names.
   bool carries(Index face, Index surface) const;
-  /// Ids of the surfaces that coincide in the face.
+  /// Returns the ids of the surfaces that coincide in the face.
   const std::vector<std::int32_t>& set_of(Index face) const;
-  /// Row of the claim's surface with this id; no_index for box sides and unknown ids.
+  /// Returns the row of the specified surface with this id; no_index for box sides and unknown ids.
   Index surface_of(std::int32_t id) const;
   bool is_box_side(std::int32_t id) const;
-  /// A face of a box side and of no surface of the claim.
+  /// Returns whether the face is on a box side and on no surface of the specification.
   bool is_side_alone(Index face) const;
   bool is_cut_kind(Index surface) const;
-  /// Whether the face has the model on one side alone, and a topography or a bottom ends this: along a fault it may
-  /// have a scarp there, which no body takes away.
+  /// Returns whether the face has the model on only one side, and the model ends at a topography or base: this may have
+  /// a scarp along a fault, which no body removes.
   bool may_be_scarp(Index face) const;
-  /// Whether the rules take p, a point of the surface, away: parts of horizons and faults inside a body that cuts, and
-  /// parts of a body that crosses itself with its inside on either side. They are judged `off` to both sides along the
-  /// normal. Where p is on a body's surface the answer is yes: the open edges speak there. The body in row `but` is
-  /// passed over.
+  /// Returns whether the rules remove p, a point of the surface: parts of horizons and faults inside a body that cuts,
+  /// and parts of a body that crosses itself with its inside on both sides. Points at the distance `off` on both sides
+  /// along the normal are tested. If p is on a body's surface the result is true, because the open edges are checked
+  /// there. The body in row `but` is ignored.
   bool is_removed(Index surface, const Vec3& p, const Vec3& off, Index but = no_index) const;
-  /// Faces of box sides lie on them exactly: fault `faces_off_box_side`.
+  /// Checks that faces of box sides lie exactly on them (`faces_off_box_side`).
   void check_box_sides(CheckResult& result) const;
 
  protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mesh under judgement with its faces paired, and the checks, one function a property. Every check appends to
+/// The mesh to be checked with its faces paired, and the checks, one function per property. Every check appends to
 /// `result`.
 #pragma once
 
@@ -14,10 +14,10 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Face i of a positive tetrahedron is opposite vertex i; listed counter-clockwise as seen from outside.
+/// Face i of a positive tetrahedron is opposite vertex i; it is listed counter-clockwise as seen from outside.
 inline constexpr std::array<std::array<int, 3>, 4> outward_face{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// A mesh face once, with the tetrahedra at it. `key` is sorted; `even` is the tetrahedron for which the sorted order
+/// A mesh face, stored once, with its tetrahedra. `key` is sorted; `even` is the tetrahedron for which the sorted order
 /// is counter-clockwise from outside, `odd` the one on the other side. The normal of `key` points out of `even`.
 /// no_index: none.
 struct FacePair {
@@ -27,60 +27,61 @@ struct FacePair {
 
 struct JudgedMesh {
   const MeshFile& file;
-  std::vector<Tetrahedron> cells;  ///< as in the file, inverted ones turned round so that faces can still be paired
-  std::vector<FacePair> faces;     ///< sorted by key
-  bool sound = true;               ///< cells positive and faces paired: what follows may rely on it
+  /// Cells as in the file, with inverted ones flipped so that faces can still be paired.
+  std::vector<Tetrahedron> cells;
+  std::vector<FacePair> faces;  ///< sorted by key
+  bool sound = true;            ///< whether cells are positive and faces are paired, as later checks require
 
   const Vec3& point(VertexIndex v) const { return file.points[v]; }
   std::size_t n_points() const { return file.points.size(); }
 };
 
-/// What a check says of where it looked.
+/// Formats a place for the messages of checks.
 Vec3 centroid(const JudgedMesh& mesh, const Tetrahedron& cell);
 Vec3 centroid(const JudgedMesh& mesh, const Triangle& face);
 
 bool is_finite(const Vec3& p);
-/// True for an odd number of exchanges between `t` and its sorted order.
+/// Returns true if sorting `t` takes an odd number of exchanges.
 bool is_odd(const Triangle& t);
 Triangle sorted(Triangle t);
-/// The face in outward orientation of its even (odd) tetrahedron.
+/// Returns the face in outward orientation of its even (odd) tetrahedron.
 inline Triangle outward_of_even(const FacePair& f) { return f.key; }
 inline Triangle outward_of_odd(const FacePair& f) { return {f.key[0], f.key[2], f.key[1]}; }
 inline bool is_boundary(const FacePair& f) { return (f.even == no_index) != (f.odd == no_index); }
 inline bool is_inner(const FacePair& f) { return f.even != no_index && f.odd != no_index; }
-/// nullptr where there is no such face.
+/// Returns nullptr if there is no such face.
 const FacePair* find_face(const JudgedMesh& mesh, const Triangle& t);
 
-/// Coordinates finite; only tetrahedra; positive (exactly); points used and distinct. False where nothing further can
-/// be judged.
+/// Checks that coordinates are finite, that all cells are tetrahedra and (exactly) positive, and that points are used
+/// and distinct. Returns false if nothing further can be checked.
 bool check_cells(JudgedMesh& mesh, CheckResult& result);
-/// Pairs the faces: each shared by at most two tetrahedra, from opposite sides.
+/// Pairs the faces, and checks that each is shared by at most two tetrahedra on opposite sides.
 void check_faces(JudgedMesh& mesh, CheckResult& result);
-/// The boundary is closed and embedded, and winds about the tetrahedra once: no two tetrahedra overlap anywhere, no
-/// face hangs.
+/// Checks that the boundary is closed and embedded, and winds around the tetrahedra once: no two tetrahedra overlap
+/// anywhere, and no face is hanging.
 void check_boundary(const JudgedMesh& mesh, CheckResult& result);
-/// Point arrays of the output contract: there, and input vertices first.
+/// Checks that the point arrays of the output contract exist, and that input vertices come first.
 void check_point_arrays(const JudgedMesh& mesh, CheckResult& result);
-/// Region ids, names, exact volumes.
+/// Checks region ids, names and exact volumes.
 void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result);
-/// Elements of second order: one node an edge, shared by all cells there (`wrong_midpoints`); every Bezier coefficient
-/// of every Jacobian positive (`jacobian_not_positive`), decided exactly.
+/// Checks second-order elements: each edge has one node, shared by all of its cells (`wrong_midpoints`), and every
+/// Bezier coefficient of every Jacobian is positive (`jacobian_not_positive`), decided exactly.
 void check_second_order(const JudgedMesh& mesh, CheckResult& result);
-/// No vertex strictly inside the circumsphere of a tetrahedron across a face.
+/// Checks that no vertex lies strictly inside the circumsphere of a tetrahedron across a face.
 void check_delaunay(const JudgedMesh& mesh, const FacesFile* faces, CheckResult& result);
 
-/// Rows of faces-file points in the mesh, no_vertex where a point is not there.
+/// Returns the mesh rows of the points in the faces file, no_vertex for points that are not in the mesh.
 std::vector<VertexIndex> match_points(const JudgedMesh& mesh, const std::vector<Vec3>& points);
-/// The face set against the mesh (docs/output-files.md). Returns its triangles in mesh vertices, no_vertex where
+/// Checks the face set against the mesh (docs/output-files.md). Returns its triangles in mesh vertices, no_vertex where
 /// unknown.
 std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& result);
 
-/// The volume filled (box: 1e-12 relative; others: and two ulps of the largest coordinate over its sides), every point
-/// inside it.
+/// Checks that the volume is filled (box: 1e-12 relative; others: plus two ulps of the largest coordinate over its
+/// sides), and that every point is inside it.
 void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result);
-/// Every input triangle, less what lies outside the box or inside a body that cuts, is covered by mesh faces; faces lie
-/// on the triangle they name; none of a horizon or fault is inside a body that cuts. `set_faces`: from check_face_set,
-/// or empty without a faces file.
+/// Checks that every input triangle, minus its parts outside the box or inside a body that cuts, is covered by mesh
+/// faces; that faces lie on the triangle they name; and that no face of a horizon or fault is inside a body that cuts.
+/// `set_faces`: from check_face_set, or empty without a faces file.
 void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
                     const std::vector<Triangle>& set_faces, double tolerance, CheckResult& result);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The two sides of a surface along which a mesh was opened: NAME.minus and NAME.plus, as docs/outputs.md tells them.
+/// The two sides of a surface along which a mesh was opened: NAME.minus and NAME.plus, as documented in
+/// docs/outputs.md.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace geomesh::geomodel::checking {
 
 enum class Wall { none, minus, plus };
 
-/// A wall's surface and side; of any other name the name itself and none.
+/// Returns the surface and side of a wall's name; for any other name, the name itself and no side.
 inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::vector<std::string>& opened) {
   for (const std::string& surface : opened) {
     if (name == surface + ".minus") return {surface, Wall::minus};
@@ -23,7 +24,8 @@ inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::
   return {name, Wall::none};
 }
 
-/// Of which wall a face is: by its first surface, else by any other of its set (a fault may lie in another one).
+/// Returns the wall to which a face belongs: by its first surface, else by any other of its set (a fault may coincide
+/// with another one).
 inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vector<std::string>& opened) {
   const auto wall_of_id = [&](std::int32_t id) {
     const auto name = faces.surface_names.find(id);
@@ -37,7 +39,7 @@ inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vecto
   return Wall::none;
 }
 
-/// Whether each point of the face set has a row of the mesh.
+/// Returns whether each point of the face set has a row of the mesh.
 inline bool knows_mesh_points(const FacesFile& faces, std::size_t n_points) {
   return faces.mesh_point.size() == faces.points.size() &&
          std::all_of(faces.mesh_point.begin(), faces.mesh_point.end(),

@@ -15,7 +15,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Of the angle between the normals of the face and of its source triangle; 1 where there is no such triangle.
+/// Returns the cosine of the angle between the normals of the face and of its source triangle; 1 if there is no such
+/// triangle.
 double agreement_with_source(const ClaimedFaces& claimed, Index face) {
   const Index row = claimed.surface_of(claimed.faces()->surface[face]);
   const auto source = static_cast<std::size_t>(claimed.faces()->source_triangle[face]);
@@ -61,7 +62,7 @@ class NameJudge {
   std::size_t n_undecided_ = 0;
 };
 
-/// The face set tells the same names as the mesh.
+/// Checks that the face set has the same names as the mesh.
 void NameJudge::check_same_everywhere(CheckResult& result) const {
   FaultCollector differ("names_differ");
   for (const auto& [id, name] : claimed_.mesh().file.region_names) {
@@ -74,7 +75,7 @@ void NameJudge::check_same_everywhere(CheckResult& result) const {
   differ.report(result, "regions bear one name in the mesh and another one, or none, in the face set");
 }
 
-/// Each name against what the project allows. False where suffixes and ids cannot be judged.
+/// Checks each name against what the project allows. Returns false if suffixes and ids cannot be checked.
 bool NameJudge::read_rows(CheckResult& result) {
   FaultCollector wrong("wrong_region_names");
   const std::set<std::string> known = names_of_claim(claimed_.claim());
@@ -104,8 +105,8 @@ bool NameJudge::read_rows(CheckResult& result) {
   return all_right && n_undecided_ == 0;
 }
 
-/// Regions without a name of their own, by the first triangle that bounds them. Faces nearly at right angles to theirs
-/// may show either side.
+/// Returns regions without a name of their own, ordered by the first triangle that bounds them. Faces nearly
+/// perpendicular to their triangle may be on either side of it.
 std::vector<NameJudge::Row*> NameJudge::unnamed_in_order(bool turns_steep_faces) {
   using Key = std::tuple<std::int32_t, std::int32_t, int>;
   std::map<std::int32_t, Key> first;
@@ -154,7 +155,8 @@ bool NameJudge::comes_first(const Row& a, const Row& b) const {
   return comes_before(p.centroid, q.centroid);
 }
 
-/// One region of a name bears it alone; several bear `__1`, `__2` ... in the order of their places.
+/// A region whose name is unique has no suffix; regions that share a name have `__1`, `__2` ... in the order of their
+/// places.
 void NameJudge::check_suffixes(CheckResult& result) const {
   FaultCollector wrong("wrong_name_suffixes");
   std::map<std::pair<std::string, std::size_t>, std::vector<const Row*>> named;
@@ -186,7 +188,8 @@ void NameJudge::check_ids(CheckResult& result) const {
   wrong.report(result, "region ids are not those that names and places give (units youngest first, bodies, seeds)");
 }
 
-/// Blocks that hold a unit, by region: regions joined across horizons of the column alone, numbered by place.
+/// Returns the blocks that contain a unit, by region: regions joined across horizons of the column only, numbered by
+/// place.
 std::map<std::int32_t, std::size_t> NameJudge::blocks() const {
   std::map<std::int32_t, std::int32_t> root;
   for (const Row& row : rows_) root[row.id] = row.id;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The names and ids of regions against the project's seeds, bodies and column.
+/// Checks the names and ids of regions against the project's seeds, bodies and column.
 #pragma once
 
 #include "check/judged/claimed_faces.hpp"
@@ -8,10 +8,11 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Every region bears the name that the project gives it (`wrong_region_names`). It has the suffix that its place
-/// gives it (`wrong_name_suffixes`) and the id that name and place give it (`wrong_region_ids`); names are the same in
-/// the mesh and beside it (`names_differ`). Seeds are located exactly, bodies by winding numbers of places inside the
-/// region, the column by the faces at the region and by verticals. `allowed`: how far faces may be off their triangles.
+/// Checks that every region has the name that the project gives it (`wrong_region_names`), the suffix that follows from
+/// its place (`wrong_name_suffixes`) and the id that follows from name and place (`wrong_region_ids`), and that names
+/// in the mesh and in the files beside it are equal (`names_differ`). Seeds are located exactly, bodies by winding
+/// numbers of places inside the region, the column by the faces at the region and by verticals. `allowed` is how far
+/// faces may be from their triangles.
 void check_region_names(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

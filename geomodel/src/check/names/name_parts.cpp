@@ -4,7 +4,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The number behind `mark` at the end of the text; 0 where there is none. What stands before it stays.
+/// Removes a number after `mark` from the end of the text and returns it; returns 0 and changes nothing if there is
+/// none.
 std::size_t take_number(std::string& text, const std::string& mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string::npos) return 0;
@@ -21,7 +22,7 @@ std::size_t take_number(std::string& text, const std::string& mark) {
 NameParts parts_of(const std::string& name, const std::set<std::string>& known) {
   NameParts parts{name};
   if (known.contains(name)) return parts;
-  for (const bool numbered : {true, false}) {  // a block alone ends as a number does
+  for (const bool numbered : {true, false}) {  // a block without a number ends in the same way as a number
     parts = {name};
     if (numbered) parts.number = take_number(parts.base, "__");
     if (known.contains(parts.base)) return parts;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A region's name as it stands in a file, taken apart.
+/// Splits the name of a region in a file into its parts.
 #pragma once
 
 #include <set>
@@ -10,16 +10,16 @@
 
 namespace geomesh::geomodel::checking {
 
-/// `Chalk__B3__2`: base, block, number.
+/// The parts of `Chalk__B3__2`: base, block, number.
 struct NameParts {
   std::string base;
   std::size_t block = 0, number = 0;  ///< 0: none
 };
 
-/// Taken apart so that `base` is one of the names known, where that can be.
+/// Splits the name so that `base` is one of the known names, if possible.
 NameParts parts_of(const std::string& name, const std::set<std::string>& known);
 
-/// Units of the column, neighbouring units joined by `+`, bodies, seeds.
+/// Returns the names of units of the column, of neighbouring units joined by `+`, of bodies and of seeds.
 std::set<std::string> names_of_claim(const Claim& claim);
 
 }  // namespace geomesh::geomodel::checking

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t n_samples = 12;
 
-/// Every edge is passed as often one way as the other.
+/// Returns whether every edge is traversed as often in one direction as in the other.
 bool is_closed(const TriangulatedSurface& s) {
   using Place = std::array<double, 3>;
   std::map<std::array<Place, 2>, int> balance;
@@ -55,7 +55,7 @@ std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& pl
   return about;
 }
 
-/// The first seed in a region names it. A seed on a border is in none for certain.
+/// The first seed in a region names it. A seed on a border is certainly inside no region.
 std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
   std::map<std::int32_t, RegionLabel> labels;
   const auto& seeds = claimed_.claim().names.seeds;
@@ -66,8 +66,8 @@ std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
   return labels;
 }
 
-/// The innermost of the bodies about a region: no other of them lies within it; of several the first. One lies within
-/// another where all regions in it are in the other, and not the other way round.
+/// Returns the innermost of the bodies around a region: one that contains no other of them; the first if there are
+/// several. One lies within another if all regions in it are in the other, but not vice versa.
 std::optional<RegionLabel> LabelJudge::body_label(const std::vector<std::vector<Index>>& about,
                                                   const std::vector<Index>& own) const {
   const auto is_within = [&](Index inner, Index outer) {

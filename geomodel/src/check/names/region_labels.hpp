@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What each region should be called before suffixes, and where that stands in the order of ids.
+/// Determines the name of each region before suffixes, and its position in the order of ids.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// In the order of ids.
+/// Kinds of labels in the order of ids.
 enum class LabelKind { unit, body, seed, unnamed };
 
 struct RegionLabel {
@@ -20,8 +20,8 @@ struct RegionLabel {
   std::string name;  ///< empty: `region_k`
 };
 
-/// Labels that the project allows the region: one, or several where places in it are judged differently; empty where
-/// nothing can be said.
+/// Labels that the project allows for the region: one, or several if places in it give different results; empty if
+/// nothing is known.
 using AllowedLabels = std::vector<RegionLabel>;
 
 class LabelJudge {
@@ -32,7 +32,7 @@ class LabelJudge {
   const std::map<std::int32_t, RegionPlace>& places() const { return places_; }
 
  private:
-  /// Rows of the bodies about the region; nothing where no place of it is clear of their surfaces.
+  /// Returns the rows of the bodies around the region; nothing if every sampled place is too near their surfaces.
   std::optional<std::vector<Index>> bodies_about(const RegionPlace& place) const;
   std::map<std::int32_t, RegionLabel> seeded() const;
   std::optional<RegionLabel> body_label(const std::vector<std::vector<Index>>& about,
@@ -40,7 +40,7 @@ class LabelJudge {
 
   const ClaimedFaces& claimed_;
   double reach_;
-  double least_volume_;  ///< of a region of which a horizon can tell something: rounding makes smaller ones
+  double least_volume_;  ///< least volume of a region that is compared with horizons, since rounding makes smaller ones
   UnitJudge units_;
   std::map<std::int32_t, RegionPlace> places_;
 };

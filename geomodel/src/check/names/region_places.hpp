@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where each region of the mesh lies: its extreme points, its centroid, and places well inside it.
+/// The location of each region of the mesh: its extreme points, its centroid, and places well inside it.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@
 namespace geomesh::geomodel::checking {
 
 struct RegionPlace {
-  Vec3 least, greatest;  ///< of its vertices, by x, then y, then z
+  Vec3 least, greatest;  ///< least and greatest of its vertices, by x, then y, then z
   Vec3 centroid;         ///< of its volume
   double volume = 0;
   std::vector<Vec3> samples{};  ///< centroids of its largest tetrahedra, the largest first
 };
 
-/// By region id. `n_samples`: how many places in each region at most.
+/// Returns the location of each region by id, with at most `n_samples` places in each.
 std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::size_t n_samples);
 
-/// Regions whose closed tetrahedra hold p, decided exactly.
+/// Returns the regions whose closed tetrahedra contain p, decided exactly.
 std::vector<std::int32_t> regions_at(const JudgedMesh& mesh, const Vec3& p);
 
-/// By x, then y, then z.
+/// Compares by x, then y, then z.
 bool comes_before(const Vec3& a, const Vec3& b);
 
 }  // namespace geomesh::geomodel::checking

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Cells joined across faces of one region that are no candidates.
+/// Joins cells across faces of one region that are not candidates.
 UnionFind parts_of(const ClaimedFaces& claimed) {
   const JudgedMesh& mesh = claimed.mesh();
   std::vector<Triangle> walls;
@@ -24,11 +24,11 @@ UnionFind parts_of(const ClaimedFaces& claimed) {
   return parts;
 }
 
-/// By cell: whether it is in a small part.
+/// Returns for each cell whether it is in a small part.
 std::vector<bool> cells_of_small_parts(const ClaimedFaces& claimed, double min_volume) {
   const JudgedMesh& mesh = claimed.mesh();
   UnionFind parts = parts_of(claimed);
-  std::vector<double> volume(mesh.cells.size(), 0);  // of the part that the cell stands for
+  std::vector<double> volume(mesh.cells.size(), 0);  // volume of the part that the cell represents
   for (Index c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];
     volume[parts.find(c)] += six_volumes(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) / 6;

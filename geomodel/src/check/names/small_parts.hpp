@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parts of regions that a horizon parts from the rest of their region, and that were small enough to join it.
+/// Finds parts of regions that a horizon separates from the rest of their region, and that were small enough to be
+/// merged into it.
 #pragma once
 
 #include <vector>
@@ -9,14 +10,14 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Whether the cell on that side of a face is in a small part of its region.
+/// Whether the cells on the two sides of a face are in a small part of their region.
 struct SmallSides {
   bool minus = false, plus = false;
 };
 
-/// By face of claimed.candidates(). A part is small that is smaller than ClaimedNames::min_volume and not the largest
-/// of its region. Parts are joined across faces of no surface. None where no small region joins another one.
-/// Precondition: claimed.faces(). O(n log n) in the tetrahedra.
+/// Returns the result for each face of claimed.candidates(). A part is small if it is smaller than
+/// ClaimedNames::min_volume and not the largest of its region. Parts are joined across faces of no surface. Empty if
+/// small regions are not merged into others. Precondition: claimed.faces(). O(n log n) in the tetrahedra.
 std::vector<SmallSides> sides_in_small_parts(const ClaimedFaces& claimed);
 
 }  // namespace geomesh::geomodel::checking

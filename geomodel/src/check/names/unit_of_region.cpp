@@ -13,7 +13,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Where the lesser of two areas is more than this share of both, the larger one decides nothing.
+/// If the smaller of two areas exceeds this share of their sum, the larger one does not decide.
 constexpr double close_share = 0.45;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
@@ -40,8 +40,8 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
   add_faces(reach);
 }
 
-/// The side of a horizon that a face shows to each of its regions: by the input triangle nearest to the face. A small
-/// part that joined a region of another unit tells nothing of it.
+/// Determines on which side of a horizon each face lies for its two regions, by the input triangle nearest to the face.
+/// A small part that was merged into a region of another unit is ignored.
 void UnitJudge::add_faces(double reach) {
   const FacesFile& faces = *claimed_.faces();
   const std::vector<SmallSides> in_small_part = sides_in_small_parts(claimed_);
@@ -64,7 +64,7 @@ void UnitJudge::add_faces(double reach) {
         best = std::abs(cosine);
         agreement = cosine * horizons_[h].upper_side[near.triangle];
       }
-      if (best < least_cosine) continue;  // off its surface is a fault of its own
+      if (best < least_cosine) continue;  // a face off its surface is reported as another fault
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       const auto [minus_is_small, plus_is_small] = in_small_part[f];
@@ -90,7 +90,8 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // What lies beyond, or the horizon itself, has the region on both sides over more: it is not bounded there.
+    // The region lies on both sides of the horizon, or of one beyond it, over a larger area, so it is not bounded
+    // there.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
     };
@@ -104,7 +105,7 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  if (first >= last) {  // one unit; or a pocket, which takes the unit above the younger horizon
+  if (first >= last) {  // one unit; or a thin void, which belongs to the unit above the younger horizon
     verdict.first = verdict.last = last;
     return verdict;
   }
@@ -123,7 +124,7 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
   return verdict;
 }
 
-/// The horizons next above and below: of what is left of them in the mesh, else of the input.
+/// Returns the horizons next above and below, from their remaining parts in the mesh, else from the input.
 UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
   Contacts contacts;
   for (const bool of_input : {false, true}) {

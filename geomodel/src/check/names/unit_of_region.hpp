@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which unit of the column a region is, by the rules of docs/output-files.md ("Column"): decided here from the faces
-/// at the region and the input's sheets, not taken from the program's naming.
+/// Determines which unit of the column a region is, by the rules of docs/output-files.md ("Column"). It is decided here
+/// from the faces at the region and the input's sheets, independently of the program's naming.
 #pragma once
 
 #include <cstdint>
@@ -15,48 +15,49 @@
 
 namespace geomesh::geomodel::checking {
 
-/// What is known of a region's place in the column.
+/// The possible units of a region.
 struct UnitVerdict {
-  Index first = no_index, last = no_index;  ///< units joined; no_index: no unit
-  bool close = false;  ///< a horizon shows nearly as much of either side to the region: nothing is claimed
-  bool open = false;   ///< the horizons at the region leave several units, the nearest of which this is
+  Index first = no_index, last = no_index;  ///< range of units that are joined; no_index if none
+  bool close = false;  ///< a horizon has nearly the same area on both sides of the region, so that nothing is decided
+  bool open = false;   ///< the horizons at the region leave several units possible, of which this is the nearest
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
 class UnitJudge {
  public:
-  /// `reach`: how far a face may be off the triangles that it stands for.
+  /// `reach` is how far a face may be from the triangles that it represents.
   UnitJudge(const ClaimedFaces& claimed, double reach);
 
   bool given() const { return !units_.empty(); }
   const std::vector<std::string>& units() const { return units_; }
-  /// By the horizons at the region; one for each place of the region by the vertical through it, where none is at it.
-  /// Where these leave several units, or none, the input's horizons over and under each place tell more: rules may have
-  /// cut all of one away there. Each unit that they leave is one verdict.
+  /// Decides by the horizons at the region; if there are none, by the vertical line through each sampled place. If
+  /// these leave several units possible, or none, the input's horizons above and below each place are used too, because
+  /// rules may have removed a whole horizon there. Each possible unit is one verdict.
   std::vector<UnitVerdict> judge(std::int32_t region, const RegionPlace& place) const;
   std::string name_of(const UnitVerdict& verdict) const;
-  /// Whether the surface is a horizon of the column.
+  /// Returns whether the surface is a horizon of the column.
   bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
 
  private:
-  /// Areas that horizons show to one region.
+  /// Areas of horizons at one region.
   struct Contacts {
-    std::map<Index, double> below, above, both;  ///< by horizon: the region is below it, above it, on both its sides
+    /// Area by horizon where the region is below it, above it, and on both sides of it.
+    std::map<Index, double> below, above, both;
   };
   struct Horizon {
     Index surface;
     bool is_unconformity;
     std::vector<int> upper_side;
     TriangleSet triangles;
-    BoxTree tree;  ///< over the surface's triangles
+    BoxTree tree;  ///< tree over the surface's triangles
   };
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
   Contacts on_vertical(const Vec3& p) const;
-  /// Narrows the units first .. last by horizons of the input that lie wholly over or wholly under p; where two of them
-  /// contradict each other the range stays. False where none is over or under p.
+  /// Narrows the units first .. last by horizons of the input that lie entirely above or below p; if two of them
+  /// contradict each other, the range is unchanged. Returns false if none is above or below p.
   bool narrow(const Vec3& p, Index& first, Index& last) const;
-  /// The units that `narrow` leaves at the places where it tells anything.
+  /// The units that `narrow` leaves possible at the places where it gives a result.
   struct Narrowed {
     std::vector<UnitVerdict> verdicts;
     bool tells_everywhere;
@@ -68,7 +69,7 @@ class UnitJudge {
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;
   std::map<std::int32_t, Contacts> contacts_;
-  std::vector<TriangulatedSurface> left_;  ///< what the mesh has of each horizon
+  std::vector<TriangulatedSurface> left_;  ///< the parts of each horizon in the mesh
 };
 
 }  // namespace geomesh::geomodel::checking

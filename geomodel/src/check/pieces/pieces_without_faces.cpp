@@ -40,7 +40,7 @@ PiecesWithoutFaces::PiecesWithoutFaces(const ClaimedFaces& claimed, Index surfac
   tree_ = tree_over(claimed.mesh().file.points, open_edges_);
 }
 
-/// Whether some place of the segment is on the triangle. How far places are beside the triangle is convex along the
+/// Returns whether some point of the segment is on the triangle. The distance outside the triangle is convex along the
 /// segment.
 bool PiecesWithoutFaces::runs_on(const PlaneTriangle& triangle, const Vec3& a, const Vec3& b) const {
   double from = 0, to = 1;

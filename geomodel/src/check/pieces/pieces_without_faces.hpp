@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What the mesh lacks of a surface that horizons may cut: gathered triangle by triangle, judged piece by piece.
+/// Finds the parts of a surface that are missing in the mesh and that horizons may have cut off: collected triangle by
+/// triangle, decided piece by piece.
 #pragma once
 
 #include <functional>
@@ -15,14 +16,15 @@ namespace geomesh::geomodel::checking {
 
 class PiecesWithoutFaces {
  public:
-  /// `may_end_at`: whether an edge runs along what may cut the surface beside horizons, or along its own border.
+  /// `may_end_at` returns whether an edge runs along something other than horizons that may cut the surface, or along
+  /// its own border.
   PiecesWithoutFaces(const ClaimedFaces& claimed, Index surface, const TakenByRules& rules, double tolerance,
                      const std::function<bool(VertexIndex, VertexIndex)>& may_end_at);
 
-  /// A triangle of the surface that `faces`, those on its plane, do not cover.
+  /// Adds a triangle of the surface that `faces`, the faces in its plane, do not cover.
   void add(const PlaneTriangle& triangle, Index row, const std::vector<Index>& faces);
   std::size_t size() const { return uncovered_.size(); }
-  /// Those of the triangles added that are in no piece that may be away.
+  /// Returns the added triangles that are in no piece that may be absent.
   std::vector<UncoveredTriangle> not_taken() const;
 
  private:
@@ -32,9 +34,11 @@ class PiecesWithoutFaces {
   Index surface_;
   const TakenByRules& rules_;
   double tolerance_;
-  std::vector<Triangle> open_edges_;  ///< at which the surface's faces end, with the second end twice
-  std::vector<bool> at_cutter_;       ///< by open edge: whether it runs along what cuts the surface, or its border
-  BoxTree tree_;                      ///< over open_edges_
+  /// Edges at which the surface's faces end, stored as triangles with the second end repeated.
+  std::vector<Triangle> open_edges_;
+  /// For each open edge: whether it runs along a surface that cuts, or along the surface's border.
+  std::vector<bool> at_cutter_;
+  BoxTree tree_;  ///< over open_edges_
   std::vector<UncoveredTriangle> uncovered_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pieces of a horizon that the rules take as wholes, though parts of them are not beyond the horizon that cuts: a
-/// piece may go on where the other one has ended.
+/// Pieces of a horizon that the rules remove as a whole, although parts of them are not beyond the horizon that cuts: a
+/// piece may continue where the other one has ended.
 #pragma once
 
 #include <array>
@@ -11,17 +11,20 @@
 
 namespace geomesh::geomodel::checking {
 
-/// A triangle of one surface of the input that mesh faces do not cover, or not all of it.
+/// A triangle of an input surface that mesh faces cover incompletely or not at all.
 struct UncoveredTriangle {
   Index triangle;
-  double beyond = 0, within = 0;  ///< its area without faces that a rule may take place by place, and the rest
-  std::array<bool, 3> goes_on{};  ///< whether a place of side i (corner i to i + 1) is without faces
-  bool ends_at_cutters = true;    ///< open edges of its faces run along what cuts the surface, or its border
-  Vec3 place{};                   ///< of the rest
+  /// Uncovered area that a rule may remove place by place, and the rest of the uncovered area.
+  double beyond = 0, within = 0;
+  std::array<bool, 3> goes_on{};  ///< whether some place of side i (corner i to i + 1) is uncovered
+  /// Whether open edges of its faces run along surfaces that cut, or along the surface's border.
+  bool ends_at_cutters = true;
+  Vec3 place{};  ///< of the rest
 };
 
-/// The rows of `uncovered` in pieces that may not be away. Triangles are joined across sides without faces. A piece may
-/// be away where most of its area is beyond what cuts it and where it ends at cutters alone. O(n log n).
+/// Returns the rows of `uncovered` in pieces that must not be absent. Triangles are joined across uncovered sides. A
+/// piece may be absent if most of its area is beyond the surface that cuts it and if it ends only at cutting surfaces.
+/// O(n log n).
 std::vector<Index> not_taken_as_pieces(const TriangulatedSurface& surface,
                                        const std::vector<UncoveredTriangle>& uncovered);
 

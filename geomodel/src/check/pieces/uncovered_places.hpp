@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places of an input triangle that no mesh face covers, on a lattice.
+/// Points of an input triangle, on a lattice, that no mesh face covers.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Parts of a triangle's sides in the lattice.
+/// Number of lattice intervals along each side of a triangle.
 inline constexpr int lattice_parts = 14;
 
-/// The faces in their planes.
+/// Returns the faces, projected into their planes.
 inline std::vector<PlaneTriangle> flat_faces(const ClaimedFaces& claimed, const std::vector<Index>& faces) {
   std::vector<PlaneTriangle> flat;
   for (const Index f : faces) {
@@ -29,7 +29,7 @@ inline bool is_covered(const Vec3& p, const std::vector<PlaneTriangle>& flat, do
                              [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance; });
 }
 
-/// Visits the places inside the triangle that lie under none of the faces; visit tells whether to go on.
+/// Visits the lattice points inside the triangle that none of the faces covers; visit returns whether to continue.
 template <class Visit>
 void for_each_uncovered(const PlaneTriangle& triangle, const std::vector<PlaneTriangle>& flat, double tolerance,
                         Visit visit) {

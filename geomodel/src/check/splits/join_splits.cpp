@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh without its split faults, declared in check/splits/judge_splits.hpp.
+// Returns a mesh without its split faults, declared in check/splits/judge_splits.hpp.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -104,7 +104,7 @@ class SplitJoiner {
         out.surface_sets.push_back(set);
   }
 
-  /// Nodes of the mesh as the file has it.
+  /// Returns the nodes of the mesh in the file.
   Triangle nodes(std::size_t f) const {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) t[i] = static_cast<VertexIndex>(faces_.mesh_point[faces_.triangles[f][i]]);
@@ -115,8 +115,8 @@ class SplitJoiner {
     return t;
   }
 
-  /// Each minus face with its plus face; what has none, and what does not bound its own side, is told. On the boundary
-  /// of the model nothing is split.
+  /// Pairs each minus face with its plus face; reports faces without one, and faces that do not bound their own side.
+  /// On the boundary of the model nothing is split.
   void join_faces(CheckResult& result) {
     FaultCollector alone("wrong_splits"), inside("wrong_splits");
     CheckResult told_of_the_rest;
@@ -151,7 +151,7 @@ class SplitJoiner {
           ++n_pairs;
           plus = faces_.region_minus[other->second];
           const Triangle from = nodes(f), to = nodes(other->second);
-          if (sorted(from) != sorted(to)) {  // else all three are at a tip, and nothing opens
+          if (sorted(from) != sorted(to)) {  // otherwise all three are at a tip, where nothing opens
             open_pairs_.emplace_back(from, to);
             if (!bounds(from) || !bounds(to)) inside.add(f, mesh_.points[from[0]]);
           }
@@ -193,9 +193,9 @@ class SplitJoiner {
                                  "The rest was judged with the sides joined");
   }
 
-  /// From the minus face, seen from within the prism, to the plus face.
+  /// Prisms extend from the minus face, as seen from within the prism, to the plus face.
   void check_prisms(CheckResult& result) {
-    std::map<std::pair<Triangle, Triangle>, bool> due;  // of two sides: the minus face's parity
+    std::map<std::pair<Triangle, Triangle>, bool> due;  // required pairs of sides, with the parity of the minus face
     if (asked_.cohesive)
       for (const auto& [minus, plus] : open_pairs_) due[{sorted(minus), sorted(plus)}] = is_odd(minus);
     FaultCollector wrong("wrong_splits");
@@ -229,9 +229,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   JudgedMesh as_split_;
-  std::vector<VertexIndex> row_;                           // of a node: its place
+  std::vector<VertexIndex> row_;                           // row of each node's place
   std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // the nodes of both sides, where any differ
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // nodes of both sides of faces, if any of them differ
   JoinedFiles joined_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Split faults: the doubling is judged as it stands, then undone, so that what is left is judged like any mesh.
+/// Split faults: checks the duplicated nodes as they are, then merges them, so that the result is checked like any
+/// mesh.
 #pragma once
 
 #include <optional>
@@ -11,25 +12,27 @@
 
 namespace geomesh::geomodel::checking {
 
-/// What a project asks of the two sides.
+/// What a project requests for the two sides of split faults.
 struct AskedSplits {
   std::vector<std::string> surfaces;
-  bool cohesive = false;  ///< a prism between the two sides of each face, but where all its nodes are at a tip
+  /// Whether there is a prism between the two sides of each face, except if all its nodes are at a tip.
+  bool cohesive = false;
 };
 
-/// The files of a mesh as they would be without `split`. Points in one place are one, the first of them. Faces of
-/// NAME.plus are gone, those of NAME.minus bear NAME, and have the regions of both sides. So have curves.
+/// The files of a mesh as they would be without `split`. Points at one place are merged into the first of them. Faces
+/// of NAME.plus are removed; those of NAME.minus are called NAME and have the regions of both sides. The same applies
+/// to curves.
 struct JoinedFiles {
   MeshFile mesh;
   FacesFile faces;
   std::optional<CurvesFile> curves;
 };
 
-/// Undoes the doubling, and judges it (`wrong_splits`): each face of a minus side has one of the plus side in its
-/// place; both are on the boundary, with normals out of their own side; about each point there are as many nodes as
-/// sectors that the split faces divide, one a sector; cohesive prisms are the pairs of faces with a node of two.
-/// Nothing where the files do not tell enough: `wrong_splits` is reported then. Precondition: coordinates are finite.
-/// O(n log n).
+/// Merges the duplicated nodes and checks them (`wrong_splits`): each face of a minus side has one of the plus side at
+/// the same place; both are on the boundary, with normals out of their own side; around each point there are as many
+/// nodes as sectors between the split faces, one for each sector; cohesive prisms connect the pairs of faces that
+/// differ in a node. Returns nothing if the files lack data, which is reported as `wrong_splits`. Precondition:
+/// coordinates are finite. O(n log n).
 std::optional<JoinedFiles> join_splits(const MeshFile& mesh, const FacesFile& faces,
                                        const std::optional<CurvesFile>& curves, const AskedSplits& asked,
                                        CheckResult& result);

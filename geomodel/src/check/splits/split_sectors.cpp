@@ -11,7 +11,7 @@ namespace {
 /// A face of a tetrahedron with its corners in the order of the key.
 struct CellFace {
   Triangle key;
-  std::array<Index, 3> corner;  ///< 4 t + i
+  std::array<Index, 3> corner;  ///< each corner as 4 t + i for corner i of tetrahedron t
 };
 
 std::vector<CellFace> faces_of(const std::vector<Tetrahedron>& cells) {

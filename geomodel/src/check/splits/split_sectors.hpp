@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sectors of tetrahedra about the points of split surfaces.
+/// Sectors of tetrahedra around the points of split surfaces.
 #pragma once
 
 #include <set>
@@ -16,9 +16,9 @@ struct JoinedCells {
   const std::vector<Tetrahedron>& tetrahedra;
 };
 
-/// Places that have not one node for each sector. A sector is a set of tetrahedra about a place that are joined by
-/// faces which are not split. `nodes` are the same tetrahedra, corner for corner, by the nodes of the file. Ascending.
-/// O(n log n).
+/// Returns places that do not have exactly one node for each sector, ascending. A sector is a set of tetrahedra around
+/// a place that are connected through faces which are not split. `nodes` are the same tetrahedra, corner by corner,
+/// with the nodes of the file. O(n log n).
 std::vector<VertexIndex> nodes_unlike_sectors(const JoinedCells& joined, const std::vector<Tetrahedron>& nodes,
                                               const std::set<Triangle>& split);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where a surface of the input ends, and where its ends may have been joined.
+/// Finds where a surface of the input ends, and where its ends may have been merged.
 #pragma once
 
 #include <array>
@@ -12,33 +12,34 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The surface's triangles with equal points as one; triangles that are degenerate then are left out. O(n log n).
+/// Returns the surface's triangles after merging equal points; triangles that are degenerate then are omitted. O(n log
+/// n).
 std::vector<Triangle> welded(const TriangulatedSurface& surface);
 
-/// The edges of a surface that have one triangle. Two of them that face each other may become one in the mesh:
-/// intersecting closes cracks as thin as rounding, and within a tolerance it brings together what is much nearer than
-/// that.
+/// The border edges of a surface, which have one triangle. Two of them that face each other may be merged in the mesh:
+/// intersecting closes cracks as thin as rounding, and with a tolerance it merges features much closer than that.
 class InputBorder {
  public:
   InputBorder(const TriangulatedSurface& surface, const Allowed& allowed);
   const std::vector<Corners>& edges() const { return edges_; }
-  /// Whether the edge's middle is on other triangles of the surface, to rounding. Precondition: row < edges().size().
+  /// Returns whether the edge's midpoint lies on other triangles of the surface, up to rounding. Precondition: row <
+  /// edges().size().
   bool is_crack(Index row) const { return cracks_[row]; }
-  /// Whether the place p of the edge has another part of the border within what surfaces may be off: one that is not
-  /// reached along the border by twice that length. O(log n + edges within that length).
+  /// Returns whether place p of the edge has another part of the border within the allowed distance of surfaces, which
+  /// is not reached along the border over twice that length. O(log n + edges within that length).
   bool faces_border(Index row, const Vec3& p) const;
-  /// Whether the place p of the edge has another piece of the surface within what surfaces may be off. Pieces share no
-  /// points. Patches of one fault are joined so. O(log n + triangles within that length).
+  /// Returns whether place p of the edge has another piece of the surface within the allowed distance of surfaces.
+  /// Pieces share no points; patches of one fault are joined in this way. O(log n + triangles within that length).
   bool faces_other_piece(Index row, const Vec3& p) const;
 
  private:
   std::vector<Corners> edges_;
   std::vector<std::array<VertexIndex, 2>> ends_;
   std::vector<bool> cracks_;
-  std::map<VertexIndex, std::vector<Index>> at_;  ///< edges at each end
+  std::map<VertexIndex, std::vector<Index>> at_;  ///< border edges at each end
   TriangleSet set_;                               ///< of edges_
   TriangleSet triangles_;                         ///< welded
-  std::vector<VertexIndex> piece_of_triangle_;    ///< a vertex that stands for it
+  std::vector<VertexIndex> piece_of_triangle_;    ///< a vertex that represents the piece of each triangle
   std::vector<VertexIndex> piece_of_edge_;
   double length_ = 0;
 };

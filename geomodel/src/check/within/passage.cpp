@@ -22,8 +22,8 @@ BoxTree tree_of(const std::vector<Corners>& triangles) {
   return BoxTree(std::move(boxes));
 }
 
-/// Where the edge p q passes through the inside of the triangle; nothing where it touches its rim or lies in its plane.
-/// Decided exactly.
+/// Returns the point at which the edge p q passes through the inside of the triangle; nothing if it touches the
+/// triangle's border or lies in its plane. Decided exactly.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Corners& t) {
   const Sign above = orientation(t[0], t[1], t[2], p), below = orientation(t[0], t[1], t[2], q);
   if (above == Sign::zero || below == Sign::zero || above == below) return std::nullopt;
@@ -36,8 +36,8 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Corners& t) {
 
 double length(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// The line as far as it is no farther from the other surface than the depth, and its first point that is. Nothing
-/// where it ends before.
+/// Returns the line up to and including its first point that is farther from the other surface than the depth; nothing
+/// if it ends before.
 std::optional<std::vector<Vec3>> until_deeper(const Vec3& start, const std::vector<Vec3>& line,
                                               const FollowedSurface& other, double depth, const AlongLine& along) {
   constexpr double least_step = 0.25;  // of the depth

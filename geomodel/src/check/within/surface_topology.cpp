@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets, borders and holes of moved surfaces, declared in check/within/within_tolerance.hpp.
+// Checks sheets, borders and holes of moved surfaces, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,10 +21,10 @@ Edge edge_of(const Triangle& t, std::size_t i) {
   return {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
 }
 
-/// Places along a segment at which it is looked at.
+/// Positions along a segment at which it is sampled.
 constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
 
-/// Edges with the rows of the triangles at them.
+/// Returns edges with the rows of their triangles.
 std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
   std::map<Edge, std::vector<Index>> edges;
   for (Index t = 0; t < triangles.size(); ++t)
@@ -35,7 +35,7 @@ std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangl
 struct Topology {
   std::size_t pieces = 0, borders = 0;
   long euler = 0;
-  bool manifold = true;  ///< no edge with more than two triangles
+  bool manifold = true;  ///< whether no edge has more than two triangles
   friend bool operator==(const Topology&, const Topology&) = default;
 };
 
@@ -99,10 +99,10 @@ class TopologyJudge {
   void check_curves(CheckResult& result);
 
  private:
-  /// Whether rules may trim the surface: what the volume clips that is no box counts as such.
+  /// Returns whether rules may trim the surface; clipping by a volume that is not a box counts as such.
   bool may_be_trimmed(Index row) const { return claim_.may_be_trimmed(row) || (claim_.volume && !claim_.volume->box); }
   bool is_in_box(const Vec3& p, double room) const;
-  /// Whether a body may take parts of the surface.
+  /// Returns whether a body may remove parts of the surface.
   bool may_be_cut(Index row) const;
   bool is_whole(Index row) const;
   std::vector<Triangle> faces_of(Index row) const;
@@ -118,9 +118,11 @@ class TopologyJudge {
   }
   struct Places {
     std::size_t looked_at = 0,
-                farther = 0;  ///< sampled; those farther than allowed from where the mesh's surfaces meet
+                /// Lengths: sampled; and of those farther than allowed from where the mesh's surfaces meet.
+        farther = 0;
   };
-  /// A place where triangle s of surface i and t of j pass through each other, and the direction of the curve there.
+  /// A point at which triangle s of surface i and triangle t of surface j pass through each other, and the direction of
+  /// the curve there.
   struct Passage {
     Index i, j, s, t;
     Vec3 place, along;
@@ -134,8 +136,8 @@ class TopologyJudge {
   Allowed allowed_;
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
-  std::vector<InputBorder> borders_;          ///< of the input's surfaces
-  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, once curves are judged
+  std::vector<InputBorder> borders_;          ///< borders of the input's surfaces
+  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, prepared when curves are checked
 };
 
 bool TopologyJudge::is_in_box(const Vec3& p, double room) const {
@@ -182,14 +184,14 @@ void TopologyJudge::check_presence(CheckResult& result) {
   missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
 }
 
-/// Whether the place p of the input's border may have been joined to another part of the border, or to another patch of
-/// the fault.
+/// Returns whether place p of the input's border may have been merged with another part of the border, or with another
+/// patch of the fault.
 bool TopologyJudge::may_be_joined(Index row, Index edge, const Vec3& p) const {
   const bool is_fault = claim_.surfaces[row].kind == SurfaceKind::fault;
   return borders_[row].faces_border(edge, p) || (is_fault && borders_[row].faces_other_piece(edge, p));
 }
 
-/// Whether parts of its border may have been joined to each other.
+/// Returns whether parts of its border may have been merged with each other.
 bool TopologyJudge::is_cracked(Index row) const {
   const InputBorder& border = borders_[row];
   for (Index e = 0; e < border.edges().size(); ++e) {
@@ -202,8 +204,8 @@ bool TopologyJudge::is_cracked(Index row) const {
   return false;
 }
 
-/// Surfaces that nothing clips have the topology of their input. Where its border faces itself, parts may have been
-/// joined and give another one.
+/// Checks that surfaces which nothing clips have the topology of their input. Where its border faces itself, parts may
+/// have been merged, which changes the topology.
 void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   FaultCollector changed("surfaces_changed");
   std::string how;
@@ -211,7 +213,7 @@ void TopologyJudge::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < claim_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(claim_.surfaces[row])), now = topology_of(faces_of(row));
-    if (!input.manifold || !now.manifold) continue;  // meets itself: it is parted there
+    if (!input.manifold || !now.manifold) continue;  // the surface meets itself and is divided there
     ++n_judged;
     if (input == now) continue;
     changed.add(row, claim_.surfaces[row].points[claim_.surfaces[row].triangles[0][0]]);
@@ -224,7 +226,7 @@ void TopologyJudge::check_whole_surfaces(CheckResult& result) {
       "characteristic were held against the input's");
 }
 
-/// A surface may end at the box, at a body that cuts it, and, where rules trim it, at any other surface.
+/// A surface may end at the box, at a body that cuts it, and, if rules trim it, at any other surface.
 bool TopologyJudge::is_excused(const Edge& e, Index row) const {
   for (const Index f : edges_.at(e))
     for (const std::int32_t id : claimed_.set_of(f)) {
@@ -237,7 +239,7 @@ bool TopologyJudge::is_excused(const Edge& e, Index row) const {
   return false;
 }
 
-/// Whether a body that cuts the surface passes the place, of which rules may have taken the wall there.
+/// Returns whether a body that cuts the surface passes through the place, where rules may have removed the body's wall.
 bool TopologyJudge::was_cut_at(Index row, const Vec3& p) const {
   return claimed_.is_cut_kind(row) &&
          std::any_of(claimed_.bodies().begin(), claimed_.bodies().end(), [&](const Body& body) {
@@ -253,7 +255,8 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
   return free;
 }
 
-/// Triangles that rules made to continue a surface: any part of them may be away, so that it may end anywhere there.
+/// Returns the triangles that rules made to continue a surface: any part of them may be absent, so that the surface may
+/// end anywhere there.
 std::vector<Corners> TopologyJudge::continuation_of(Index row) const {
   std::vector<Corners> made;
   if (row >= claim_.trims.size() || !claim_.trims[row].continuation) return made;
@@ -298,7 +301,7 @@ void TopologyJudge::check_borders(CheckResult& result) {
         "sampled, both ways");
 }
 
-/// Mesh edges at which both surfaces meet, and faces that bear both.
+/// Returns the mesh edges at which both surfaces meet, and the faces that belong to both.
 TriangleSet TopologyJudge::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {
@@ -312,9 +315,9 @@ TriangleSet TopologyJudge::meeting_of(Index i, Index j) const {
   return TriangleSet(std::move(shared));
 }
 
-/// Whether the inputs pass through each other there, each deeper than what is allowed, and the surfaces meet nowhere
-/// about it in the mesh. Both may have been moved: where they are no farther than what is allowed from each other,
-/// their curve may be anywhere across.
+/// Returns whether the input surfaces pass through each other there, each deeper than the allowed distance, and the
+/// surfaces of the mesh meet nowhere nearby. Both may have been moved: where they are closer to each other than the
+/// allowed distance, their curve may be anywhere in between.
 bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) const {
   const Vec3 &place = passage.place, &along = passage.along;
   bool is_met = false;
@@ -326,9 +329,9 @@ bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) 
   return passes(passage.i, passage.s, passage.j) && passes(passage.j, passage.t, passage.i) && !is_met;
 }
 
-/// Where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh nearby. That is
-/// not asked where they pass no deeper than what is allowed. Nor is it where they touch: horizons that end on either
-/// side of a fault do at a point, but for rounding.
+/// Checks that where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh
+/// nearby. This is not required if they pass through by less than the allowed distance, or if they only touch: horizons
+/// that end on both sides of a fault touch at a point, up to rounding.
 void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
   const FollowedSurface &a = followed_[i], &b = followed_[j];
   const TriangleSet meeting = meeting_of(i, j);
@@ -341,7 +344,7 @@ void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Place
       const auto crossing = crossing_of(s, b.triangles()[row]);
       if (!crossing) return;
       const auto& [from, to] = *crossing;
-      if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;  // a point, but for rounding
+      if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;  // a single point, up to rounding
       for (const double at : between) {
         const Vec3 p = from + at * (to - from);
         ++places.looked_at;

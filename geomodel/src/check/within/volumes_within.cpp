@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Volumes of regions whose boundary moved, declared in check/within/within_tolerance.hpp.
+// Checks volumes of regions whose boundary moved, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,7 +19,8 @@ double face_area(const Corners& c) {
   return 0.5 * std::sqrt(dot(n, n));
 }
 
-/// Per region: area of its faces that can have moved, those of box sides alone left out. In floats.
+/// Returns for each region the area, in floating point, of its faces that can have moved, which excludes those only on
+/// box sides.
 std::map<std::int32_t, double> movable_areas(const ClaimedFaces& claimed) {
   std::map<std::int32_t, double> areas;
   const FacesFile& faces = *claimed.faces();
@@ -32,7 +33,7 @@ std::map<std::int32_t, double> movable_areas(const ClaimedFaces& claimed) {
   return areas;
 }
 
-/// The closed, oriented surface's volume, exactly summed; nothing where an edge does not cancel.
+/// Returns the volume of the closed, oriented surface, summed exactly; nothing if an edge does not cancel.
 std::optional<double> enclosed_volume(const TriangulatedSurface& s) {
   std::map<std::array<std::array<double, 3>, 2>, int> edges;
   const auto key = [&](VertexIndex v) { return std::array{s.points[v].x, s.points[v].y, s.points[v].z}; };
@@ -58,7 +59,7 @@ class VolumesWithin {
   void check_bodies(CheckResult& result);
 
  private:
-  /// Volumes of `report` by region name; empty where it tells none.
+  /// Returns the volumes in `report` by region name; empty if it has none.
   std::map<std::string, double> told_volumes(const nlohmann::json& report) const;
   bool is_open_or_crosses_itself(const Body& body) const;
 
@@ -116,7 +117,7 @@ void VolumesWithin::check_regions(const nlohmann::json& report, CheckResult& res
   if (wrong.count() == 0) result.checks_done.emplace_back(text);
 }
 
-/// Per region: the centroid of its largest tetrahedron, a place well inside it.
+/// Returns for each region the centroid of its largest tetrahedron, a place well inside it.
 std::map<std::int32_t, Vec3> inner_places(const JudgedMesh& mesh) {
   std::map<std::int32_t, std::pair<double, Index>> largest;
   for (Index t = 0; t < mesh.cells.size(); ++t) {
@@ -135,8 +136,8 @@ bool lies_in(const Vec3& p, const Body& body) {
   return winding && *winding != 0;
 }
 
-/// Whether not just two faces of the body meet at an edge: the box cuts it, or it crosses itself and encloses parts of
-/// space twice. One without a face lies outside, or is missed by others of the judge.
+/// Returns whether the number of the body's faces at an edge is not two: the box cuts the body, or it crosses itself
+/// and encloses parts of space twice. A body without faces lies outside, or is reported missing by other checks.
 bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
   std::map<std::array<VertexIndex, 2>, int> uses;
   const auto row = static_cast<Index>(body.surface - claimed_.claim().surfaces.data());

@@ -13,14 +13,15 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Tells whether a face may stand for a surface where faces bear no names.
+/// Decides which faces may represent a surface if faces have no names.
 class UnnamedFaces {
  public:
   explicit UnnamedFaces(const JudgedMesh& mesh) : mesh_(mesh) {
     for (const Triangle& t : mesh.file.triangles) listed_.push_back(sorted(t));
     std::sort(listed_.begin(), listed_.end());
   }
-  /// It bounds the mesh, parts two regions, or is a triangle of the file: within a unit nothing else tells of a fault.
+  /// Returns whether the face bounds the mesh, separates two regions, or is a triangle of the file: a fault within one
+  /// unit cannot be recognised otherwise.
   bool may_be_surface(const FacePair& face) const {
     if (is_boundary(face) || std::binary_search(listed_.begin(), listed_.end(), face.key)) return true;
     const std::vector<std::int32_t>& region = mesh_.file.region;
@@ -32,7 +33,7 @@ class UnnamedFaces {
   std::vector<Triangle> listed_;
 };
 
-/// Whether a face where faces bear no names is one of the volume's own sides, to rounding. Where no unit ends inside
+/// Returns whether a face without names is on one of the volume's own sides, up to rounding. If no unit ends inside,
 /// nothing else bounds the mesh.
 bool is_side_of_volume(const ClaimedFaces& claimed, Index f, double rounding) {
   const Claim& claim = claimed.claim();
@@ -47,7 +48,8 @@ bool is_side_of_volume(const ClaimedFaces& claimed, Index f, double rounding) {
   return false;
 }
 
-/// "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart; largest distance sampled 0.34".
+/// Formats the result: "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart; largest distance
+/// sampled 0.34".
 std::string words(const Deviation& d, double tolerance) {
   char text[240];
   const double share = d.area > 0 ? 100 * std::min(1.0, d.proven / (d.area - d.beyond)) : 100;
@@ -73,7 +75,7 @@ class SurfacesWithin {
  private:
   void judge_faces(const SurfacePair& pair);
   void judge_input(const SurfacePair& pair);
-  /// Judges what of the triangle is in the box.
+  /// Measures the part of the triangle inside the box.
   std::optional<Vec3> judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle, Deviation& sum);
 
   const ClaimedFaces& claimed_;
@@ -172,7 +174,8 @@ void SurfacesWithin::report(CheckResult& result) {
                                words(input_, allowed_.both()));
 }
 
-/// Faces of horizons and faults reach into a body that cuts by no more than what is allowed, judged at their centroids.
+/// Checks that faces of horizons and faults reach into a body that cuts by at most the allowed distance, measured at
+/// their centroids.
 void check_bodies_within(const ClaimedFaces& claimed, const Allowed& allowed, const std::vector<Triangle>& candidates,
                          CheckResult& result) {
   FaultCollector inside("faces_inside_bodies");

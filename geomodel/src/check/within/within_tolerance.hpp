@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Meshes whose surfaces were remeshed within a distance of the input (`honour: tolerance`): what takes the place of
+/// Checks meshes whose surfaces were remeshed within a distance of the input (`honour: tolerance`), in place of
 /// coverage.
 #pragma once
 
@@ -13,45 +13,46 @@
 
 namespace geomesh::geomodel::checking {
 
-/// What is allowed, in the mesh's unit.
+/// The allowed distances, in the mesh's unit.
 struct Allowed {
-  double surfaces = 0;  ///< between a surface and its input, both ways
-  double rounding = 0;  ///< of coordinates, as for coverage
+  double surfaces = 0;  ///< distance between a surface and its input, in both directions
+  double rounding = 0;  ///< rounding of coordinates, as for coverage
   double both() const { return surfaces + rounding; }
 };
 
-/// One surface of the claim (or all of them, where faces bear no names) with the faces of the mesh that stand for it.
+/// One surface of the specification (or all of them, if faces have no names) with the mesh faces that represent it.
 struct SurfacePair {
   std::string name;
   std::vector<Index> rows;   ///< of claim.surfaces
-  std::vector<Index> faces;  ///< rows of the candidates
+  std::vector<Index> faces;  ///< rows of the candidate faces
 };
-/// What lies on the sides of the volume, to `rounding`, stands for none.
+/// Pairs surfaces with their faces. Faces on the sides of the volume, up to `rounding`, represent none.
 std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double rounding);
 Corners corners_of(const ClaimedFaces& claimed, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 
-/// Faces of each surface lie within what is allowed of the surface's input (fault `faces_off_their_surface`). The
-/// input, less what the box and the rules take, lies within it of these faces (`input_off_the_mesh`); no face of a
-/// horizon or fault lies deeper inside a body that cuts (`faces_inside_bodies`). What was proven and what sampled goes
-/// to `checks_done`.
+/// Checks that faces of each surface lie within the allowed distance of the surface's input
+/// (`faces_off_their_surface`), that the input, minus the parts that the box and the rules remove, lies within this
+/// distance of the faces (`input_off_the_mesh`), and that no face of a horizon or fault lies deeper inside a body that
+/// cuts (`faces_inside_bodies`). `checks_done` lists what was proven and what was sampled.
 void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
-/// Nodes in the middle of edges lie within what is allowed of their surfaces (`midpoints_off`).
+/// Checks that midpoint nodes lie within the allowed distance of their surfaces (`midpoints_off`).
 void check_midpoints_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
-/// Each face names a triangle of its surface (`wrong_source_triangles`) that it comes within twice what is allowed of
-/// (`faces_off_their_triangle`). Only with names.
+/// Checks that each face names a triangle of its surface (`wrong_source_triangles`) and lies within twice the allowed
+/// distance of it (`faces_off_their_triangle`). Only if faces have names.
 void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
-/// Every surface is there (`missing_surfaces`); whole ones have the pieces, borders and handles of their input
-/// (`surfaces_changed`); borders and tips, and intersection curves, lie where the input's do (`borders_off`,
-/// `curves_off`). Only with names.
+/// Checks that every surface is present (`missing_surfaces`); that whole ones have the pieces, borders and handles of
+/// their input (`surfaces_changed`); and that borders and tips, and intersection curves, lie where those of the input
+/// do (`borders_off`, `curves_off`). Only if faces have names.
 void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
 
-/// Volumes of regions and of closed bodies differ little from the input's (`region_volumes`, `body_volumes`). The most
-/// is the area of their movable boundary times what is allowed. The input's region volumes are those that the report
-/// beside the mesh tells, which must fill the box; bodies' are computed here. Only with names.
+/// Checks that volumes of regions and of closed bodies differ little from those of the input (`region_volumes`,
+/// `body_volumes`): by at most the area of their movable boundary times the allowed distance. The input's volumes of
+/// regions are taken from the report beside the mesh, and must fill the box; those of bodies are computed here. Only if
+/// faces have names.
 void check_volumes_within(const ClaimedFaces& claimed, const Allowed& allowed,
                           const std::optional<nlohmann::json>& report, CheckResult& result);
 

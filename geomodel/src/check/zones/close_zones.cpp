@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh without its fault zones, declared in check/zones/judge_zones.hpp.
+// Returns a mesh without its fault zones, declared in check/zones/judge_zones.hpp.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -41,7 +41,7 @@ class ZoneCloser {
       const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
       const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
       if (is_new && !used[v]) {
-        at.erase(entry);  // of a zone alone
+        at.erase(entry);  // an entry that belongs only to a zone
         continue;
       }
       row_[v] = entry->second;
@@ -151,7 +151,7 @@ class ZoneCloser {
     for (const std::string& member : members) joined += (joined.empty() ? "" : "*") + member;
     return joined;
   }
-  /// Both walls of a zone are members of the curve: they meet there.
+  /// Returns whether both walls of a zone belong to the curve, because they meet there.
   bool walls_meet(const std::string& name) const {
     std::map<std::string, std::set<Wall>> walls;
     std::string::size_type from = 0;
@@ -163,8 +163,8 @@ class ZoneCloser {
       from = to + 1;
     }
   }
-  /// Edges of the closed faces with two faces of the same surfaces: of no curve but where walls of a zone met, as they
-  /// do beside a triangle of which all corners are on the fault's border.
+  /// Returns edges of the closed faces that have two faces of the same surfaces. They belong to no curve, except where
+  /// walls of a zone met, as they do beside a triangle with all corners on the fault's border.
   std::set<std::array<VertexIndex, 2>> edges_within_sheets() const {
     std::map<std::array<VertexIndex, 2>, std::vector<std::int32_t>> sets;
     const FacesFile& faces = closed_.faces;
@@ -206,7 +206,7 @@ class ZoneCloser {
       if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
       const std::string& kind = kind_of[file.edge_curve[e]];
       if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
-        continue;  // where the walls meet at an end
+        continue;  // the walls meet at an end there
       if (met.contains(file.edge_curve[e]) && within.contains({std::min(a, b), std::max(a, b)})) continue;
       edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
     }
@@ -233,7 +233,7 @@ class ZoneCloser {
   std::vector<std::string> faults_;
   std::map<std::int32_t, std::size_t> zone_ids_;
   ClosedFiles closed_;
-  std::vector<VertexIndex> row_;              // of a point of the file; no_vertex in zones
+  std::vector<VertexIndex> row_;              // row of each point of the file; no_vertex in zones
   std::map<std::int32_t, std::int32_t> now_;  // ids of surfaces
   std::map<std::string, std::int32_t> id_of_fault_;
   std::int32_t next_id_ = 0;

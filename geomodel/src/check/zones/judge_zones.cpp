@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fault zones as they stand, declared in check/zones/judge_zones.hpp.
+// Checks fault zones as they are, declared in check/zones/judge_zones.hpp.
 #include "check/zones/judge_zones.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// By face, and of volume over area.
+/// Largest deviation of the thickness at a face, and of the ratio of volume to area.
 constexpr double most_by_face = 2, most_in_all = 0.125;
 
-/// What is seen of a zone.
+/// Measurements of a zone.
 struct Seen {
-  std::set<VertexIndex> minus, plus;  ///< nodes of its walls
-  CompensatedSum volume, due;         ///< due: area of the minus wall, closed, times thickness; less at ends
+  std::set<VertexIndex> minus, plus;  ///< nodes of the zone's walls
+  CompensatedSum volume, due;  ///< required volume: area of the minus wall, closed, times thickness; less at ends
   std::map<VertexIndex, std::set<VertexIndex>> edges;  ///< of its elements
 };
 
@@ -99,7 +99,8 @@ class ZoneJudge {
     seen_text_ += text;
     if (!(std::abs(ratio - 1) <= most_in_all)) wrong_.add(z, mesh_.point(*seen_[z].minus.begin()));
   }
-  /// Steps along edges from the minus wall to each node of the plus wall, not through ends of the zone.
+  /// Counts steps along edges from the minus wall to each node of the plus wall, without passing through ends of the
+  /// zone.
   void judge_layers(std::size_t z) {
     const Seen& seen = seen_[z];
     std::map<VertexIndex, unsigned> steps;

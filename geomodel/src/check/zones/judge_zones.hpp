@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Fault zones: judged as they stand, then closed, so that what is left is judged against the project like any mesh.
+/// Checks fault zones as they are, then closes them, so that the result is checked against the project like any mesh.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,23 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The files of a mesh without its zones. Their elements, their plus walls and their faces on sides of the model are
-/// gone. Points are where the array `before_zones` tells; names and ids are those of a mesh that never had zones.
-/// Nothing of the array is believed: where it is wrong, what comes out is no mesh of the project.
+/// The files of a mesh without its zones: the zones' elements, their plus walls and their faces on sides of the model
+/// are removed. Points are at the positions in the array `before_zones`; names and ids are those of a mesh that never
+/// had zones. The array is not trusted: if it is wrong, the result does not pass the checks against the project.
 struct ClosedFiles {
   MeshFile mesh;
   FacesFile faces;
   std::optional<CurvesFile> curves;
 };
 
-/// Nothing where the files do not tell enough: `wrong_fault_zones` is reported then.
+/// Returns nothing if the files lack data, which is reported as `wrong_fault_zones`.
 std::optional<ClosedFiles> close_zones(const JudgedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
                                        const std::vector<FaultZone>& zones, CheckResult& result);
 
-/// Each zone is a region of the fault's name between its two walls. Between nodes that face each other there are as
-/// many elements as the project asks. Walls are apart as it asks: by face within a factor of two (bends and slanting
-/// surfaces), in the whole zone, as its volume over its area, within an eighth (`wrong_fault_zones`).
+/// Checks that each zone is a region with the fault's name between its two walls (`wrong_fault_zones`). Between nodes
+/// that face each other there are as many elements as the project requests. The distance between the walls is the
+/// requested thickness: at each face within a factor of two (because of bends and oblique surfaces), and for the whole
+/// zone, as volume divided by area, within an eighth.
 void check_zones(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones,
                  CheckResult& result);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names of zones' regions, as docs/outputs.md tells them.
+/// Names of the regions of fault zones, as documented in docs/outputs.md.
 #pragma once
 
 #include <map>
@@ -19,14 +19,14 @@ inline std::vector<std::string> faults_of(const std::vector<FaultZone>& zones) {
   return faults;
 }
 
-/// Row of the zone whose region has this name.
+/// Returns the row of the zone whose region has this name.
 inline std::optional<std::size_t> zone_of_region(const std::string& name, const std::vector<FaultZone>& zones) {
   for (std::size_t z = 0; z < zones.size(); ++z)
     if (name == zones[z].fault + ".zone") return z;
   return std::nullopt;
 }
 
-/// Ids of the zones' regions.
+/// Returns the ids of the zones' regions.
 inline std::map<std::int32_t, std::size_t> zone_ids(const std::map<std::int32_t, std::string>& region_names,
                                                     const std::vector<FaultZone>& zones) {
   std::map<std::int32_t, std::size_t> ids;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// AVS UCD (text), which LaGriT reads and writes: NAME.avs has the tetrahedra with the region as material,
+// Writes AVS UCD (text), which LaGriT reads and writes: NAME.avs has the tetrahedra with the region as material,
 // NAME.faces.avs the faces with the surface as material and, as node attribute idnode0, the number of the node in
-// NAME.avs. Fractures alone are NAME.avs itself, as dfnWorks has them. Followed: "read/avs" of the LaGriT manual, and
-// the reader of meshio. LaGriT names such files .inp, as Abaqus does its own.
+// NAME.avs. Fractures alone are NAME.avs itself, as dfnWorks has them. Source: "read/avs" of the LaGriT manual, and the
+// reader of meshio. LaGriT uses the extension .inp for such files, which is also that of Abaqus.
 #include <map>
 
 #include "formats/codes/each_cell.hpp"
@@ -15,12 +15,12 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Counts: nodes, cells, attributes of nodes, of cells, of the model.
+/// Writes the numbers of nodes, cells, node attributes, cell attributes and model attributes.
 void write_counts(OutputText& out, std::size_t n_nodes, std::size_t n_cells, int node_attributes) {
   out << n_nodes << " " << n_cells << " " << node_attributes << " 0 0\n";
 }
 
-/// AVS turns a tetrahedron the other way than VTK: its last two nodes are exchanged.
+/// AVS orients tetrahedra differently from VTK: their last two nodes are exchanged.
 void write_tetrahedra(OutputText& out, const SolverMesh& mesh) {
   write_counts(out, mesh.n_nodes(), mesh.count(3), 0);
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << v + 1 << " " << mesh.node(v) << "\n";
@@ -32,9 +32,9 @@ void write_tetrahedra(OutputText& out, const SolverMesh& mesh) {
   });
 }
 
-/// `beside_volume`: nodes have the number that they have in the file of the tetrahedra as an attribute.
+/// `beside_volume` adds the node's number in the file of the tetrahedra as an attribute.
 void write_faces(OutputText& out, const SolverMesh& mesh, bool beside_volume) {
-  std::map<VertexIndex, std::size_t> number_of;  // nodes of faces, in their order in the mesh
+  std::map<VertexIndex, std::size_t> number_of;  // numbers of nodes of faces, in their order in the mesh
   for_each_cell(mesh, 2, [&](const CellGroup&, const CellBlock&, std::size_t, auto nodes) {
     for (const VertexIndex v : nodes) number_of[v] = 0;
   });

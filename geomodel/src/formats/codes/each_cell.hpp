@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// `visit(label, block, cell, nodes)` for every cell of one dimension, in the order of SolverMesh::labels: cells of one
-/// number follow each other. `nodes` are rows of the mesh, in VTK's order.
+/// Calls `visit(label, block, cell, nodes)` for every cell of one dimension, in the order of SolverMesh::labels, so
+/// that cells with the same number are consecutive. `nodes` are rows of the mesh, in VTK's order.
 template <class Visit>
 void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
   for (const CellGroup& label : mesh.labels) {
@@ -24,7 +24,7 @@ void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
   }
 }
 
-/// The options with which a cell has one number: where a face is on several surfaces it gets a number of its own.
+/// Returns the options changed so that each cell has one number: a face on several surfaces gets a number of its own.
 inline WriteOptions with_one_number(WriteOptions options) {
   if (options.groups == GroupChoice::both) options.groups = GroupChoice::whole;
   return options;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// FEFLOW problem file (.fem, text) of an unstructured 3D mesh without physics: tetrahedra with an elemental set for
-// each region, and a nodal set for each surface, curve and named point. Followed: "FEFLOW ASCII file format" of the
-// FEFLOW 7 documentation, and the reader of OpenGeoSys.
+// Writes a FEFLOW problem file (.fem, text) of an unstructured 3D mesh without physics: tetrahedra with an elemental
+// set for each region, and a nodal set for each surface, curve and named point. Source: "FEFLOW ASCII file format" of
+// the FEFLOW 7 documentation, and the reader of OpenGeoSys.
 #include <algorithm>
 
 #include "formats/codes/each_cell.hpp"
@@ -16,7 +16,8 @@ namespace {
 
 constexpr int feflow_tetrahedron = 6;  ///< FEFLOW's number of the element type
 
-/// Rising numbers as FEFLOW lists them: single ones and ranges `FIRST-LAST`. A line that goes on begins with a tab.
+/// Writes ascending numbers in FEFLOW's list format: single numbers and ranges `FIRST-LAST`. A continuation line begins
+/// with a tab.
 void write_numbers(OutputText& out, const std::vector<std::size_t>& numbers) {
   constexpr std::size_t entries_per_line = 10;
   std::size_t entries = 0;
@@ -49,10 +50,11 @@ class ProblemFile {
 
  private:
   void write_header() {
-    // Class: saturated flow, steady, 3D (the fourth number), no layers, double precision (two times 8 bytes).
+    // Writes the problem class: saturated flow, steady, 3D (the fourth number), no layers, double precision (8 bytes
+    // twice).
     out_ << "PROBLEM: " << transliterated(mesh_.source->name) << "\nCLASS (v.7.006.14742)\n"
          << "   0    0    0    3    0    0    8    8    0    0\n"
-         // Nodes, elements, 0 for "each element names its type", then settings at their defaults.
+         // Writes the numbers of nodes and elements, 0 for "each element names its type", then default settings.
          << "DIMENS\n " << mesh_.n_nodes() << " " << mesh_.n_solids() << " 0 1 0 0 0 0 0 1 0 0 0 0 0 0 0\nSCALE\n\n";
   }
   void write_elements() {
@@ -63,7 +65,7 @@ class ProblemFile {
       out_ << "\n";
     });
   }
-  /// Groups of regions come first: readers that give an element one material take the last set that has it.
+  /// Groups of regions come first, because readers that give an element one material use the last set that contains it.
   void write_elemental_sets() {
     SolverNames names(name_limit_plain);
     std::vector<std::size_t> first(mesh_.blocks.size() + 1, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GOCAD TSolid (.so, text), for SKUA: a volume (TVOLUME) for each region, then the model: surfaces with their
-// triangles, and for each region one surface that bounds it, with the side on which the region lies. Followed: "GOCAD
+// Writes a GOCAD TSolid (.so, text), for SKUA: a volume (TVOLUME) for each region, then the model: surfaces with their
+// triangles, and for each region one surface that bounds it, with the side on which the region lies. Source: "GOCAD
 // ASCII File Format" (GOCAD 2.5), and the reader of RINGMesh.
 #include "formats/codes/each_cell.hpp"
 #include "formats/format_list.hpp"
@@ -32,7 +32,7 @@ class SolidFile {
   }
 
  private:
-  /// Nodes stand before the first volume that has them; later volumes refer to them.
+  /// Nodes are written before the first volume that uses them; later volumes refer to them.
   void write_volume(const CellGroup& label, const std::string& name) {
     out_ << "TVOLUME " << name << "\n";
     const auto each = [&](const auto& visit) {
@@ -49,7 +49,7 @@ class SolidFile {
     });
     sidecar_.push_back({"tvolume", 3, label.id, name, label.full_name, label.members});
   }
-  /// A part (TFACE) for each block: its faces lie between the same two regions.
+  /// Writes a part (TFACE) for each block: its faces lie between the same two regions.
   void write_surface(const CellGroup& label, const std::string& name) {
     out_ << "SURFACE " << name << "\n";
     for (const std::size_t b : label.blocks) {
@@ -63,7 +63,7 @@ class SolidFile {
     }
     sidecar_.push_back({"surface", 2, 0, name, label.full_name, label.members});
   }
-  /// Normals point from minus to plus.
+  /// Writes the surface that bounds a region; normals point from minus to plus.
   void write_region(const SidecarGroup& group) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const bool minus = parts_[p]->region_minus == group.id, plus = parts_[p]->region_plus == group.id;
@@ -75,7 +75,7 @@ class SolidFile {
 
   OutputText& out_;
   const SolverMesh& mesh_;
-  std::vector<std::size_t> number_;  // of nodes in the file, from 1; 0: not written yet
+  std::vector<std::size_t> number_;  // number of each node in the file, from 1; 0 if it is not written yet
   std::size_t n_written_ = 0;
   std::vector<const CellBlock*> parts_;
   std::vector<SidecarGroup> sidecar_;

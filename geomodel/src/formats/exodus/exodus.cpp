@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exodus II: named element blocks, side sets and node sets, for MOOSE, libMesh, PyLith, Sierra. Exodus is a layout of
-// netCDF, which is written here by netCDF's own library. Followed: Schoof and Yarberry, "EXODUS II: a finite element
-// data model" (SAND92-2137), and files of the Exodus library of Sandia (version 8.11), whose layout these have.
+// Writes Exodus II: named element blocks, side sets and node sets, for MOOSE, libMesh, PyLith, Sierra. Exodus is a
+// layout of netCDF, which is written here by netCDF's own library. Sources: Schoof and Yarberry, "EXODUS II: a finite
+// element data model" (SAND92-2137), and files of the Exodus library of Sandia (version 8.11), whose layout is used
+// here.
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -21,10 +22,10 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// An Exodus file being written. Every failure of the library is a failure to write the file.
+/// An Exodus file that is being written. Every failure of the library is reported as a failure to write the file.
 class ExodusWriter {
  public:
-  /// `part`: null for a mesh in one file.
+  /// `part` is null for a mesh in one file.
   ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh,
                const ExodusPart* part = nullptr)
       : temporary_(temporary), file_(file), mesh_(mesh), part_(part) {}
@@ -52,7 +53,7 @@ class ExodusWriter {
   struct Set {
     std::int32_t id;
     std::string name;
-    std::vector<int> entries, sides;  ///< nodes; or elements with their sides
+    std::vector<int> entries, sides;  ///< nodes; or elements and their sides
   };
 
   std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
@@ -60,7 +61,7 @@ class ExodusWriter {
     sidecar_.push_back({type, group.dimension, group.id, name, group.full_name, group.members});
     return name;
   }
-  /// A side set has the sides of the elements that the faces' normals point away from, so each face once.
+  /// A side set contains the sides of the elements that the faces' normals point away from, so each face occurs once.
   void collect_sets() {
     SolverNames side_names(name_limit_exodus), node_names(name_limit_exodus);
     for (const CellGroup& group : mesh_.groups) {
@@ -75,7 +76,8 @@ class ExodusWriter {
     for (const NodeSet& set : mesh_.source->node_sets)
       add_node_set(node_names, {set.id, 0, set.name, {}, {set.id}}, set.nodes);
   }
-  /// In parts a face is with the element that its normal points away from, so in one file alone.
+  /// In a mesh of parts, a face belongs to the element that its normal points away from, and therefore to one file
+  /// only.
   void add_sides(std::size_t b, Set& sides) const {
     const CellBlock& block = mesh_.blocks[b];
     for (std::size_t c = 0; c < block.sides.size(); ++c) {
@@ -103,7 +105,7 @@ class ExodusWriter {
     }
   }
 
-  /// What has no entries has no dimension: netCDF would take it for the one that grows.
+  /// Dimensions of length zero are not written, because netCDF would treat them as the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t n) {
     if (n > 0) out_.add_dimension(name, n);
   }
@@ -127,7 +129,7 @@ class ExodusWriter {
       add_dimension("num_nod_ns" + std::to_string(s + 1), node_sets_[s].entries.size());
   }
 
-  /// Status 1: there are entries; the ids as the first property.
+  /// Writes status 1, which means that there are entries, and the ids as the first property.
   void add_ids() {
     out_.add_doubles("time_whole", {"time_step"}, [this] { return std::vector<double>(has_time_ ? 1 : 0, 0.0); });
     std::vector<int> status, ids;
@@ -185,7 +187,7 @@ class ExodusWriter {
     add_list_of_names("coor", "num_dim", {"x", "y", "z"});
   }
 
-  /// TETRA, by which all readers know it (one knows no TETRA4).
+  /// The type is TETRA, which all readers know (one does not know TETRA4).
   const char* type_of(const CellBlock& block) const {
     return block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA";
   }
@@ -199,7 +201,7 @@ class ExodusWriter {
       out_.add_attribute("elem_type", type_of(block));
     }
   }
-  /// Some at a time: a copy of all would be as large as the block.
+  /// Writes some cells at a time, because a copy of all would be as large as the block.
   static bool put_nodes_of_cells(const CellBlock& block, const NetcdfWriter::Put& put) {
     constexpr std::size_t cells_at_once = 1 << 16;
     std::vector<int> nodes;
@@ -223,7 +225,7 @@ class ExodusWriter {
       if (const std::string number = std::to_string(s + 1); !node_sets_[s].entries.empty())
         out_.add_ints("node_ns" + number, "num_nod_ns" + number, std::move(node_sets_[s].entries));
   }
-  /// As the Exodus library writes them: its versions, doubles, 64-bit offsets and 32-bit numbers.
+  /// Writes the same global attributes as the Exodus library: its versions, doubles, 64-bit offsets and 32-bit numbers.
   void add_globals() {
     constexpr std::size_t least_name_length = 32, most_letters = 80;
     out_.add_global("api_version", 8.11f);
@@ -248,13 +250,13 @@ class ExodusWriter {
   std::vector<SidecarGroup> sidecar_;
 };
 
-/// NAME.e.N.K for part K of N, both with the same number of digits, as SEACAS and libMesh name them.
+/// Returns NAME.e.N.K for part K of N, both with the same number of digits, as SEACAS and libMesh name such files.
 std::filesystem::path file_of_part(const std::filesystem::path& whole, std::int32_t number, std::int32_t n) {
   const std::string all = std::to_string(n), own = std::to_string(number);
   return whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own;
 }
 
-/// The names beside them come with the first part.
+/// The JSON with names is written together with the first part.
 std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const MeshParts& parts,
                                                const std::filesystem::path& file) {
   WrittenFiles written;

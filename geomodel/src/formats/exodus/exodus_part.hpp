@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What an Exodus file of one part says of the others: the arrays of Nemesis.
+/// Describes in an Exodus file of one part its relation to other parts: the arrays of Nemesis.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace geomesh::geomodel {
 
-/// Side of a tetrahedron by the vertex it is opposite to: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
+/// Side of a tetrahedron by its opposite vertex: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
 inline constexpr std::array<int, 4> exodus_side_opposite{2, 3, 1, 4};
 
-/// A part beside the mesh that it is of.
+/// A part, together with the mesh to which it belongs.
 struct ExodusPart {
   const SolverMesh& whole;
   const MeshParts& parts;
@@ -27,7 +27,7 @@ struct ExodusSets {
 };
 
 /// Adds the numbers in the whole mesh, and what is shared with which other part. The file's dimensions of nodes and
-/// elements are added already. Parallel readers put parts together by these (Hennigan and Shadid, "NEMESIS I",
+/// elements must have been added before. Parallel readers use these to combine parts (Hennigan and Shadid, "NEMESIS I",
 /// SAND 98-2649).
 void add_exodus_part(NetcdfWriter& file, const ExodusPart& part, const ExodusSets& sets);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A netCDF file that is defined as a whole before its numbers are written: the library would move what is there for
-/// each later definition.
+/// Writes a netCDF file that is defined completely before its numbers are written, because the library would move
+/// existing data for each later definition.
 #pragma once
 
 #include <cstddef>
@@ -14,29 +14,29 @@
 
 namespace geomesh::geomodel {
 
-/// Classic format with 64-bit offsets, which every reader of netCDF knows: a variable may have 4 GiB, the file any
+/// Classic format with 64-bit offsets, which every netCDF reader supports: a variable may have 4 GiB, the file any
 /// size. Numbers have 32 bits, or are doubles.
 class NetcdfWriter {
  public:
-  /// Writes entries [first, first + n) of a variable, counted along its first dimension; false where that fails.
+  /// Writes entries [first, first + n) of a variable, counted along its first dimension; returns false on failure.
   using Put = std::function<bool(std::size_t first, std::size_t n, const void* data)>;
 
-  /// `size` 0: the dimension that grows.
+  /// `size` 0 means the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t size) { dimensions_.emplace_back(name, size); }
   void add_ints(const std::string& name, const std::string& dimension, std::vector<int> values);
-  /// `write` gives the numbers piece by piece.
+  /// `write` provides the numbers piece by piece.
   void add_ints(const std::string& name, std::vector<std::string> dimensions, std::function<bool(const Put&)> write);
   void add_doubles(const std::string& name, std::vector<std::string> dimensions,
                    std::function<std::vector<double>()> values);
-  /// Rows of a fixed length, filled up with zeros.
+  /// Adds rows of a fixed length, padded with zeros.
   void add_texts(const std::string& name, const std::string& dimension, std::vector<std::string> texts);
-  /// Of the variable added last.
+  /// Adds an attribute to the last variable that was added.
   void add_attribute(const std::string& name, const std::string& value);
   void add_global(const std::string& name, const std::string& value) { texts_.emplace_back(name, value); }
   void add_global(const std::string& name, int value) { ints_.emplace_back(name, value); }
   void add_global(const std::string& name, float value) { floats_.emplace_back(name, value); }
 
-  /// False where the file cannot be written, or a variable is larger than the format holds.
+  /// Returns false if the file cannot be written, or if a variable is larger than the format allows.
   bool write(const std::filesystem::path& file) const;
 
  private:
@@ -59,7 +59,7 @@ class NetcdfWriter {
   std::vector<std::pair<std::string, float>> floats_;
 };
 
-/// Longest name of an Exodus file with its end.
+/// Longest name of an Exodus file including its extension.
 inline constexpr std::size_t exodus_name_room = 256;
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The border between the table of formats and a module that writes and reads one of them by a library of its own
-/// (geomodel/plugins/). Types of C++ cross it, so both sides are of one build.
+/// The interface between the table of formats and a module that writes and reads one of them with a library of its own
+/// (geomodel/plugins/). C++ types are passed through it, so both sides must come from the same build.
 #pragma once
 
 #include "geomesh/geomodel/formats.hpp"
@@ -15,11 +15,12 @@ struct FormatModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
   decltype(Format::write) write;
   decltype(Format::read) read;  ///< null: not read
-  /// Files of the parts that are here, where no process has the whole mesh; null: not written so.
+  /// Writes files of the parts that are available here, if no process has the whole mesh; null if the format does not
+  /// support this.
   std::vector<std::filesystem::path> (*write_part)(const ModelMesh& mesh, const MeshParts& parts,
                                                    const WriteOptions& options, const std::filesystem::path& stem);
 };
-/// The function of each such module: const FormatModule* geomesh_format_module().
+/// Name of the function in each such module: const FormatModule* geomesh_format_module().
 constexpr const char* format_module_function = "geomesh_format_module";
 
 }  // namespace geomesh::geomodel

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SeisSol's mesh in its PUML layout (built only where HDF5 is there): NAME.puml.h5, and NAME.puml.xdmf for ParaView.
-// The group of a tetrahedron is its region's id. Each of its faces has a condition: 1 free surface (zmax, and other
-// boundaries that look upwards, such as a topography), 5 absorbing (all other boundaries), 3 the first fault, 65 and on
-// further faults, 0 none. Followed: "Mesh Input Formats" and "Fault tagging" of the SeisSol documentation.
+// Writes a mesh for SeisSol in its PUML layout (built only if HDF5 is available): NAME.puml.h5, and NAME.puml.xdmf for
+// ParaView. The group of a tetrahedron is its region's id. Each of its faces has a condition: 1 free surface (zmax, and
+// other boundaries that face upwards, such as a topography), 5 absorbing (all other boundaries), 3 the first fault, 65
+// and on further faults, 0 none. Source: "Mesh Input Formats" and "Fault tagging" of the SeisSol documentation.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -21,7 +21,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::int32_t free_surface = 1, first_fault = 3, absorbing = 5, further_faults = 65, last_condition = 255;
-/// SeisSol's faces of a tetrahedron are 021, 013, 123, 032: the number of the face opposite to each vertex.
+/// SeisSol's faces of a tetrahedron are 021, 013, 123, 032: the number of the face opposite each vertex.
 constexpr std::array<unsigned, 4> face_opposite{2, 3, 1, 0};
 
 class Conditions {
@@ -32,11 +32,11 @@ class Conditions {
     mark_faces();
   }
   const std::vector<std::int32_t>& of_cells() const { return of_cell_; }
-  /// Of faults, by id of the surface.
+  /// Returns the conditions of faults, by id of the surface.
   const std::map<std::int32_t, std::int32_t>& of_faults() const { return of_fault_; }
 
  private:
-  /// Faults with faces, in the order of the project.
+  /// Numbers the faults that have faces, in the order of the project.
   void number_faults() {
     std::set<std::int32_t> used;
     for (const auto& face : mesh_.faces) {
@@ -59,7 +59,7 @@ class Conditions {
     bits = (bits & ~(0xFFu << shift)) | static_cast<std::uint32_t>(condition) << shift;
     of_cell_[tetrahedron] = static_cast<std::int32_t>(bits);
   }
-  /// Boundaries that no surface has a name for absorb as well.
+  /// Boundaries that belong to no named surface are absorbing too.
   void mark_outside() {
     const std::vector<Neighbours> across = tetrahedra_across(mesh_.tetrahedra);
     for (std::size_t t = 0; t < across.size(); ++t)

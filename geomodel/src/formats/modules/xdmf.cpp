@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only where HDF5 is there): NAME.xdmf has the cells
-// with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. Numbers are in
-// an .h5 of the same name. One grid a file, because meshio reads no more.
+// Writes XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only if HDF5 is available): NAME.xdmf has
+// the cells with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points.
+// Numbers are in an .h5 of the same name. Each file has one grid, because meshio reads only one.
 #include <algorithm>
 #include <array>
 
@@ -22,13 +22,13 @@ constexpr std::size_t tags_at_once = 1 << 16;
 /// Cells of one dimension with the number of their label.
 struct TaggedCells {
   const char* topology;
-  const char* name;  ///< of the grid and of the attribute
+  const char* name;  ///< name of the grid and of the attribute
   std::size_t width, n;
   std::vector<std::pair<const CellBlock*, std::int32_t>> blocks;  ///< with the number
 };
 
-/// Cells, facets and edges by how many dimensions they have less than the mesh, which is of triangles where fractures
-/// are alone. XDMF orders the midpoints of a tetrahedron as VTK does.
+/// Returns cells, facets or edges, by how many dimensions they have less than the mesh, which consists of triangles if
+/// fractures are written alone. XDMF orders the midpoints of a tetrahedron as VTK does.
 TaggedCells cells_of(const SolverMesh& mesh, int dimension) {
   const bool second = mesh.second_order();
   const std::array names{"region", "facet_tags", "edge_tags"};
@@ -74,7 +74,8 @@ std::string grid_text(const std::string& h5, const TaggedCells& cells, std::size
   return text.text();
 }
 
-/// Each XDMF file has an HDF5 file of its own name, with the points: dolfinx opens that one, whatever the XDMF says.
+/// Each XDMF file has an HDF5 file with the same name that contains the points, because dolfinx opens that file,
+/// whatever the XDMF says.
 void write_h5(const SolverMesh& mesh, const TaggedCells& cells, const std::filesystem::path& file) {
   write_complete_or_absent(file, [&](const std::filesystem::path& temporary) {
     Hdf5Writer h5(

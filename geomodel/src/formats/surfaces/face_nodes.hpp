@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Nodes that faces of a mesh have, for files of surfaces alone.
+/// The nodes of faces of a mesh, for files that contain only surfaces.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 namespace geomesh::geomodel {
 
 struct FaceNodes {
-  std::vector<VertexIndex> rows;         ///< in the mesh, rising
-  std::vector<std::uint32_t> number_of;  ///< by row in the mesh: place in `rows`; meaningless for other nodes
+  std::vector<VertexIndex> rows;         ///< rows in the mesh, ascending
+  std::vector<std::uint32_t> number_of;  ///< for each row in the mesh: position in `rows`; undefined for other nodes
 };
 
-/// Nodes of the faces of some blocks. O(nodes of the mesh).
+/// Returns the nodes of the faces of some blocks. O(nodes of the mesh).
 inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_t>& blocks) {
   std::vector<bool> used(mesh.n_nodes(), false);
   for (const std::size_t b : blocks)

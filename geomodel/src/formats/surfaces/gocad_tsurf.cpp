@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GOCAD TSurf (.ts, text), for SKUA, Petrel and Leapfrog: one object for each surface, whole, under its name. A face on
-// two surfaces is in both. A part (TFACE) is what lies between the same two regions. Followed: "GOCAD ASCII File
-// Format" (GOCAD 2.5).
+// Writes GOCAD TSurf (.ts, text), for SKUA, Petrel and Leapfrog: one object for each whole surface, with its name. A
+// face on two surfaces is in both. A part (TFACE) consists of faces between the same two regions. Source: "GOCAD ASCII
+// File Format" (GOCAD 2.5).
 #include "formats/format_list.hpp"
 #include "formats/surfaces/face_nodes.hpp"
 #include "solver_mesh/names.hpp"
@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// GOCAD's own words for kinds of surfaces; empty where it has none.
+/// Returns GOCAD's term for a kind of surface; empty if it has none.
 const char* feature_of(SurfaceKind kind) {
   if (kind == SurfaceKind::horizon) return "top";
   if (kind == SurfaceKind::fault) return "fault";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ of the surfaces: one object for each, with colours in NAME.mtl. Followed: "Object Files (.obj)",
+// Writes the surfaces as Wavefront OBJ: one object for each, with colours in NAME.mtl. Source: "Object Files (.obj)",
 // Wavefront Advanced Visualizer, appendix B.
 #include "formats/format_list.hpp"
 #include "formats/surfaces/face_nodes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL (text) of the surfaces: one solid for each, under its name. The text form is chosen because the binary one has
-// neither names nor doubles. Followed: "StereoLithography Interface Specification", 3D Systems, 1989.
+// Writes the surfaces as STL (text): one solid for each, with its name. Text is used because the binary form has
+// neither names nor doubles. Source: "StereoLithography Interface Specification", 3D Systems, 1989.
 #include <cmath>
 
 #include "formats/codes/each_cell.hpp"

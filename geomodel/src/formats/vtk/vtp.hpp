@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// NAME.faces.vtp and NAME.curves.vtp beside NAME.vtu: constrained faces; curves and marked points.
+/// Writes NAME.faces.vtp and NAME.curves.vtp beside NAME.vtu: constrained faces; curves and marked points.
 #pragma once
 
 #include <filesystem>

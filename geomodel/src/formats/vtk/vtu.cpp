@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NAME.vtu: tetrahedra of named regions; with one grid for all also faces, curves and points; in parts NAME.pvtu.
-// Fractures alone are the cells of the one grid.
+// Writes NAME.vtu: tetrahedra of named regions; with a single grid also faces, curves and points; in parts NAME.pvtu.
+// If fractures are written alone, they are the cells of the single grid.
 #include "formats/format_list.hpp"
 #include "formats/given_part.hpp"
 #include "formats/vtk/pvtu.hpp"
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Names and ids as they stand in the cell arrays `region`, `surface` and `curve`.
+/// Returns names and ids as in the cell arrays `region`, `surface` and `curve`.
 std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   std::vector<SidecarGroup> groups;
   const auto add = [&](int dimension, std::int32_t id, const std::string& name) {
@@ -28,7 +28,7 @@ std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   return groups;
 }
 
-/// Faces, curves and names, which all parts have in common.
+/// Writes faces, curves and names, which all parts share.
 void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std::filesystem::path& stem,
                   const std::filesystem::path& file, WrittenFiles& written) {
   if (!options.single_grid) {

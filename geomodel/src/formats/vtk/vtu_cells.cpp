@@ -5,7 +5,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The normal of a VTK wedge's first face points out of it, that of a prism's here into it.
+/// Order of a VTK wedge's nodes: the normal of its first face points outwards, that of a prism in the mesh inwards.
 constexpr std::array<std::size_t, 6> vtk_wedge{0, 2, 1, 3, 5, 4};
 
 }  // namespace

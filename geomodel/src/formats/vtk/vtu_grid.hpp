@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The grid of tetrahedra as VTK's XML holds it: points, cells and their arrays.
+/// The grid of tetrahedra in VTK's XML format: points, cells and their arrays.
 #pragma once
 
 #include "formats/vtk/vtu_cells.hpp"
@@ -8,7 +8,7 @@
 
 namespace geomesh::geomodel {
 
-/// Sections in the order point data, cell data, points, cells. All arguments must live until it is written.
+/// Returns sections in the order point data, cell data, points, cells. All arguments must exist until it is written.
 VtkDocument vtu_document(const ModelMesh& mesh, const WriteOptions& options, const VtuLayout& layout);
 
 }  // namespace geomesh::geomodel

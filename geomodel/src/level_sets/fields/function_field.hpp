@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A field that a program gives as a function.
+/// A scalar field that a program defines by a function.
 #pragma once
 
 #include <memory>
@@ -11,12 +11,12 @@
 
 namespace geomesh::geomodel {
 
-/// Asks the function for places in the box alone: places outside are moved to its border first.
+/// Calls the function only for places inside the box: places outside are moved to its border first.
 class FunctionField final : public ScalarField {
  public:
   FunctionField(std::shared_ptr<FieldFunction> function, const Box3& box, std::string surface);
-  /// Throws Error{invalid_input} with the place where the function gives a value that is not finite, and what the
-  /// function throws.
+  /// Throws Error{invalid_input} with the place if the function returns a value that is not finite, and passes on what
+  /// the function throws.
   void values(std::span<const Vec3> places, std::span<double> out) const override;
 
  private:

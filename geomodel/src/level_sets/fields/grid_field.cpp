@@ -92,8 +92,8 @@ GridField::Level GridField::coarser(const Level& fine) {
   return level;
 }
 
-/// Reads the level at which the box overlaps three blocks or fewer along each axis: a box much larger than a cell is
-/// answered coarsely, in constant time.
+/// Reads the level at which the box overlaps at most three blocks along each axis, so that a box much larger than a
+/// cell is answered coarsely, but in constant time.
 Range GridField::value_range(const Box3& box) const {
   const Cells cells = cells_of(box);
   std::size_t level = 0;
@@ -108,7 +108,7 @@ Range GridField::value_range(const Box3& box) const {
   return range;
 }
 
-/// At the corners of the box's part in each cell.
+/// Evaluates the corners of the box's intersection with each cell.
 Range GridField::residual_range(const Box3& box, const LinearFunction& linear) const {
   const Cells cells = cells_of(box);
   Range range = nothing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places in messages.
+/// Formats coordinates of places for messages.
 #pragma once
 
 #include <cstdio>

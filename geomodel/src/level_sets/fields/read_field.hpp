@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Scalar fields of files.
+/// Reads scalar fields from files.
 #pragma once
 
 #include <variant>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// A field that is linear in each tetrahedron.
+/// A scalar field that is linear in each tetrahedron.
 struct TetrahedralField {
   std::vector<Vec3> points;
   std::vector<double> values;  ///< per point
@@ -26,10 +26,10 @@ using FieldOfFile = std::variant<GridField::Lattice, TetrahedralField>;
 /// kind of cell.
 FieldOfFile read_field_file(const LevelSetSpec& spec);
 
-/// A variable over three axes of a netCDF or HDF5 file. Throws Error{invalid_input}.
+/// Reads a three-dimensional variable of a netCDF or HDF5 file. Throws Error{invalid_input}.
 GridField::Lattice read_netcdf_lattice(const LevelSetSpec& spec);
 
-/// A NumPy array of three axes as a lattice, x fastest. Throws Error{invalid_input}.
+/// Reads a NumPy array with three axes as a lattice, x varying fastest. Throws Error{invalid_input}.
 GridField::Lattice read_npy(const LevelSetSpec& spec);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fields in netCDF and HDF5 files, declared in level_sets/fields/read_field.hpp.
+// Reads scalar fields from netCDF and HDF5 files, declared in level_sets/fields/read_field.hpp.
 #include "level_sets/fields/netcdf_field.hpp"
 #include "level_sets/fields/read_field.hpp"
 #include "modules/module.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arrays of NumPy (format .npy 1 to 3: numpy.lib.format), declared in level_sets/fields/read_field.hpp.
+// Reads arrays of NumPy (format .npy 1 to 3: numpy.lib.format), declared in level_sets/fields/read_field.hpp.
 #include <bit>
 #include <charconv>
 #include <cstring>
@@ -20,7 +20,7 @@ struct NpyHeader {
   std::size_t begin = 0;  ///< of the data
 };
 
-/// What stands behind the key in the header, which is a literal of Python.
+/// Returns the text after the key in the header, which is a Python literal.
 std::string_view behind(const InputFile& file, std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) file.fail("its header has no " + std::string(key) + ": it is damaged");

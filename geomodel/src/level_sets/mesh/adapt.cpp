@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges_of_cell{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// The quadratic function through the field at the corners and at the midpoints of the edges of one cell.
+/// The quadratic function that interpolates the field at the corners and edge midpoints of one cell.
 struct Quadratic {
   std::array<Vec3, 4> corners;
   std::array<double, 4> values;
-  std::array<double, 6> bend;  ///< value at the midpoint of an edge less the mean of its ends
+  std::array<double, 6> bend;  ///< value at the midpoint of an edge minus the mean of the values at its ends
 
   Quadratic(const BackgroundMesh& mesh, const BackgroundMesh::Cell& cell) : corners(mesh.corners(cell)) {
     for (std::size_t i = 0; i < 4; ++i) values[i] = mesh.value(cell.v[i]);
@@ -32,7 +32,7 @@ struct Quadratic {
     return {*low, *high};
   }
 
-  /// Of the coefficients in Bernstein's form, whose hull holds the function.
+  /// Range of the coefficients in Bernstein form, whose convex hull contains the function.
   Range range() const {
     Range range = corner_range();
     for (std::size_t e = 0; e < 6; ++e) {
@@ -49,8 +49,9 @@ struct Quadratic {
     return greatest;
   }
 
-  /// Least slope along `direction` over the cell: the slope of a quadratic function is linear, so it is least at a
-  /// corner. At corner i the slope is that of the linear function whose value at corner j is raised by 4 bend(i, j).
+  /// Returns the least slope along `direction` over the cell: the slope of a quadratic function is linear, so it is
+  /// least at a corner. At corner i the slope is that of the linear function whose value at corner j is raised by 4
+  /// bend(i, j).
   double least_slope(const Vec3& direction) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t at = 0; at < 4; ++at) {
@@ -90,7 +91,7 @@ class Adapter {
     return first != values_.end() && *first <= range.high;
   }
 
-  /// Large cells of a field with bounds are sorted out without samples.
+  /// Large cells of a field with bounds are excluded without samples.
   bool passes_no_isosurface(const BackgroundMesh::Cell& cell) const {
     return field_.has_bounds() && !any_value_in(field_.value_range(bounds(mesh_.corners(cell))));
   }
@@ -134,7 +135,7 @@ class Adapter {
             "on a smoother grid");
   }
 
-  /// Vertices of cells in which an isosurface passes by the signs at their corners.
+  /// Returns the vertices of cells through which an isosurface passes according to the signs at their corners.
   std::vector<char> near_isosurface() const {
     std::vector<char> is_near(mesh_.n_points(), 0);
     for (const BackgroundMesh::Cell& cell : mesh_.cells()) {

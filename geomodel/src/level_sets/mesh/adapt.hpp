@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Refinement of a background mesh until the isosurfaces in it are simple and nearly linear in every cell.
+/// Refines a background mesh until the isosurfaces in every cell are simple and nearly linear.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,16 @@
 namespace geomesh::geomodel {
 
 struct AdaptLimits {
-  double distance = 0;          ///< at most this far may the linear isosurface of a cell be off the field's; a length
-  double least_edge = 0;        ///< cells whose edges are all shorter are left as they are
-  double least_sheet_edge = 0;  ///< and these too, where all that is wrong is that sheets are not told apart
+  double distance = 0;    ///< largest distance between the linear isosurface of a cell and that of the field
+  double least_edge = 0;  ///< cells with all edges shorter than this are not refined
+  /// Cells with all edges shorter than this are not refined if the only problem is that sheets are not resolved.
+  double least_sheet_edge = 0;
   std::size_t most_cells = 0;
 };
 
 struct AdaptResult {
-  std::vector<Box3> unresolved;  ///< bounds of cells at the least edge in which an isosurface may have several sheets
+  /// Bounding boxes of cells at the least edge length in which an isosurface may have several sheets.
+  std::vector<Box3> unresolved;
 };
 
 /// Bisects cells of the mesh where an isosurface of `values` (rising) may pass, until in each of them
@@ -26,12 +28,12 @@ struct AdaptResult {
 ///    variation of Plantinga and Vegter 2004), and
 /// 2. the linear isosurface is within the distance.
 /// Both are decided on the quadratic function through the values at corners and midpoints of edges. If the field has
-/// bounds, cells that this function calls free of isosurfaces are proven free, unless they touch a cell with one.
-/// Throws Error{cannot_mesh} where more cells than allowed would be needed.
+/// bounds, cells without isosurfaces according to this function are also proven to have none, unless they touch a cell
+/// with one. Throws Error{cannot_mesh} if more cells than allowed would be needed.
 AdaptResult adapt(BackgroundMesh& mesh, const ScalarField& field, const std::vector<double>& values,
                   const AdaptLimits& limits);
 
-/// The linear function with these values at the corners; gradient 0 where the corners lie in a plane.
+/// Returns the linear function with these values at the corners; its gradient is 0 if the corners lie in a plane.
 LinearFunction linear_in(const std::array<Vec3, 4>& corners, const std::array<double, 4>& values);
 
 }  // namespace geomesh::geomodel

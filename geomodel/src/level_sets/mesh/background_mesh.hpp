@@ -20,13 +20,13 @@ class BackgroundMesh {
  public:
   struct Cell {
     std::array<VertexIndex, 4> v;
-    std::uint8_t tag;         ///< the refinement edge joins v[0] and v[tag]
-    bool is_settled = false;  ///< set by who refines; children begin with false
+    std::uint8_t tag;         ///< the refinement edge connects v[0] and v[tag]
+    bool is_settled = false;  ///< set by the refinement algorithm; children start with false
   };
 
-  /// Cubes of about this edge fill the box.
+  /// Fills the box with cubes that have about this edge length.
   BackgroundMesh(const ScalarField& field, const Box3& box, double edge);
-  /// A mesh of somebody else with values at its vertices, which is not bisected.
+  /// Wraps an existing mesh with values at its vertices, which is never bisected.
   BackgroundMesh(std::vector<Vec3> points, std::vector<double> values, const std::vector<Tetrahedron>& cells);
 
   const std::vector<Cell>& cells() const { return cells_; }
@@ -35,16 +35,17 @@ class BackgroundMesh {
   const Vec3& point(VertexIndex v) const { return points_[v]; }
   double value(VertexIndex v) const { return values_[v]; }
   std::size_t n_points() const { return points_.size(); }
-  /// Sides of the box on which the vertex lies, one bit each.
+  /// Returns the sides of the box on which the vertex lies, one bit each.
   std::uint8_t sides(VertexIndex v) const { return sides_[v]; }
   std::array<Vec3, 4> corners(const Cell& cell) const;
 
-  /// Evaluates the field at the midpoints of all edges of the cells that are not settled, in one call.
+  /// Evaluates the field, in one call, at the midpoints of all edges of the cells that are not settled.
   void sample_midpoints();
-  /// Precondition: sample_midpoints() since the cell was made.
+  /// Precondition: sample_midpoints() was called since the cell was made.
   double midpoint_value(VertexIndex a, VertexIndex b) const { return values_[midpoints_.at(key(a, b))]; }
 
-  /// Bisects the cells once, and others until the mesh conforms again. Expected linear time in the size of the mesh.
+  /// Bisects the cells once, and others until the mesh is conforming again. Expected linear time in the size of the
+  /// mesh.
   void bisect(const std::vector<std::size_t>& cells);
   static double longest_edge(const std::array<Vec3, 4>& corners);
 
@@ -59,13 +60,13 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  const ScalarField* field_ = nullptr;  ///< null: the mesh is never bisected
+  const ScalarField* field_ = nullptr;  ///< null if the mesh is never bisected
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;
   std::vector<std::uint8_t> sides_;
-  std::vector<char> is_vertex_;    ///< false: the midpoint of an edge that is whole
-  std::vector<char> is_near_cut_;  ///< per point: end of an edge that was bisected just now
+  std::vector<char> is_vertex_;    ///< false for the midpoint of an edge that was not bisected
+  std::vector<char> is_near_cut_;  ///< for each point: whether it is an end of an edge that was just bisected
   std::size_t n_evaluated_ = 0;
   std::vector<Cell> cells_;
   std::unordered_map<std::uint64_t, VertexIndex> midpoints_;  ///< by edge

@@ -9,18 +9,18 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A share of the segment, and of the field's values, below which the root is as good as rounding allows.
+/// Share of the segment, and of the field's values, below which the root is as exact as rounding allows.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-/// Steps of the secant, after which the interval is halved: it then needs 53 more at most.
+/// Number of secant steps after which the interval is halved instead; it then needs at most 53 more steps.
 constexpr int most_secant_steps = 12;
 constexpr int most_steps = most_secant_steps + 54;
 
-/// The interval [low, high] of shares of the segment in which the sign changes; f is the field less the value.
+/// The interval [low, high] of fractions of the segment in which the sign changes; f is the field minus the isovalue.
 struct Search {
   std::size_t row;
   double low = 0, high = 1, f_low, f_high;
-  double least_f;      ///< values nearer to zero are rounding
-  int last_moved = 0;  ///< -1: low; 1: high
+  double least_f;      ///< values closer to zero than this are due to rounding
+  int last_moved = 0;  ///< which end moved last: -1 for low, 1 for high
   bool is_exact = false;
 
   bool is_done() const { return is_exact || high - low <= rounding; }
@@ -48,7 +48,8 @@ struct Search {
   }
 };
 
-/// Equal coordinates of both ends are kept without rounding, so that a root on a side of the box lies on the side.
+/// Coordinates that are equal at both ends are kept without rounding, so that a root on a side of the box lies exactly
+/// on that side.
 Vec3 place_at(const Bracket& bracket, double t) {
   Vec3 p;
   for (std::size_t a = 0; a < 3; ++a) {

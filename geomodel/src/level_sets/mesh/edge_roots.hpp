@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places on segments where a field has a value, found to rounding for all segments together.
+/// Finds the points on segments at which a field has a given value, up to rounding and for all segments together.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// A segment from where the field is below `value` to where it is at or above it. The field less a shift that is linear
-/// along the segment is meant.
+/// A segment from a point where the field is below `value` to one where it is not. The field is taken minus a shift
+/// that is linear along the segment.
 struct Bracket {
   Vec3 below, above;
   double value_below, value_above;
@@ -18,12 +18,12 @@ struct Bracket {
   double shift_below = 0, shift_above = 0;
 };
 
-/// A root in each bracket, by the method of Illinois (a secant that halves the value kept too long), then bisection.
-/// Where the field jumps across the value, the place of the jump is found. The field is asked for all segments in one
-/// call a step.
+/// Finds a root in each bracket by the Illinois method (a secant that halves the value of an end that was kept twice),
+/// then by bisection. If the field jumps across the value, the place of the jump is found. Each step evaluates the
+/// field at all segments in one call.
 std::vector<Vec3> find_roots(const ScalarField& field, std::vector<Bracket> brackets);
 
-/// The root in each bracket of the linear function between its ends.
+/// Returns the root in each bracket of the linear function between its ends.
 std::vector<Vec3> linear_roots(const std::vector<Bracket>& brackets);
 
 }  // namespace geomesh::geomodel

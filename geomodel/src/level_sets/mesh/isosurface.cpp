@@ -12,8 +12,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The corners of a cell with those below the value first. One or three below: in an order of positive volume. Two:
-/// ascending in both pairs, so that one rule divides the quadrangles of all values alike.
+/// The corners of a cell sorted so that those below the isovalue come first. With one or three below, the order has
+/// positive volume. With two, both pairs are ascending, so that the quadrangles of all isovalues are divided by the
+/// same rule.
 struct SortedCell {
   std::array<VertexIndex, 4> v;
   int n_below;
@@ -58,7 +59,7 @@ class Marcher {
   }
 
  private:
-  /// The vertex on the edge from a corner below to one above.
+  /// Returns the vertex on the edge from a corner below the isovalue to one above.
   VertexIndex vertex(VertexIndex below, VertexIndex above) {
     const bool is_corner = vertices_.values[above] == value_;
     const std::size_t edge = is_corner ? 0 : edges_.row(below, above);
@@ -100,7 +101,8 @@ class Marcher {
     }
   }
 
-  /// Two triangles on the same corners enclose nothing: the field touches the value there and both are dropped.
+  /// Two triangles with the same corners enclose no volume: the field only touches the isovalue there, and both are
+  /// removed.
   void drop_duplicates() {
     std::vector<std::pair<Triangle, std::size_t>> sorted;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Triangles of the isosurfaces in a background mesh.
+/// Extracts the triangles of the isosurfaces from a background mesh.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@ namespace geomesh::geomodel {
 
 struct Isosurface {
   std::vector<Vec3> points;
-  std::vector<Triangle> triangles;  ///< their normals point to where the field rises
-  std::vector<std::size_t> cell;    ///< per triangle: the cell of the background mesh
-  std::vector<Vec3> gradient;       ///< per triangle: of the linear function in the cell
+  std::vector<Triangle> triangles;  ///< triangles whose normals point to where the field increases
+  std::vector<std::size_t> cell;    ///< for each triangle, its cell of the background mesh
+  std::vector<Vec3> gradient;       ///< for each triangle, the gradient of the linear function in its cell
 };
 
 /// One isosurface for each of `values` (rising), by marching tetrahedra with three changes:
@@ -28,7 +28,7 @@ struct Isosurface {
 /// Isosurfaces of different values never cross, up to the rounding of their vertices: on each edge their roots have the
 /// order of the values, and in each cell their triangles are divided alike.
 ///
-/// `field` null: the field is linear between the vertices of the mesh, which are then left where they are.
+/// `field` null: the field is linear between the vertices of the mesh, which are then not moved.
 std::vector<Isosurface> extract_isosurfaces(const BackgroundMesh& mesh, const ScalarField* field,
                                             const std::vector<double>& values);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Vertices of the background mesh moved onto isosurfaces that pass very near.
+/// Moves vertices of the background mesh onto isosurfaces that pass very close.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,7 @@
 namespace geomesh::geomodel {
 
 /// Moves each vertex that has a root within a quarter of one of its edges to the nearest such root, and gives it that
-/// value. A vertex is left where a cell would lose nine tenths of its volume, or where it would leave a side of the
-/// box.
+/// value. A vertex is not moved if a cell would lose nine tenths of its volume, or if it would leave a side of the box.
 void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const std::vector<double>& values,
                    MovedVertices& vertices);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The groups of an HDF5 file, checked before the netCDF library reads it. That library opens all groups along all
-/// links at once: where a group holds a link to itself or to a group above, it does not end, and takes memory until
-/// there is none.
+/// Checks the groups of an HDF5 file before the netCDF library reads it. That library opens all groups along all links
+/// at once: if a group has a link to itself or to a group above, it does not terminate and fills all memory.
 #pragma once
 
 #include <filesystem>
@@ -12,11 +11,11 @@
 namespace geomesh::geomodel {
 
 struct Hdf5Groups {
-  std::string fault;                ///< why the file must not be opened, and what to do; empty where it may
-  std::set<std::string> unwritten;  ///< paths of arrays of which the file holds no value, as "group/array"
+  std::string fault;                ///< why the file must not be opened, and what to do; empty if it may be opened
+  std::set<std::string> unwritten;  ///< paths of arrays without any value in the file, as "group/array"
 };
 
-/// Reads each group once, by its address in the file. A file of another kind has neither fault nor arrays.
+/// Reads each group once, identified by its address in the file. For a file of another kind, both results are empty.
 Hdf5Groups check_hdf5_groups(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -69,7 +69,7 @@ class Header {
     }
   }
 
-  /// All records lie in the file. Their number is unknown in a file that was written as a stream.
+  /// Checks that all records lie in the file. Their number is unknown in a file that was written as a stream.
   void check_records() const {
     const std::uint64_t unknown = width_ == 8 ? ~std::uint64_t{0} : 0xFFFFFFFF;
     if (n_records_ == 0 || n_records_ == unknown || parts_.empty()) return;
@@ -82,7 +82,7 @@ class Header {
     }
   }
 
-  /// Values end within the file. The library reads zeros behind its end.
+  /// Checks that values end within the file, since the library reads zeros beyond its end.
   void check_extent(std::uint64_t begin, std::uint64_t bytes) const {
     if (bytes > 0 && (begin > bytes_ || bytes > bytes_ - begin)) throw Damaged{};
   }
@@ -102,13 +102,13 @@ class Header {
     take(bytes);
     file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   }
-  /// A number of things of which each takes at least so many bytes in the rest of the file.
+  /// Reads a count of items, each of which takes at least so many bytes in the rest of the file.
   std::uint64_t count(std::uint64_t least_bytes) {
     const std::uint64_t n = number(width_);
     if (n > left_ / least_bytes) throw Damaged{};
     return n;
   }
-  /// The length of a list, which is absent or has the tag.
+  /// Reads the length of a list, which is absent or has the tag.
   std::uint64_t begin_list(std::uint64_t tag, std::uint64_t least_bytes) {
     const std::uint64_t found = number(4), n = count(least_bytes);
     if (found != tag && (found != 0 || n != 0)) throw Damaged{};
@@ -126,10 +126,10 @@ class Header {
   }
 
   std::ifstream& file_;
-  std::uint64_t bytes_, left_;  // of the file, and of what follows
+  std::uint64_t bytes_, left_;  // bytes of the file, and of the part that follows
   unsigned width_, width_of_offset_;
   std::uint64_t n_records_ = 0;
-  std::vector<std::uint64_t> lengths_;  // of the dimensions; 0 for the one along the records
+  std::vector<std::uint64_t> lengths_;  // lengths of the dimensions; 0 for the one along the records
   std::vector<PartOfRecord> parts_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// The header of a classic netCDF file (formats CDF-1, CDF-2 and CDF-5), checked before the library reads it. The
-/// library believes the counts in a header: of a damaged file of 3 kB it reserves gigabytes, or reads for minutes
-/// behind its end.
+/// library trusts the counts in a header: for a damaged file of 3 kB it reserves gigabytes, or reads for minutes beyond
+/// its end.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel {
 
-/// Why the file must not be read; empty where it may, and for files of other kinds, of which HDF5 is one. It must not
-/// where a list, name, attribute or variable would not fit into the file, records that the header counts are missing at
-/// its end (the library reads zeros there), a variable names a dimension that is not there, or the header ends early.
-/// Linear in the header. Followed: "The NetCDF Classic Format Specification" (Unidata).
+/// Returns why the file must not be read; empty if it may, and for files of other kinds such as HDF5. Reasons are a
+/// list, name, attribute or variable that does not fit into the file; records that the header counts but that are
+/// missing at the end (the library reads zeros there); a variable with a dimension that does not exist; and a header
+/// that ends early. Linear in the header. Source: "The NetCDF Classic Format Specification" (Unidata).
 std::string netcdf_header_fault(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Dimensions and variables of a netCDF file by their names.
+/// Reads dimensions and variables of a netCDF file by their names.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@
 
 namespace geomesh::geomodel {
 
-/// Everything throws Error{invalid_input} where the file is damaged. Memory is bounded by what the file can hold.
+/// All functions throw Error{invalid_input} if the file is damaged. Memory is bounded by what the file can contain.
 class NetcdfReader {
  public:
-  /// Classic, with 64-bit offsets or numbers, or netCDF-4. Throws Error{usage} where the file cannot be opened.
+  /// Opens a file in the classic format, with 64-bit offsets or numbers, or in netCDF-4. Throws Error{usage} if it
+  /// cannot be opened.
   explicit NetcdfReader(const std::filesystem::path& path);
   ~NetcdfReader();
   NetcdfReader(const NetcdfReader&) = delete;
@@ -22,15 +23,15 @@ class NetcdfReader {
 
   [[noreturn]] void refuse(const std::string& why) const;
   bool has(const std::string& variable) const;
-  /// 0 where there is none.
+  /// Returns 0 if there is no such dimension.
   std::size_t dimension(const std::string& name) const;
   bool is_single_precision(const std::string& variable) const;
-  /// Exactly n numbers; of a variable over times those of the first one.
+  /// Returns exactly n numbers; for a variable with time steps, those of the first.
   std::vector<double> doubles(const std::string& variable, std::size_t n) const;
   std::vector<std::int64_t> integers(const std::string& variable, std::size_t n) const;
-  /// One text a row; as many empty ones where there is no such variable.
+  /// Returns one text per row; as many empty ones if there is no such variable.
   std::vector<std::string> texts(const std::string& variable, std::size_t n) const;
-  /// Empty where there is none.
+  /// Returns an empty text if there is no such attribute.
   std::string attribute(const std::string& variable, const std::string& name) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pieces of a mesh in parts that tell no global numbers, as ParaView and other tools write them.
+/// Combines pieces of a mesh in parts without global numbers, as ParaView and other tools write them.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The tetrahedra of the pieces one after the other, without those that are ghosts (cell array `vtkGhostType`). Points
-/// in the same place, to the last bit, are one. Arrays that not all pieces have are left out, as are midpoints. O(n log
-/// n).
+/// Concatenates the tetrahedra of the pieces, without those that are ghosts (cell array `vtkGhostType`). Points with
+/// equal coordinates, to the last bit, are merged. Arrays that not all pieces have are left out, as are midpoints. O(n
+/// log n).
 MeshFile merged_by_place(std::vector<MeshFile> pieces);
 
 }  // namespace geomesh::geomodel::checking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's files of meshes, declared in mesh_readers/mesh_files.hpp.
+// Reads VTK's files of meshes, declared in mesh_readers/mesh_files.hpp.
 #include <array>
 #include <cmath>
 
@@ -26,7 +26,7 @@ bool is_solid(std::uint8_t type) {
 
 bool is_value(const VtkColumn& column) { return !column.is_text() && !column.name.empty() && column.n_components == 1; }
 
-/// Arrays of one number a cell, of the tetrahedra alone.
+/// Reads scalar cell arrays, for the tetrahedra only.
 void take_cell_values(const VtkData& grid, MeshFile& mesh) {
   for (const VtkColumn& column : grid.cell_data.columns) {
     if (!is_value(column) || mesh.region_array == column.name) continue;
@@ -35,7 +35,7 @@ void take_cell_values(const VtkData& grid, MeshFile& mesh) {
   }
 }
 
-/// Point arrays of one number.
+/// Reads scalar point arrays.
 void take_point_values(const VtkData& grid, MeshFile& mesh) {
   for (const VtkColumn& column : grid.point_data.columns) {
     if (!is_value(column)) continue;
@@ -55,12 +55,12 @@ void take_groups(const VtkTable& field, MeshFile& mesh, const std::filesystem::p
   for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
 }
 
-/// Numbers of the cells that are kept although they are no solids.
+/// Numbers of those cells that are kept although they are not solids.
 struct LowerCells {
   std::vector<std::size_t> triangles, edges;
 };
 
-/// Triangles, edges and prisms beside the tetrahedra.
+/// Reads triangles, edges and prisms in addition to the tetrahedra.
 void take_other(const VtkData& grid, std::size_t cell, MeshFile& mesh, LowerCells& lower) {
   const std::uint8_t type = grid.cells.types[cell];
   const auto p = grid.cells.of(cell);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faces and curves in VTK's files, declared in mesh_readers/mesh_files.hpp: of files of their own, or of one grid for
-// all cells.
+// Reads faces and curves in VTK's files, declared in mesh_readers/mesh_files.hpp: from separate files, or from a single
+// grid for all cells.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -27,7 +27,7 @@ CellRows rows_by_kind(const VtkCells& cells) {
   return rows;
 }
 
-/// `curve:NAME` with `curve_kinds` in the same order, then `point:NAME`.
+/// Reads `curve:NAME` with `curve_kinds` in the same order, then `point:NAME`.
 void take_curve_names(const VtkTable& field, CurvesFile& curves) {
   constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "curve"};
   const std::map<std::int32_t, std::string> names = names_of(field, "curve"), points = names_of(field, "point");
@@ -107,10 +107,10 @@ CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
   return curves;
 }
 
-/// Cells of one dimension of a grid with the grid's points and names, as the file of their own would hold them.
+/// Extracts the cells of one dimension from a grid, with the grid's points and names, in the form of a separate file.
 class PartOfGrid {
  public:
-  /// `renamed` is the grid's array of ids, which the file calls `id_name`.
+  /// `renamed` is the grid's array of ids, which the separate file calls `id_name`.
   PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
     data_.kind = VtkData::Kind::poly;
@@ -121,7 +121,7 @@ class PartOfGrid {
     data_.point_data.put(column_of("mesh_point", rows));
   }
 
-  /// The cells of either type, by their corners; nodes in the middle of edges are left out.
+  /// Adds the cells of either type, by their corners; midpoint nodes are left out.
   void take(std::array<std::uint8_t, 2> types, std::size_t n_corners) {
     for (std::size_t cell = 0; cell < grid_.cells.size(); ++cell) {
       if (std::find(types.begin(), types.end(), grid_.cells.types[cell]) == types.end()) continue;

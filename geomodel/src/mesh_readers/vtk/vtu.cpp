@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTU of any tool: regions from its cell array of ids; of our own files also NAME.faces.vtp and NAME.curves.vtp.
+// Reads VTU files of any tool: regions from the cell array of ids; for files written by geomesh also NAME.faces.vtp and
+// NAME.curves.vtp.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -10,13 +11,13 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Arrays that are no properties: of one grid for all cells, and of parts.
+/// Names of arrays that are not properties: those of a single grid for all cells, and of parts.
 constexpr std::array<std::string_view, 8> arrays_of_cells{"surface_set",  "patch",           "region_minus",
                                                           "region_plus",  "source_triangle", "GlobalCellIds",
                                                           "vtkGhostType", "partition"};
 constexpr std::array<std::string_view, 4> arrays_of_points{"kind", "input_vertex", "GlobalPointIds", "vtkGhostType"};
 
-/// Cells grouped by id.
+/// Adds sets of cells grouped by id.
 void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
                     const std::map<std::int32_t, std::string>& names, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
@@ -55,7 +56,7 @@ void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& 
   }
 }
 
-/// Rows of a file's points in the mesh, by coordinates; the file's own numbers where it has them.
+/// Returns the rows of a file's points in the mesh, by coordinates; the file's own numbers if it has them.
 std::vector<VertexIndex> rows_of(const std::vector<Vec3>& points, const std::vector<std::int32_t>& numbers,
                                  const RawMesh& mesh) {
   std::vector<VertexIndex> rows;

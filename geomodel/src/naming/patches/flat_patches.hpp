@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Patches on box sides as polygons with holes.
+/// Represents patches on sides of the box as polygons with holes.
 #pragma once
 
 #include <map>
@@ -12,16 +12,17 @@
 
 namespace geomesh::geomodel {
 
-/// One patch of soup facets as one polygon in their orientation.
+/// One patch of soup facets as one polygon with the same orientation.
 struct FlatPatch {
-  std::vector<Index> facets;                                  ///< ascending
-  std::vector<std::vector<VertexIndex>> loops;                ///< outer, holes
-  std::vector<std::pair<VertexIndex, VertexIndex>> segments;  ///< inside, where something else ends on the patch
-  std::vector<VertexIndex> points;                            ///< inside, on no segment
+  std::vector<Index> facets;                    ///< ascending
+  std::vector<std::vector<VertexIndex>> loops;  ///< outer, holes
+  /// Segments inside the patch, where other surfaces end on it.
+  std::vector<std::pair<VertexIndex, VertexIndex>> segments;
+  std::vector<VertexIndex> points;  ///< points inside the patch that are on no segment
 };
 
-/// Patches (by number) of facets of one box side alone that are oriented alike. All their points have exactly the same
-/// x, y or z, and their border passes no point twice. `uses` as from sorted_edge_uses.
+/// Returns patches (by number) whose facets belong to one side of the box only and have the same orientation. All their
+/// points have exactly the same x, y or z, and their border passes no point twice. `uses` as from sorted_edge_uses.
 std::map<Index, FlatPatch> flat_box_patches(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                             const SurfaceSets& sets, const std::vector<Index>& patch,
                                             const std::vector<EdgeUse>& uses);

@@ -23,7 +23,7 @@ std::string joined_names(const std::vector<Index>& rows, const std::vector<Trian
   return joined;
 }
 
-/// The surfaces of the faces at an edge: ascending rows of the surfaces.
+/// Returns the surfaces of the faces at an edge, as ascending rows.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& model) {
   std::vector<Index> rows;
   for (const EdgeUse& use : edge)
@@ -34,7 +34,8 @@ std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& m
   return rows;
 }
 
-/// Edges of curves, by what they are named after: the surfaces there, and whether one face is there alone.
+/// Collects the edges of curves by what determines the name: the surfaces at the edge, and whether only one face is
+/// there.
 class CurveTable {
  public:
   explicit CurveTable(const std::vector<TriangulatedSurface>& surfaces) : surfaces_(surfaces) {}
@@ -60,7 +61,7 @@ class CurveTable {
   }
 
  private:
-  using Curves = std::map<std::pair<std::string, std::string>, Index>;  // kind and name, row
+  using Curves = std::map<std::pair<std::string, std::string>, Index>;  // row of each curve by its kind and name
   struct Edge {
     VertexIndex a, b;
     Curves::const_iterator curve;

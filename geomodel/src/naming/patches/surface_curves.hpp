@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which curve an edge is on, by the surfaces that meet there.
+/// Determines on which curve an edge lies, by the surfaces that meet there.
 #pragma once
 
 #include <vector>
@@ -9,25 +9,26 @@
 
 namespace geomesh::geomodel {
 
-/// The curve of an edge where `n_facets` facets of `rows` (ascending rows of `surfaces`) meet, an edge inside of no
-/// patch (docs/output-files.md).
+/// Returns the curve of an edge at which `n_facets` facets of `rows` (ascending rows of `surfaces`) meet and which is
+/// not inside a patch (docs/output-files.md).
 SoupCurve curve_of(const std::vector<Index>& rows, std::size_t n_facets,
                    const std::vector<TriangulatedSurface>& surfaces);
 
-/// Curves with their edges in a mesh.
+/// Curves together with their edges in a mesh.
 struct MeshCurves {
   struct Edge {
     VertexIndex a, b;  ///< rows of ModelMesh::points
     Index curve;       ///< row of `curves`
   };
   std::vector<SoupCurve> curves;
-  std::vector<Edge> edges;  ///< one for each curve that an edge is on
+  std::vector<Edge> edges;  ///< one entry for each curve on which an edge lies
 };
 
-/// Curves of surfaces and patches as the faces at each edge tell them; fills the faces' patches. Those of the complex
-/// (ModelPlc) may differ: refinement gives a fault the edge on which a horizon ends, within rounding of it. Curves are
-/// ordered by kind, then name, edges by their ends, patches by their first face. Precondition: faces and surface sets
-/// are filled, with ids of surfaces that follow one another in the order of `surfaces`. O(n log n) for n faces.
+/// Determines curves of surfaces and patches from the faces at each edge, and fills the faces' patches. They may differ
+/// from those of the complex (ModelPlc): refinement may give a fault the edge on which a horizon ends, within rounding
+/// of it. Curves are ordered by kind, then name, edges by their ends, patches by their first face. Precondition: faces
+/// and surface sets are filled, with ids of surfaces that are consecutive in the order of `surfaces`. O(n log n) for n
+/// faces.
 MeshCurves tell_curves_and_patches(const std::vector<TriangulatedSurface>& surfaces, ModelMesh& model);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The surface sets of the facets of a polygon soup.
+/// The sets of surfaces to which the facets of a polygon soup belong.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// The different sets of surfaces that facets stand for, in the order of their first facet; each ascending.
+/// The distinct sets of surfaces of facets, in the order of their first facet; each is ascending.
 struct SurfaceSets {
   std::vector<std::vector<Index>> sets;
   std::vector<Index> of_facet;  ///< row in `sets`

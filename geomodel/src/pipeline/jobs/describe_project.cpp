@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a project file holds, declared in geomesh/geomodel/info.hpp.
+// Describes the contents of a project file, declared in geomesh/geomodel/info.hpp.
 #include "geomesh/geomodel/info.hpp"
 #include "pipeline/stages/stages.hpp"
 

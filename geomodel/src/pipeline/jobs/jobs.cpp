@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that mesh, declared in geomesh/geomodel/pipeline.hpp.
+// Runs the commands that make meshes, declared in geomesh/geomodel/pipeline.hpp.
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/pipeline.hpp"
 #include "pipeline/jobs/run_stages.hpp"
@@ -12,7 +12,7 @@ const std::vector<std::string>& stage_names() {
   return names;
 }
 
-/// The same model, meshed coarsely.
+/// Returns the same model with settings for a coarse mesh.
 static Project preview_of(Project project) {
   project.mesh.refinement = preview_settings();
   project.mesh.options.recover.mode = MeshMode::constrained;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Points for `geomesh delaunay`: lines of x y z (blanks, tabs, commas or semicolons between; a header line allowed),
-/// or the vertices of any surface file.
+/// Reads points for `geomesh delaunay`: lines of x y z (separated by blanks, tabs, commas or semicolons; a header line
+/// is allowed), or the vertices of any surface file.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Throws Error{usage} where the file cannot be opened, Error{invalid_input} with file and line where a line is not
+/// Throws Error{usage} if the file cannot be opened, Error{invalid_input} with file and line if a line does not have
 /// three numbers.
 std::vector<Vec3> read_points(const std::filesystem::path& path);
 

@@ -19,14 +19,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The records of a run so far: it may end early, and the report tells what is known.
+/// The records of a run so far: the run may end early, and the report then contains what is known.
 struct RecordsSoFar {
   std::optional<Inputs> inputs;
   std::optional<Built> built;
   std::optional<Arranged> arranged;
 };
 
-/// Fault zones, with the groups and attributes that name them. They are opened once the mesh is made.
+/// Fault zones, with the groups and attributes that name them. They are opened after the mesh is made.
 struct Zones {
   std::vector<FaultZone> zones;
   NamingRules rules;
@@ -51,7 +51,7 @@ Report begin_report(const RecordsSoFar& records) {
   return report;
 }
 
-/// Sizes may follow from a number of elements: the description tells the size that was used.
+/// Sizes may be derived from a number of elements: the description gives the size that was used.
 std::string described_with_size(const Inputs& inputs, const RefinementSettings& used) {
   const double size = used.size.base.global;
   if (!(size > 0) || size == inputs.refinement.size.base.global) return inputs.description;
@@ -61,11 +61,11 @@ std::string described_with_size(const Inputs& inputs, const RefinementSettings& 
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// Shares of the stage `verify` that are done once the mesh has been named and verified, and once its shapes have been
-/// measured. They steer the progress that is shown.
+/// Shares of the stage `verify` that are done after the mesh was named and verified, and after its shapes were
+/// measured. They only affect the displayed progress.
 constexpr double verified_share = 0.65, measured_share = 0.9;
 
-/// Stage verify: the named mesh, and what is measured of it for the report.
+/// Stage verify: returns the named mesh, and measures it for the report.
 ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& zones, const WriteOptions& options,
                  Report& report, Journal& journal) {
   const StageScope stage(journal.context(), "verify");
@@ -96,7 +96,7 @@ ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& z
   return mesh;
 }
 
-/// The stages delaunay to write.
+/// Runs the stages from delaunay to write.
 JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const OutputPlan& plan,
                          StageRecorder& recorder, Journal& journal) {
   const Inputs& inputs = *records.inputs;
@@ -125,7 +125,7 @@ JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const 
   return result;
 }
 
-/// The surfaces and triangles that the facets of an error of the core are pieces of.
+/// Returns the surfaces and triangles to which the facets of a core error belong.
 ModelItems items_of(const Error& error, const Arranged& arranged) {
   ModelItems items;
   for (const Index f : error.context().facets) {
@@ -136,8 +136,8 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   return items;
 }
 
-/// The error told by surfaces and triangles of the model. With `--stop-after recover` the place of the failure is
-/// written for viewing; else the message tells how to get it.
+/// Throws the error again in terms of surfaces and triangles of the model. With `--stop-after recover` the place of the
+/// failure is written for viewing; otherwise the message explains how to get it.
 [[noreturn]] void fail_in_terms_of_model(const Error& error, const Arranged& arranged, const OutputPlan& plan,
                                          const std::string& stop_after) {
   std::string message = error.what();
@@ -146,7 +146,7 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   if (const std::string names = surfaces_of_facets(facets, arranged); !names.empty())
     message += " (surfaces: " + names + ")";
   if (!error.context().excerpt || plan.stem.empty()) {
-    // nothing to look at, or nowhere to write it
+    // There is no place to view, or no folder in which to write it.
   } else if (stop_after == "recover") {
     make_output_folder(plan);
     message += ". The tetrahedra and constraints about the place are in";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What `--stop-after recover` leaves for viewing where recovery fails.
+/// Writes what `--stop-after recover` leaves for viewing if recovery fails.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What `--stop-after intersect` leaves for viewing.
+/// Writes what `--stop-after intersect` leaves for viewing.
 #pragma once
 
 #include <filesystem>

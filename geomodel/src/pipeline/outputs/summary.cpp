@@ -18,7 +18,7 @@ constexpr const char* no_mesh_for_solvers =
 
 constexpr std::size_t most_units_listed = 6;
 
-/// The regions of one name before suffixes.
+/// The regions that have the same name before suffixes.
 struct Unit {
   std::string name;
   std::vector<const Region*> regions;
@@ -26,7 +26,7 @@ struct Unit {
   double volume = 0;
 };
 
-/// In the order of their first regions.
+/// Returns the units in the order of their first regions.
 std::vector<Unit> units_of(const ModelMesh& mesh) {
   std::vector<Unit> units;
   for (const Region& region : mesh.regions) {
@@ -40,7 +40,7 @@ std::vector<Unit> units_of(const ModelMesh& mesh) {
   return units;
 }
 
-/// All of them where they are few; else the largest, in the same order.
+/// Returns all units if they are few, else the largest ones in the same order.
 std::vector<Unit> units_shown(std::vector<Unit> units) {
   if (units.size() <= most_units_listed) return units;
   std::vector<double> volumes;
@@ -86,7 +86,7 @@ void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
   }
 }
 
-/// The surface that gridding, smoothing or resampling put farthest off its data; null: none is off.
+/// Returns the surface that gridding, smoothing or resampling moved farthest from its data; null if none was moved.
 const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   const ToleranceUse* farthest = nullptr;
   for (const ToleranceUse& use : ledger.uses()) {
@@ -96,7 +96,7 @@ const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   return farthest;
 }
 
-/// How long edges are, and what steers the mesh where the user did not say it.
+/// Describes the lengths of edges, and the settings of the mesh that the user did not choose.
 std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   const std::string& unit = mesh.unit;
   std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
@@ -111,7 +111,7 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   return text;
 }
 
-/// "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3 forced by the input); 2 edges ...".
+/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3 forced by the input); 2 edges ...".
 std::string shapes(const QualityReport& quality) {
   char text[160];
   std::snprintf(text, sizeof text,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What a finished run says to a person: a few lines for everyone, further ones for who asks.
+/// Summarises a finished run for a person: a few lines for everyone, and further ones on request.
 #pragma once
 
 #include <string>
@@ -12,11 +12,12 @@
 namespace geomesh::geomodel {
 
 struct Summary {
-  std::vector<std::string> lines;    ///< counts, units with their volumes, what steered the mesh, the verdict
-  std::vector<std::string> details;  ///< every region, shapes of the elements, what solvers would fail at
+  std::vector<std::string> lines;    ///< counts, units with their volumes, the size and tolerance used, and the verdict
+  std::vector<std::string> details;  ///< all regions, shapes of the elements, and what would make solvers fail
 };
 
-/// The summary of a report whose mesh, quality and verdicts are set. `refinement` is what was requested of the mesh.
+/// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` contains the requested mesh
+/// settings.
 Summary summarise(const Report& report, const RefinementSettings& refinement);
 
 }  // namespace geomesh::geomodel

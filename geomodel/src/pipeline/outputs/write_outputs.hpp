@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The files of a run: which, and their writing.
+/// Determines and writes the files of a run.
 #pragma once
 
 #include <filesystem>
@@ -24,15 +24,15 @@ struct OutputPlan {
   std::optional<std::filesystem::path> report_copy;
 };
 
-/// Before anything is computed: folders that cannot be written to are found out now.
+/// Called before anything is computed, so that folders that are not writable are found early.
 void require_writable_outputs(const OutputPlan& plan);
 
 void make_output_folder(const OutputPlan& plan);
 
-/// Stage write: the mesh in each format but the page, which comes with the report. Returns the files.
+/// Stage write: writes the mesh in each format except the page, which is written with the report. Returns the files.
 std::vector<std::filesystem::path> write_mesh(const OutputPlan& plan, const ModelMesh& mesh, const RunContext& context);
 
-/// The page, STEM.report.json and the further copy that was asked for. Completes the report and the result.
+/// Writes the page, STEM.report.json and the requested second copy. Completes the report and the result.
 void write_reports(const OutputPlan& plan, Report& report, const StageRecorder& recorder, const Journal& journal,
                    JobResult& result);
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage build, declared in pipeline/stages/stages.hpp.
+// Runs the stage build, declared in pipeline/stages/stages.hpp.
 #include "pipeline/stages/stages.hpp"
 #include "stack/settled_report.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// Regions of a settled stack are units, or units in fault blocks. What is smaller than a tenth of an element joins a
-/// neighbour. A unit of an element in a block is no remainder: where sizes are coarse, it is as thick as others.
+/// Regions of a settled stack are units, or units in fault blocks. Remnants smaller than a tenth of an element are
+/// merged into a neighbour. A unit in a block that has the volume of an element is not a remnant: with coarse sizes, it
+/// is as thick as others.
 void name_by_unit_and_block(NamingRules& naming, const SettledStack& stack) {
-  constexpr double element = 0.118;  // volume of a regular tetrahedron over the cube of its side
+  constexpr double element = 0.118;  // volume of a regular tetrahedron divided by the cube of its edge
   constexpr double least_share = 0.1;
   naming.join_pieces = true;
   naming.fault_blocks = true;
@@ -18,7 +19,7 @@ void name_by_unit_and_block(NamingRules& naming, const SettledStack& stack) {
   naming.merge_small = true;
 }
 
-/// Surfaces of thin units are held more closely, and get the sizes that the thickness asks for.
+/// Surfaces of thin units get a smaller tolerance, and the sizes that the thickness requires.
 void ask_of_thin_units(RefinementSettings& r, const SettledStack& stack) {
   if (stack.sizes.empty()) return;
   r.tolerance.limit_share(stack_tolerance_of_size);
@@ -26,7 +27,7 @@ void ask_of_thin_units(RefinementSettings& r, const SettledStack& stack) {
   sources.insert(sources.end(), stack.sizes.begin(), stack.sizes.end());
 }
 
-/// Rules have acted on the surfaces in true lengths.
+/// The rules were applied in unscaled lengths.
 void scale_z(Built& model) {
   ZScale& scale = model.z_scale;
   if (scale.factor() == 1) return;
@@ -45,7 +46,7 @@ void scale_z(Built& model) {
   }
 }
 
-/// The part of the record that no rule changes: all but the surfaces.
+/// Returns the part of the record that no rule changes: everything but the surfaces.
 Built with_settings_of(const Inputs& inputs) {
   Built built;
   built.wells = inputs.wells;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `--hull`: the convex hull of all surfaces as a surface of its own, so that it is intersected, named and verified as
-/// any other.
+/// `--hull`: adds the convex hull of all surfaces as a surface of its own, so that it is intersected, named and
+/// verified like any other.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace geomesh::geomodel {
 
 inline constexpr const char* hull_name = "hull";
 
-/// The hull faces of the Delaunay tetrahedralization of all vertices, normals outward. Exact: its vertices are input
-/// vertices. Throws as delaunay_tetrahedralization does.
+/// Returns the hull faces of the Delaunay tetrahedralization of all vertices, with normals outward. Exact, because its
+/// vertices are input vertices. Throws as delaunay_tetrahedralization does.
 TriangulatedSurface convex_hull_surface(const std::vector<TriangulatedSurface>& surfaces, const RunContext& context);
 
 }  // namespace geomesh::geomodel

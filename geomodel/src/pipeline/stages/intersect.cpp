@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage intersect, declared in pipeline/stages/stages.hpp.
+// Runs the stage intersect, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 #include <cstdio>
 #include <map>
@@ -20,7 +20,7 @@ bool looks_geographic(const Box3& extent) {
   return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
 }
 
-/// Advice for a surface that lies elsewhere than the model: its coordinates, its unit, or depths for heights.
+/// Returns advice for a surface that is not near the model: wrong coordinates, unit, or depths instead of heights.
 const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   if (!model) return "";
   if (looks_geographic(extent) && !looks_geographic(*model))
@@ -34,8 +34,8 @@ const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   return ". Are its coordinates in the same system and unit as those of the box?";
 }
 
-/// Faults that end inside, with the length of their tips: as given, or for want of an extent. Fractures end inside by
-/// their nature.
+/// Notes the faults that end inside the model, with the length of their tips, whether this is given or follows from a
+/// missing extent. Fractures always end inside.
 void note_tips(const ModelPlc& model, Journal& journal) {
   struct Tip {
     double length = 0, longest = -1;
@@ -62,7 +62,7 @@ void note_tips(const ModelPlc& model, Journal& journal) {
   }
 }
 
-/// A surface of which nothing is left is most often one in other coordinates than the box.
+/// Warns of surfaces of which nothing is left: most often their coordinates differ from those of the box.
 void warn_of_absent_surfaces(const Inputs& inputs, const Built& built, const PolygonSoup& soup, Journal& journal) {
   std::vector<bool> present(built.surfaces.size(), false);
   for (const PolygonSoup::Origin& origin : soup.origins)
@@ -82,7 +82,7 @@ void warn_of_absent_surfaces(const Inputs& inputs, const Built& built, const Pol
   }
 }
 
-/// Wells of which a part is left out, but for those that a warning has said this of with its cause.
+/// Warns of wells that are partly outside the model, unless another warning already gave the cause.
 void warn_of_clipped_wells(const Inputs& inputs, const std::vector<Spot>& spots, Journal& journal) {
   for (const Spot& spot : spots) {
     if (spot.what != "clipped polyline") continue;
@@ -93,7 +93,7 @@ void warn_of_clipped_wells(const Inputs& inputs, const std::vector<Spot>& spots,
   }
 }
 
-/// Notes crossings, gaps and dangling edges, but for those that were warned of.
+/// Notes crossings, gaps and dangling edges, unless a warning already mentioned them.
 void note_findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces, Journal& journal) {
   constexpr std::size_t most = 100;
   std::size_t n = 0;
@@ -104,8 +104,8 @@ void note_findings(const std::vector<Spot>& spots, const std::vector<Triangulate
     journal.note("... and " + std::to_string(n - most) + " more findings of this kind: see intersection.spots");
 }
 
-/// Continued blocks of a horizon with throw run through and onto each other until they are parted: nothing that the
-/// user gave is wrong there.
+/// Drops findings about continued blocks of a horizon with throw, which cross and overlap each other until they are
+/// divided: they are not errors of the input.
 void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
   const auto& blocks = built.rows.block_of_triangle;
   const auto& continued = built.rows.part_of_triangle;
@@ -113,14 +113,15 @@ void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
     const Index s = spot.surface_a;
     const bool of_blocks = s == spot.surface_b && ((s < blocks.size() && !blocks[s].empty()) ||
                                                    (s < continued.size() && !continued[s].empty()));
-    // The overshoot of a continuation beyond its wall is cut off later.
+    // The part of a continuation beyond its wall is cut off later.
     const bool of_overshoot = spot.what == "free border" && s < continued.size() && !continued[s].empty();
     if (of_blocks || of_overshoot) std::erase(found.warnings, describe(spot, built.surfaces));
     return of_blocks || of_overshoot;
   });
 }
 
-/// Blocks of horizons with throw, and what continues faults only to part them.
+/// Returns the blocks of horizons with throw, and the extensions of faults that only separate them, which may be
+/// removed later.
 std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
   std::vector<std::vector<Index>> parts = built.rows.block_of_triangle;
   for (std::size_t s = 0; s < parts.size() && s < built.rows.part_of_triangle.size(); ++s)
@@ -136,8 +137,8 @@ std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
   return parts;
 }
 
-/// The walls at which continued surfaces end that are whole in the arrangement: faults that overshoot the ones on which
-/// they end are cut in the soup, and what ends at them is cut there, too.
+/// Returns the walls at which continued surfaces end and which are complete in the arrangement: faults that overshoot
+/// the ones on which they end are cut in the soup, as are the surfaces that end on them.
 std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   std::vector<std::vector<Index>> walls = rows.continued_to;
   for (std::size_t s = 0; s < walls.size(); ++s) {
@@ -149,7 +150,7 @@ std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   return walls;
 }
 
-/// Settled horizons share surfaces where that is wanted: nothing to warn of.
+/// Drops findings about settled horizons that coincide, because this is intended.
 void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   const auto is_settled = [&](Index s) {
     return s < built.surfaces.size() &&
@@ -163,7 +164,7 @@ void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   });
 }
 
-/// Takes from the soup the parts beyond crossings that rules cut off, and the ends of continuations.
+/// Removes from the soup the parts beyond crossings that rules cut off, and the ends of continuations.
 void trim(const Built& built, Arranged& arranged, Journal& journal) {
   if (!built.rules.trims() && !built.rows.any_continued()) return;
   ArrangementResult& found = arranged.arrangement;
@@ -174,7 +175,7 @@ void trim(const Built& built, Arranged& arranged, Journal& journal) {
   journal.warn_all(std::move(trimmed.warnings));
 }
 
-/// True where every edge (by coordinates of its ends) has an even number of triangles.
+/// Returns true if every edge (by coordinates of its ends) has an even number of triangles.
 bool is_closed(const TriangulatedSurface& surface) {
   const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::map<Vec3, Index, decltype(less)> ids(less);
@@ -197,7 +198,7 @@ bool is_closed(const TriangulatedSurface& surface) {
   return !edges.empty();
 }
 
-/// A PLC is the engine's input as it is; its facets stand in for soup facets so that results can be named.
+/// A PLC is passed to the engine unchanged; its facets replace soup facets so that results can be named.
 Arranged as_given(const Inputs& inputs, const Built& built) {
   Arranged arranged;
   arranged.surfaces = built.surfaces;

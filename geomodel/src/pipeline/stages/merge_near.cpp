@@ -13,14 +13,16 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr double most_of_tolerance = 0.5;      ///< what merging may use
-constexpr double most_moved_of_tolerance = 2;  ///< of the project's own
-constexpr double next_distance = 0.5;          ///< of the distance before
+constexpr double most_of_tolerance = 0.5;      ///< share of the tolerance that merging may use
+constexpr double most_moved_of_tolerance = 2;  ///< multiple of the project's own tolerance
+constexpr double next_distance = 0.5;          ///< factor from one distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
 constexpr unsigned most_rounds =
-    4;  ///< of a try: what has no end then has none later, and each takes as long as the first
+    /// Number of times that a trial's work may exceed that of the first: a trial without end would not end later
+    /// either.
+    4;
 
-/// How far merging moved surfaces, and mending at places too thin for any rounding.
+/// Returns how far surfaces were moved by merging, and by mending places too thin for any rounding.
 ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   ToleranceUse use{"merging", merging.displacement.largest};
   use.moved = use.taken;
@@ -28,7 +30,7 @@ ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   return use;
 }
 
-/// The reason for which surfaces were not merged within a distance.
+/// The reason why surfaces were not merged within a distance.
 struct Obstacle {
   std::string text;
   void keep_first(std::string other) {
@@ -41,12 +43,12 @@ class NearMerging {
   NearMerging(const Inputs& inputs, const Built& built, ToleranceLedger& tolerance, Journal& journal)
       : unit_(inputs.unit), built_(built), tolerance_(tolerance), journal_(journal) {}
 
-  /// As asked by `merge_within`.
+  /// Merges as requested by `merge_within`.
   ArrangementResult asked(ArrangementOptions options) { return booked_apart(try_shares_asked(std::move(options))); }
 
-  /// Within a share of the tolerance.
+  /// Merges within a share of the tolerance.
   ArrangementResult by_default(ArrangementOptions options) {
-    // A network of fractures keeps its areas and junctions unless the project has `merge_within`.
+    // A network of fractures keeps its areas and junctions unless the project sets `merge_within`.
     double distance = is_fracture_network(built_.surfaces, built_.rules) ? 0 : merging_distance(built_.refinement);
     const unsigned rounds = options.max_rounding_rounds;
     for (unsigned k = 0; distance > 0 && k < most_tries; ++k, distance *= next_distance) {
@@ -69,7 +71,7 @@ class NearMerging {
     return arrange(built_.surfaces, built_.wells, built_.points, options, journal_.context());
   }
 
-  /// Nothing where no arrangement comes of it, or something moved too far.
+  /// Returns nothing if no arrangement is found, or if something moved too far.
   std::optional<ArrangementResult> try_default(const ArrangementOptions& options) const {
     const auto tell = [&](const std::string& text) { journal_.context().note(LogLevel::debug, text); };
     try {
@@ -84,13 +86,13 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// Merging is told as a finding, because nothing is wrong with it.
+  /// Reports merging as a finding and not as a warning, because nothing is wrong with it.
   void tell(ArrangementResult& found, double distance) const {
     for (const Spot& spot : found.spots)
       if (spot.what == "merged") std::erase(found.warnings, describe(spot, built_.surfaces));
     const ArrangementResult::Merging& merging = found.merging;
     const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
-    constexpr double by_rounding = 1e-6;  // of the distance: what touches already is counted too
+    constexpr double by_rounding = 1e-6;  // share of the distance: parts that already touch are counted too
     if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
     const std::string pockets = merging.pockets_closed == 0
                                     ? std::string()
@@ -100,7 +102,7 @@ class NearMerging {
                   pockets + "; nothing moved by more than " + short_words(merging.displacement.largest) + " " + unit_);
   }
 
-  /// Books what was allowed by `merge_within`, or what mending moved without any tolerance.
+  /// Records what `merge_within` allowed, or what mending moved without any tolerance.
   ArrangementResult booked_apart(ArrangementResult found) {
     ToleranceUse use = use_of(found.merging);
     use.by_own_key = true;
@@ -108,7 +110,8 @@ class NearMerging {
     return found;
   }
 
-  /// Nothing where no doubles keep apart what merging brings together, or something moved too far, as `obstacle` tells.
+  /// Returns nothing if no doubles represent the merged surfaces without new contacts, or if something moved too far;
+  /// `obstacle` gives the reason.
   std::optional<ArrangementResult> try_asked(const ArrangementOptions& options, double most_moved,
                                              Obstacle& obstacle) const {
     try {
@@ -126,9 +129,9 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// It is tried again within half of the distance, and so on to a sixteenth, at last within nothing, with a warning.
-  /// That is so where something would move by more than twice the distance asked, or no doubles keep apart what comes
-  /// together. Throws what arrange does where that was not the cause.
+  /// The merging is repeated within half of the distance, and so on down to a sixteenth, and finally without merging,
+  /// with a warning. This happens if something would move by more than twice the requested distance, or if no doubles
+  /// represent the merged surfaces without new contacts. Other errors of arrange are passed on.
   ArrangementResult try_shares_asked(ArrangementOptions options) const {
     const double asked = options.tolerance;
     const std::string within = "merging within the tolerance of " + short_words(asked) + " " + unit_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stages delaunay to improve, declared in pipeline/stages/stages.hpp.
+// Runs the stages from delaunay to improve, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 #include <cstdio>
 
@@ -25,7 +25,7 @@ ConstrainedTetrahedralization tetrahedralize_model(const ModelRecords& model, Jo
   return core;
 }
 
-/// Without what lies above the topography or below the floor, where the model has them.
+/// Removes what lies above the topography or below the floor, if the model has them.
 ConstrainedTetrahedralization cut_at_ends(ConstrainedTetrahedralization core, const ModelRecords& model,
                                           Journal& journal) {
   const std::vector<Index>& lost = core.recovery.facets_not_recovered;
@@ -43,13 +43,13 @@ ConstrainedTetrahedralization cut_at_ends(ConstrainedTetrahedralization core, co
   return core;
 }
 
-/// Refinement of one mesh, as the settings ask.
+/// Refines one mesh according to the settings.
 class Refiner {
  public:
   Refiner(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal)
       : model_(model), sparse_(sparse), journal_(journal) {}
 
-  /// Tells the number of elements first. `naming` is that of the mesh.
+  /// Announces the number of elements first. `naming` is that of the mesh.
   RefinedToCount refine(ConstrainedTetrahedralization mesh, const NamingRules& naming) const {
     if (model_.arranged.refinement.target_elements > 0)
       return refine_to_count(model_, mesh, options(mesh, naming), journal_);
@@ -78,8 +78,8 @@ class Refiner {
   Journal& journal_;
 };
 
-/// The mesh, refined where that is asked for. In conforming mode the whole is refined, since Delaunay is a matter of
-/// the whole; else what is kept.
+/// Returns the mesh, refined if requested. In conforming mode the whole mesh is refined, since the Delaunay property
+/// concerns the whole; otherwise only the part that is kept.
 Meshed mesh_to_size(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal) {
   const RefinementSettings& settings = model.arranged.refinement;
   const bool conforming = model.inputs.options.recover.mode == MeshMode::conforming;
@@ -99,7 +99,8 @@ Meshed mesh_to_size(const ModelRecords& model, const SparseMeshing& sparse, Jour
   return {std::move(refined.result), std::move(refined.used), std::move(naming), std::move(volumes_of_input)};
 }
 
-/// How far remeshing moved surfaces. That is proven to be within the tolerance left, so that nothing is taken of it.
+/// Returns how far remeshing moved surfaces. This is proven to be within the remaining tolerance, so none is subtracted
+/// for it.
 ToleranceUse use_of(const RefineStatistics& statistics) {
   ToleranceUse use{"remeshing"};
   use.moved = std::max(statistics.deviation_result_to_input, statistics.deviation_input_to_result);
@@ -136,7 +137,7 @@ Meshed mesh_model(const ModelRecords& model, const SparseMeshing& sparse, Journa
 Meshed free_split_corners(const ModelRecords& model, Meshed meshed, const std::vector<std::string>& split,
                           unsigned threads) {
   if (split.empty()) return meshed;
-  std::vector<std::string> told_later;  // naming tells its warnings when the mesh is named for good
+  std::vector<std::string> told_later;  // naming gives its warnings when the mesh is named finally
   const ModelMesh named = named_mesh(model, meshed, told_later, threads);
   divide_tetrahedra(meshed.refined.mesh, tetrahedra_on_surfaces(named, split));
   return meshed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage read of `geomesh mesh`, declared in pipeline/stages/stages.hpp.
+// Runs the stage read of `geomesh mesh`, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The facets of a PLC file as one surface, by their first three corners, so that results can be named.
+/// Reads the facets of a PLC file as one surface, by their first three corners, so that results can be named.
 void read_plc(const std::filesystem::path& path, Inputs& model, Journal& journal) {
   const StageScope stage(journal.context(), "read");
   PlcFile file = read_plc_file(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage read of a project, declared in pipeline/stages/stages.hpp.
+// Runs the stage read of a project, declared in pipeline/stages/stages.hpp.
 #include <nlohmann/json.hpp>
 
 #include "common/thread_limit.hpp"
@@ -18,20 +18,20 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The volume in the project's system with elevation up: its bounds, and its corners in the map where it is no box
-/// along the axes.
+/// Describes the volume in the project's system with elevation up: its bounds, and its corners in the map if it is not
+/// a box along the axes.
 nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Vec3& origin) {
   const Vec3 min = volume.bounds.min + origin, max = volume.bounds.max + origin;
   nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last two sides
     const Vec3 corner = volume.sides[i].points[0] + origin;
     box["corners"].push_back({corner.x, corner.y});
   }
   return box;
 }
 
-/// With z scaled, the scaled space counts and not the one that is written: the mesh is Delaunay there, and sizes and
-/// shapes are those asked for there.
+/// If z is scaled, sizes, shapes and the Delaunay property would refer to the scaled space and not to the one that is
+/// written; such requests are refused.
 void refuse_scaling(const Project& project) {
   if (project.crs.z_scale == 1) return;
   const std::string where = project.file.filename().string() + ": crs.z_scale cannot be combined with ";
@@ -45,8 +45,8 @@ void refuse_scaling(const Project& project) {
                                       "space; leave out one of them");
 }
 
-/// What cannot be meant or made is refused before hours are spent on it. Of a volume that is cut at the ground or at a
-/// bottom, a tenth at least is taken to be left.
+/// Refuses sizes that are absurd or impossible before hours are spent on them. If a volume is cut at the ground or at a
+/// base, at least a tenth of it is assumed to remain.
 void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_sizes_in_range(model.refinement, bounds);
   constexpr double least_left = 0.1;
@@ -59,13 +59,14 @@ void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_countable(estimate_crossings(fractures, bounds), fractures.size(), model.refinement);
 }
 
-/// The triangulation of a level set is off its field by a share of the tolerance; the mesh is left the rest.
+/// Takes the share of the tolerance by which the triangulation of a level set differs from its field; the rest is left
+/// to the mesh.
 void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
   if (has_level_sets(project) && r.tolerance.left() > 0)
     r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});
 }
 
-/// Tells the size and the tolerance that steer the mesh without having been asked for.
+/// Reports the size and the tolerance of the mesh if the user did not choose them.
 void tell_sizes(const Inputs& model, Journal& journal) {
   const RefinementSettings& r = model.refinement;
   if (r.derive_size)
@@ -78,8 +79,8 @@ void tell_sizes(const Inputs& model, Journal& journal) {
                  " at most, and by half of the gap to the next at most");
 }
 
-/// The tolerance counts from the surfaces as they were made. Where one of them is farther off its data than that, the
-/// user is told, because "within the tolerance of the input" would be read as "of the data".
+/// The tolerance counts from the surfaces as they were made. If one of them is farther from its data than the
+/// tolerance, the user is informed, because "within the tolerance of the input" would be understood as "of the data".
 void book_misfits(ToleranceLedger& ledger, std::vector<ToleranceUse> uses, const std::string& unit, Journal& journal) {
   for (ToleranceUse& use : uses) {
     if (ledger.requested() > 0 && *use.moved > ledger.requested()) {
@@ -126,8 +127,8 @@ std::string describe_input(const Project& project, const Inputs& model) {
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// Nonsense ends the run here, before anything is built; doubts are warnings, and what may be meant is a note. Returns
-/// the inputs that warnings are about.
+/// Ends the run before anything is built if inputs are certainly wrong; doubts become warnings, and what may be
+/// intended becomes a note. Returns the inputs that warnings concern.
 std::vector<std::string> doubt_inputs(const Project& project, const ProjectInputs& inputs, const ModelVolume& made,
                                       Journal& journal) {
   std::vector<std::string> doubted;
@@ -143,7 +144,7 @@ std::vector<std::string> doubt_inputs(const Project& project, const ProjectInput
   return doubted;
 }
 
-/// Completes the rules by the data: which faults offset which horizon, and how far surfaces are continued.
+/// Completes the rules by the data: which faults displace which horizon, and how far surfaces are continued.
 void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal) {
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);
@@ -156,7 +157,7 @@ void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal
   ask_continuation(model.rules, model.refinement, model.volume);
 }
 
-/// Sizes and the tolerance, once the extent of the data is known.
+/// Derives sizes and the tolerance, after the extent of the data is known.
 void settle_refinement(const Project& project, ProjectInputs& inputs, Inputs& model, Journal& journal) {
   for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
   load_background(model.refinement.size, model.origin);

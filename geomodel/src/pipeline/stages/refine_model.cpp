@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The smaller size wins; of equal ones the wider.
+/// Keeps the smaller size; of equal sizes the one with the larger radius.
 void ask(AskedSize& at, const AskedSize& asked) {
   if (!(asked.size > 0)) return;
   if (at.size <= 0 || asked.size < at.size || (asked.size == at.size && asked.radius > at.radius)) at = asked;
@@ -34,7 +34,7 @@ void ask(AskedSize& at, const AskedSize& asked) {
                                     (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
-/// Per component its region. `words` of the settings must each name one of the regions or units.
+/// Returns the region of each component. All names in the settings (`words`) must be those of regions or units.
 std::vector<const Region*> regions_of_components(const NamedRegions& named, const std::set<std::string>& words) {
   std::set<std::string> known;
   for (const Region& r : named.regions) known.insert({r.name, r.unit});
@@ -47,7 +47,7 @@ std::vector<const Region*> regions_of_components(const NamedRegions& named, cons
   return regions;
 }
 
-/// What the settings say of the region itself, else of its unit.
+/// Returns the value that the settings give for the region itself, else for its unit.
 template <class Value>
 Value value_of(const Region& r, const std::map<std::string, Value>& values) {
   const auto own = values.find(r.name), unit = values.find(r.unit);
@@ -62,12 +62,12 @@ double wavelength_size_of(const Region& r, const NamedSizes& sizes, const Naming
                                     (r.unit.empty() ? r.name : r.unit) + ": {vp: 3000}");
 }
 
-/// Per component the size asked inside of it, and the elements asked across it.
+/// Determines for each component the target size inside it, and the requested number of elements across it.
 void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedralization& mesh, const NamingRules& rules,
                        SizeOptions& size) {
   const NamedSizes& asked = model.arranged.refinement.size;
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
-  std::vector<std::string> told_later;  // the same warnings come with the names of the finished mesh
+  std::vector<std::string> told_later;  // the same warnings are given with the names of the finished mesh
   const Column column = make_column(rules.column, model.arranged.surfaces, told_later);
   const NamingRules naming = with_heights(rules, model.arranged.surfaces, model.built.rows, model.built.rules);
   const NamedRegions named = name_regions(
@@ -85,7 +85,7 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
   if (asked.layers.empty()) size.component_layers.clear();
 }
 
-/// The word by which settings name all surfaces of a kind.
+/// Returns the name by which settings refer to all surfaces of a kind.
 std::string kind_word(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::horizon:
@@ -99,7 +99,7 @@ std::string kind_word(SurfaceKind kind) {
   }
 }
 
-/// Per patch the size asked on it: the least over the surfaces that it is part of.
+/// Returns the target size on each patch: the smallest of the surfaces to which it belongs.
 std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<Index>& facet_patch) {
   const auto& asked = model.arranged.refinement.size.surfaces;
   std::vector<AskedSize> sizes;
@@ -119,7 +119,7 @@ std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<
   return sizes;
 }
 
-/// The word by which settings name all curves of a kind (NamedCurve::kind).
+/// Returns the name by which settings refer to all curves of a kind (NamedCurve::kind).
 std::string plural(const std::string& kind) { return kind + "s"; }
 
 std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
@@ -138,7 +138,7 @@ std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
   return sizes;
 }
 
-/// "top, fault": the surfaces that facets are part of.
+/// Returns the surfaces to which facets belong, for example "top, fault".
 std::string names_of_facets(const ModelRecords& model, const std::vector<Index>& facets) {
   std::set<std::string> names;
   for (const Index f : facets)
@@ -149,7 +149,7 @@ std::string names_of_facets(const ModelRecords& model, const std::vector<Index>&
   return list;
 }
 
-/// Surfaces that could not be proven to be within the tolerance are as they were given.
+/// Describes surfaces that could not be proven to be within the tolerance and are kept as given.
 std::string words_of_kept(const ModelRecords& model, const RefineResult& result) {
   if (result.all_kept) {
     return "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
@@ -168,7 +168,7 @@ std::string words_of_kept(const ModelRecords& model, const RefineResult& result)
   return {};
 }
 
-/// Errors that name facets are told with the surfaces of these.
+/// Replaces the facets named by errors by their surfaces.
 RefineResult refine_naming_surfaces(const ModelRecords& model, ConstrainedTetrahedralization mesh,
                                     const RefineOptions& options, const RunContext& context) {
   try {
@@ -180,7 +180,7 @@ RefineResult refine_naming_surfaces(const ModelRecords& model, ConstrainedTetrah
   }
 }
 
-/// Points that stay in their places while surfaces are remeshed: named points, and the corners of fractures.
+/// Returns points that must not move while surfaces are remeshed: named points, and the corners of fractures.
 std::vector<VertexIndex> fixed_points(const ModelRecords& model) {
   const PolygonSoup& soup = model.arranged.arrangement.soup;
   std::vector<VertexIndex> fixed;
@@ -283,7 +283,7 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.segment_curve = segment_curves(model.arranged.plc);
   if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
-    // Other points inside of a box side are left of pieces that were cut away: nobody's.
+    // Other points inside a box side belong to pieces that were cut off, and may move.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The stages of a run, in order. Each tells what it found in the journal.
+/// The stages of a run in their order. Each writes its findings to the journal.
 #pragma once
 
 #include <optional>
@@ -14,53 +14,56 @@
 
 namespace geomesh::geomodel {
 
-/// Stage read of a project: its files, in the project's frame. Nonsense ends the run here, before anything is built.
+/// Stage read of a project: reads its files into the project's frame. If inputs are certainly wrong, the run ends here,
+/// before anything is built.
 Inputs read_project_model(const Project& project, Journal& journal);
 
-/// Stage read of `geomesh mesh`; a single PLC file (.poly, .smesh) goes to the engine as it is.
+/// Stage read of `geomesh mesh`; a single PLC file (.poly, .smesh) is passed to the engine unchanged.
 Inputs read_mesh_model(const MeshRequest& request, Journal& journal);
 
-/// Stage build of a project: applies the rules to the surfaces (holes, continuations, open bodies).
+/// Stage build of a project: applies the rules to the surfaces (holes, extensions, open bodies).
 Built build_model(const Inputs& inputs, Journal& journal);
-/// Of `geomesh mesh`: no rules, and no stage.
+/// Replaces the stage build for `geomesh mesh`, which has no rules.
 Built built_as_given(const Inputs& inputs);
 
 /// Stage intersect. Rules on crossings (erosion, onlap, ends of continuations) are applied to the soup.
 Arranged intersect(const Inputs& inputs, const Built& built, Journal& journal);
 
-/// How coarse a start for ranks is: RefineOptions::sparse_growth, sparse_ratio, sparse_surfaces. As it stands: not at
-/// all.
+/// How coarse the initial mesh for ranks is: RefineOptions::sparse_growth, sparse_ratio, sparse_surfaces. By default it
+/// is not coarser.
 struct SparseMeshing {
   double growth = 0, ratio = 10, surfaces = 1;
 };
-/// Stages delaunay to improve. Throws Error{cannot_mesh} where the surfaces enclose nothing.
+/// Stages from delaunay to improve. Throws Error{cannot_mesh} if the surfaces enclose nothing.
 Meshed mesh_model(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal);
 
-/// The record as it is without scaling of z: what naming, verification and writing read.
+/// Returns the record without scaling of z, as naming, verification and writing need it.
 Arranged in_true_heights(const Arranged& arranged, const ZScale& scale);
 
-/// The mesh with no tetrahedron that has all of its corners on one of the surfaces named `split`. It comes before
-/// anything is measured: counts and shapes are those of the mesh that is written.
+/// Returns the mesh changed so that no tetrahedron has all of its corners on one of the surfaces named `split`. It is
+/// called before anything is measured, so that counts and shapes are those of the written mesh.
 Meshed free_split_corners(const ModelRecords& model, Meshed meshed, const std::vector<std::string>& split,
                           unsigned threads);
 
-/// Names the mesh, and verifies that it holds what a run promises. Throws InternalError with each fault;
-/// Error{cannot_mesh} where regions do not fill the volume or have changed by more than the tolerance allows.
+/// Names the mesh, and verifies the guarantees of a run. Throws InternalError listing each fault; Error{cannot_mesh} if
+/// regions do not fill the volume or have changed by more than the tolerance allows.
 ModelMesh name_and_verify(const ModelRecords& model, const Meshed& meshed, std::vector<CellArray> arrays,
                           Journal& journal);
-/// Throws InternalError with each fault of the finished mesh.
+/// Throws InternalError listing each fault of the finished mesh.
 void require_valid(const ModelMesh& mesh, const ZScale& scale, unsigned threads);
 
-/// Shapes, sizes and causes of poor elements. The tetrahedra of `mesh` are those of `meshed`, in the same order.
+/// Measures shapes, sizes and causes of poor elements. The tetrahedra of `mesh` are those of `meshed`, in the same
+/// order.
 QualityReport judge_quality(const ModelRecords& model, const Meshed& meshed, const ModelMesh& mesh, unsigned threads);
-/// Whether solvers bear the elements, and which not. Tetrahedra of fault zones come last in `mesh`.
+/// Checks whether solvers can use the elements, and which they cannot. Tetrahedra of fault zones come last in `mesh`.
 SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigned threads);
-/// How far the mesh's horizons are off the tops of wells.
+/// Measures how far the mesh's horizons are from the tops of wells.
 std::vector<FittedTop> measure_tops(std::vector<FittedTop> tops, const ModelMesh& mesh);
-/// Units without a region are warned of; the verdict counts all warnings. Empty where no project says what is wanted.
+/// Warns of units without a region; the verdict counts all warnings. Empty if there is no project that says which units
+/// to expect.
 std::string judge_model(const ModelRecords& model, const ModelMesh& mesh, Journal& journal);
 
-/// Makes names unique by a suffix `_2`, `_3` ... in order; names of box sides are reserved.
+/// Makes names unique by suffixes `_2`, `_3` ... in order; names of box sides are reserved.
 void make_names_unique(std::vector<TriangulatedSurface>& surfaces);
 
 }  // namespace geomesh::geomodel

@@ -17,11 +17,12 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double near_enough = 1.1;  // factor
-/// Factor of a derived number: 200,000 elements, beyond which the first mesh of a model is a burden.
+/// Factor on a derived number of elements: above 200,000 elements the first mesh of a model takes too long.
 constexpr double most_over_target = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Elements go with the cube of the size; where surfaces take their share, with less.
+/// The number of elements is proportional to the inverse cube of the size, or to a lower power if surfaces determine
+/// it.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
 Box3 bounds_of(const Arranged& model) {
@@ -30,7 +31,7 @@ Box3 bounds_of(const Arranged& model) {
   return box;
 }
 
-/// Beyond it the tolerance that follows the sizes would be refused.
+/// Above this factor, the tolerance that follows the sizes would be refused.
 double greatest_factor(const Arranged& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
@@ -39,13 +40,13 @@ double greatest_factor(const Arranged& model, const RefineOptions& options) {
   return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
 }
 
-/// Sizes several times those of a volume with nothing in it change no more than the tolerance that follows them.
+/// With sizes several times those of an empty volume, the mesh no longer changes, only the tolerance that follows them.
 double factor_of_empty_volume(const Arranged& model, const RefineOptions& options, double target) {
   constexpr double most = 7;
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
 
-/// Factors of the sizes, and of how soon these grow with the distance from where they are small.
+/// Factors on the sizes, and on how fast they grow with the distance from small ones.
 struct Scale {
   double size = 1, gradation = 1;
 };
@@ -55,21 +56,21 @@ struct Try {
   double count = 0;  ///< of elements
 };
 
-/// The search for the scales by which so many elements come out.
+/// Searches for the scales with which the requested number of elements results.
 class CountSearch {
  public:
-  /// `most` are the largest scales that are tried.
+  /// `most` contains the largest scales that are tried.
   CountSearch(double target, const Scale& most) : target_(target), most_(most) {}
 
-  /// Within this factor of the target, either way.
+  /// Returns whether the count is within this factor of the target.
   bool is_near(const Try& t, double factor) const { return t.count <= factor * target_ && t.count * factor >= target_; }
   bool is_nearer(const Try& t, const Try& than) const {
     return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
   }
 
-  /// A larger size that brings hardly fewer elements shows that most of them stand about surfaces that ask for short
-  /// edges: then sizes are let grow away from these as soon as may be. Between tries with too many and with too few
-  /// elements, the scale is interpolated as if their number went with a power of it.
+  /// If a larger size gives hardly fewer elements, most of them are near surfaces that require short edges; sizes are
+  /// then allowed to grow as fast as possible away from these. Between trials with too many and too few elements, the
+  /// scale is interpolated as if their number followed a power law.
   Scale after(const std::vector<Try>& tries) const {
     const Try& now = tries.back();
     const auto [many, few] = nearest_on_both_sides(tries);
@@ -97,8 +98,8 @@ class CountSearch {
     return {many, few};
   }
 
-  /// The number of elements goes with the inverse cube of the size, or with a lower power if surfaces take their share:
-  /// the last two tries tell which.
+  /// The number of elements is proportional to the inverse cube of the size, or to a lower power if surfaces determine
+  /// it: the exponent follows from the last two trials.
   static double power_of_size(const std::vector<Try>& tries) {
     constexpr double least = 0.5, of_volume = 3;
     if (tries.size() < 2) return of_volume;
@@ -112,7 +113,7 @@ class CountSearch {
   Scale most_;
 };
 
-/// Elements whose size doubles from one to the next are as steep as solvers bear.
+/// With this gradation sizes double from one element to the next, which is the limit for solvers.
 constexpr double steepest_gradation = 1;
 
 Scale greatest_scale(const Arranged& model, const RefineOptions& options, double target) {
@@ -128,8 +129,8 @@ RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
 
 constexpr unsigned most_tries = 6;
 
-/// The scale whose estimate is nearest to the target: 1 where it is within a factor of `near` of it as it is, else one
-/// that is near enough, or the nearest of six.
+/// Returns the scale with the estimate nearest to the target: 1 if that estimate is within a factor of `near`, else the
+/// first one that is near enough, or the nearest of six.
 Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
                       double near) {
   std::vector<Try> tries;
@@ -147,8 +148,8 @@ Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& op
   return best;
 }
 
-/// The scale of the sizes alone by which the estimate meets the target; at most `most`, however many elements surfaces
-/// ask for that cross and touch all over. Runs tell whether sizes have to grow sooner.
+/// Returns the scale of sizes alone with which the estimate meets the target; at most `most`, which matters for
+/// surfaces that cross and touch everywhere. Meshing shows whether sizes must also grow faster.
 double size_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, double target, double most) {
   double size = 1;
   for (unsigned n = 0; n < most_tries; ++n) {
@@ -166,14 +167,14 @@ ElementEstimate by_cause(const ElementEstimator& estimator, const SettledStack& 
   return estimator.by_cause(options, n_thin, known_total);
 }
 
-/// Whether the size of the whole model is ours to choose: sizes that the user asks for are never scaled.
+/// Returns whether the global size may be chosen freely: sizes that the user requests are never scaled.
 bool may_derive(const RefinementSettings& settings) {
   const NamedSizes& size = settings.size;
   return settings.derive_size && !(settings.target_elements > 0) && !(size.frequency > 0) && size.units.empty() &&
          size.surfaces.empty() && size.curves.empty() && size.near.empty() && size.layers.empty();
 }
 
-/// Whether gaps between surfaces ask for too many elements even where all sizes are as large as they may be.
+/// Returns whether gaps between surfaces require too many elements even if all sizes are as large as allowed.
 bool gaps_ask_for_too_many(const RefinementSettings& settings, const ElementEstimator& estimator,
                            const RefineOptions& options, const Scale& greatest) {
   const double most = most_over_target * settings.derived_elements;
@@ -193,13 +194,14 @@ RefinementSettings settings_used(RefinementSettings settings, const RefineOption
 
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double near = 1.4;  // an estimate that is as far off again is still between 50,000 and 200,000
+  constexpr double near = 1.4;  // an estimate that is wrong by this factor again is still between 50,000 and 200,000
   const RefinementSettings& settings = model.arranged.refinement;
   const SettledStack& stack = model.built.stack;
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);
   if (!may_derive(settings)) return {options, by_cause(estimator, stack, options), settings};
   const double target = settings.derived_elements;
-  // Surfaces that nearly coincide all over ask for as many at every size: the tolerance would be given away in vain.
+  // Surfaces that nearly coincide everywhere require the same number of elements at every size, so increasing the
+  // tolerance would be useless.
   Scale most = greatest_scale(model.arranged, options, target);
   if (!settings.gradation_by_default) most.gradation = 1;
   const bool drops_gaps = gaps_ask_for_too_many(settings, estimator, options, most);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sizes that follow from a number of elements: all are scaled so that about so many come out, and with them the
-/// tolerance that is a share of them.
+/// Sizes derived from a number of elements: all are scaled so that about that many result, and with them the tolerance
+/// if it is a share of them.
 #pragma once
 
 #include "geomesh/core/element_estimate.hpp"
@@ -10,41 +10,43 @@
 
 namespace geomesh::geomodel {
 
-/// All asked sizes times `factor`, and the tolerance where it follows them.
+/// Returns the options with all target sizes multiplied by `factor`, and the tolerance too if it follows them.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
 
-/// The settings with the sizes and the tolerance of these options: what the run promises is what it used.
+/// Returns the settings with the sizes and the tolerance of these options, so that the reported ones are those that
+/// were used.
 RefinementSettings settings_used(RefinementSettings settings, const RefineOptions& options);
 
-/// Options with the number of elements that they ask for.
+/// Options with the number of elements that they require.
 struct CountedOptions {
   RefineOptions options;
   ElementEstimate estimate;
   RefinementSettings used;
-  bool gaps_dropped = false;   ///< gaps ask for no sizes, because they would ask for too many elements
-  double gradation_scale = 1;  ///< how many times as fast as usual sizes grow away from where they are small
+  bool gaps_dropped = false;   ///< whether gaps require no sizes, because they would require too many elements
+  double gradation_scale = 1;  ///< factor by which sizes grow faster than usual away from small ones
 };
 
-/// Where the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume come to many
-/// more or fewer elements: the sizes are those by which the estimate is about settings.derived_elements. Where larger
-/// sizes bring hardly fewer elements, sizes grow sooner away from small ones, unless the project says how soon. Gaps
-/// between surfaces ask for no sizes where the estimate is above twice that with them and below without them, unless
-/// the project says what they ask for. Otherwise, and where the project asks for any size, the options are returned as
-/// they are.
+/// If the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume lead to many
+/// more or fewer elements, sizes are chosen so that the estimate is about settings.derived_elements. If larger sizes
+/// give hardly fewer elements, sizes also grow faster away from small ones, unless the project sets the gradation. Gaps
+/// between surfaces are ignored if the estimate is above twice that number with them and below it without them, unless
+/// the project sets sizes for gaps. Otherwise, and if the project requests any size, the options are returned
+/// unchanged.
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 
-/// Notes before the work how many elements will come, and what asks for them. `unit` is that of lengths. Throws
-/// Error{cannot_mesh} with the same words where that is more than the limit.
+/// Notes before meshing how many elements to expect, and what requires them. `unit` is the unit of length. Throws
+/// Error{cannot_mesh} with the same text if the number exceeds the limit.
 void announce_count(const CountedOptions& counted, const std::string& unit, Journal& journal);
 
 struct RefinedToCount {
   RefineResult result;
   RefinementSettings used;
 };
-/// Refines with sizes scaled by the estimate, and again by what came out. Where larger sizes bring hardly fewer
-/// elements, sizes grow sooner away from small ones. Ends when the number of elements is within a tenth of
-/// settings.target_elements, or after six times. Then the nearest counts, with a warning: the input alone takes more.
+/// Refines with sizes scaled by the estimate, and again by the resulting number of elements. If larger sizes give
+/// hardly fewer elements, sizes grow faster away from small ones. Ends when the number is within a tenth of
+/// settings.target_elements, or after six trials; the nearest is then used, with a warning that the input alone
+/// requires more.
 RefinedToCount refine_to_count(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                const RefineOptions& options, Journal& journal);
 

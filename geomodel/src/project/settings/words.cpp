@@ -8,7 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Optimal string alignment distance (Damerau 1964): insertions, deletions, changes, swaps of neighbours.
+/// Returns the optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions, swaps of
+/// neighbours.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -62,7 +63,7 @@ std::string file_was_meant(const std::filesystem::path& file) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  // The same name with another ending or in another case is meant before one that differs by letters.
+  // The same name with another extension or case is preferred to one that differs in letters.
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
       return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// DXF in text: 3DFACE, polyface and polygon meshes (POLYLINE with VERTEX), LINE, POLYLINE, LWPOLYLINE, POINT, and
-// blocks of these (INSERT). One surface a layer. What is passed over is told. $INSUNITS is told, not applied: templates
-// fill it in at random.
+// Reads DXF in text form: 3DFACE, polyface and polygon meshes (POLYLINE with VERTEX), LINE, POLYLINE, LWPOLYLINE,
+// POINT, and blocks of these (INSERT). Each layer becomes one surface. Ignored entities are reported. $INSUNITS is
+// reported but not applied, because templates contain arbitrary values.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Pair {
   std::size_t line = 0;
 };
 
-/// One entity: its name and its pairs.
+/// One entity: its name and its pairs of group code and value.
 struct Entity {
   std::string_view name;
   std::size_t line = 0;
@@ -33,7 +33,7 @@ struct Entity {
 class PairReader {
  public:
   explicit PairReader(const InputFile& file) : lines_(file) {}
-  /// False at the end of the file between two pairs.
+  /// Returns false if the file ends between two pairs.
   bool next(Pair& pair) {
     if (!lines_.next()) return false;
     const auto code = to_integer(trim(lines_.line()));
@@ -115,7 +115,7 @@ class DxfReader {
       if (p.code == 8 && !p.value.empty()) return std::string(p.value);
     return "0";
   }
-  /// The point of groups 10 + k, 20 + k, 30 + k; z 0 where it is not given.
+  /// Returns the point of groups 10 + k, 20 + k, 30 + k; z is 0 if it is not given.
   Vec3 point(int k) const {
     Vec3 p;
     bool has_x = false, has_y = false;
@@ -257,7 +257,7 @@ class DxfReader {
     }
   }
 
-  /// M rows of N vertices; closed in either direction by flags 1 and 32.
+  /// Converts M rows of N vertices, closed in either direction by flags 1 and 32.
   void close_mesh() {
     const auto size = static_cast<std::int64_t>(vertices_.size());
     if (m_ < 2 || n_ < 2 || m_ > size || n_ > size || m_ * n_ != size) {

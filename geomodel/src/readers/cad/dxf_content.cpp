@@ -12,7 +12,7 @@ namespace {
 constexpr double most_copied = 20e6;  // points and copies
 constexpr std::size_t most_nested = 64;
 
-/// From a block's coordinates to those of what it is inserted into, for one column and row.
+/// The transformation from a block's coordinates to those of its insertion, for one column and row.
 class Placing {
  public:
   Placing(const DxfInsert& insert, const Vec3& base, std::int64_t column, std::int64_t row)
@@ -46,7 +46,7 @@ class Inserter {
  public:
   Inserter(const InputFile& file, const std::map<std::string, DxfBlock>& blocks) : file_(file), blocks_(blocks) {}
 
-  /// The content with its inserts carried out.
+  /// Returns the content with all inserted blocks.
   DxfContent expand(const DxfContent& content) {
     DxfContent all = content;
     all.inserts.clear();
@@ -71,7 +71,7 @@ class Inserter {
   }
 
  private:
-  /// Before anything is copied: few bytes of a file can ask for copies without end.
+  /// Counts copies before anything is copied, because a few bytes of a file can request an unlimited number.
   void count_copies(const DxfContent& inner, const DxfInsert& insert) {
     double n = 1;
     for (const auto& [layer, corners] : inner.corners) n += static_cast<double>(corners.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What stands in a DXF file, and blocks put in where INSERT asks for them.
+/// The content of a DXF file, and the insertion of blocks by INSERT.
 #pragma once
 
 #include <map>
@@ -12,33 +12,33 @@
 
 namespace geomesh::geomodel {
 
-/// One INSERT: a block put at a place, in columns and rows.
+/// One INSERT: a block inserted at a place, in columns and rows.
 struct DxfInsert {
   std::string block, layer;
   std::size_t line = 0;  ///< of the file
   Vec3 at, scale{1, 1, 1};
   double rotation = 0;  ///< radians, counter-clockwise about z
   std::int64_t n_columns = 1, n_rows = 1;
-  double column_step = 0, row_step = 0;  ///< turned with the block
+  double column_step = 0, row_step = 0;  ///< steps, which are rotated with the block
 };
 
-/// Of the section ENTITIES or of one block. Coordinates as in the file.
+/// Content of the section ENTITIES or of one block. Coordinates as in the file.
 struct DxfContent {
-  std::map<std::string, std::vector<Vec3>> corners;              ///< by layer, three a triangle
+  std::map<std::string, std::vector<Vec3>> corners;              ///< three corners per triangle, by layer
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
-  std::map<std::string, std::size_t> passed_over;                ///< entities that are not read, by name
+  std::map<std::string, std::size_t> passed_over;                ///< number of ignored entities, by name
   std::vector<DxfInsert> inserts;
 };
 
 struct DxfBlock {
-  Vec3 base;  ///< the point of the block that comes to lie at DxfInsert::at
+  Vec3 base;  ///< the point of the block that is placed at DxfInsert::at
   DxfContent content;
 };
 
-/// Puts the blocks that are inserted into `content`, blocks within blocks too. What stands on layer "0" of a block
-/// comes onto the layer of its INSERT. Blocks that are not in the file are passed over. Throws Error{invalid_input}: a
-/// block that holds itself, or copies without end.
+/// Inserts blocks into `content`, including nested ones. Items on layer "0" of a block are moved to the layer of its
+/// INSERT. Blocks that are not in the file are ignored. Throws Error{invalid_input} for a block that contains itself,
+/// or too many copies.
 void insert_blocks(const InputFile& file, DxfContent& content, const std::map<std::string, DxfBlock>& blocks);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GOCAD ASCII: TSurf, PLine, VSet, Well and Model3d, several objects a file.
+// Reads GOCAD ASCII: TSurf, PLine, VSet, Well and Model3d, several objects per file.
 #include <algorithm>
 #include <map>
 
@@ -50,7 +50,7 @@ void add_well(const GocadObject& object, const InputFile& file, FileContents& co
   contents.polylines.push_back({name, file.shown(), object.path});
 }
 
-/// The first frame given is the file's; what differs from it is told, for every object was converted by its own.
+/// The first frame is taken as the file's; differences are reported, since every object was converted by its own frame.
 void describe_frame(const std::vector<GocadObject>& objects, FileContents& contents) {
   const auto first = std::find_if(objects.begin(), objects.end(), [](const GocadObject& o) { return o.frame.given; });
   if (first == objects.end()) {
@@ -80,7 +80,7 @@ void describe_frame(const std::vector<GocadObject>& objects, FileContents& conte
   }
 }
 
-/// A file that says Depth and counts z negative means elevation more often than not.
+/// A file that declares Depth but has negative z usually contains elevations.
 void warn_of_negative_depths(const std::vector<GocadObject>& objects, FileContents& contents) {
   std::size_t n_points = 0, n_negative = 0;
   for (const GocadObject& o : objects) {

@@ -12,10 +12,11 @@ namespace {
 struct FoundFace {
   Index surface;      ///< row in contents.surfaces
   Index first, last;  ///< triangles
-  bool as_stored;     ///< the + side's normal is that of the triangles as they stand
+  bool as_stored;     ///< whether the + side's normal is that of the stored triangles
 };
 
-/// Rotation r with key[i] == corner[(i + r) % 3] for all i, as +1; -1 for a reversed match; 0 for none.
+/// Returns +1 if there is a rotation r with key[i] == corner[(i + r) % 3] for all i; -1 for a reversed match; 0 for
+/// none.
 int compare_triangles(const Vec3 (&key)[3], const Vec3 (&corner)[3]) {
   for (int r = 0; r < 3; ++r) {
     if (!(key[0] == corner[r])) continue;

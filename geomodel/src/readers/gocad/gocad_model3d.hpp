@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Regions of a GOCAD Model3d: signed lists of faces, each face a part of a surface found by its key triangle.
+/// Regions of a GOCAD Model3d: signed lists of faces, each of which is a part of a surface identified by its key
+/// triangle.
 #pragma once
 
 #include <vector>
@@ -10,9 +11,9 @@
 
 namespace geomesh::geomodel {
 
-/// Adds the regions of `model` but Universe to `contents`, whose surfaces came from `objects`. Adds the kinds of the
-/// surfaces (fault, horizon) as the model names them. `+` means that the key triangle's normal points out of the
-/// region. Where a key triangle is not among its surface's triangles no region is added, and a warning says so.
+/// Adds the regions of `model` except Universe to `contents`, whose surfaces came from `objects`, and the kinds of
+/// surfaces (fault, horizon) that the model gives. `+` means that the key triangle's normal points out of the region.
+/// If a key triangle is not among its surface's triangles, no region is added, with a warning.
 void add_model3d_regions(const GocadObject& model, const std::vector<GocadObject>& objects, FileContents& contents);
 
 }  // namespace geomesh::geomodel

@@ -8,8 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// One object being read. The lines have one keyword in front; what is not known (properties, drawing styles) is passed
-/// over.
+/// Parses one object. Each line begins with a keyword; unknown ones (properties, drawing styles) are ignored.
 class ObjectParser {
  public:
   ObjectParser(LineReader& lines, std::string_view kind) : lines_(lines), ids_(lines.file().size() / 4 + 1024) {
@@ -160,7 +159,7 @@ class ObjectParser {
     object_.points.push_back(object_.frame.to_metres(read_point(lines_, tokens, token)));
   }
 
-  /// Ids may begin anew in another TFACE or ILINE; twice in one is a contradiction.
+  /// Ids may restart in another TFACE or ILINE; a repeated id within one is a contradiction.
   void define(std::int64_t i, VertexIndex row) {
     const VertexIndex old = ids_.find(i);
     if (old != no_vertex && old >= part_first_point_) lines_.fail("vertex " + std::to_string(i) + " is defined twice");

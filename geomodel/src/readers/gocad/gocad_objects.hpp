@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The objects of a GOCAD ASCII file as they stand in it, before anything is made of them.
+/// The objects of a GOCAD ASCII file as contained in it, before they are converted.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// GOCAD_ORIGINAL_COORDINATE_SYSTEM; without the block: elevation in metres.
+/// GOCAD_ORIGINAL_COORDINATE_SYSTEM; without this block: elevation in metres.
 struct GocadFrame {
   std::string name, projection, datum;
   std::string unit[3] = {"m", "m", "m"};
@@ -24,7 +24,7 @@ struct GocadFrame {
   double scale[3] = {1, 1, 1};  ///< metres per unit of each axis
 };
 
-/// Model3d: TFACE with the three points that fix its + side (in metres, swapped as triangles are where depth was
+/// A TFACE of a Model3d with the three points that define its + side (in metres, exchanged like triangles if depth was
 /// negated).
 struct GocadKeyFace {
   std::int64_t id;
@@ -39,25 +39,24 @@ struct GocadRegion {
   std::size_t line;
 };
 
-/// One object; `kind` is the word behind GOCAD ("TSurf", "PLine", ...). Points are in metres with elevation up already.
+/// One object; `kind` is the word after GOCAD ("TSurf", "PLine", ...). Points are already in metres with elevation up.
 struct GocadObject {
   std::string kind, name;
   std::size_t line = 0;
   GocadFrame frame;
   std::vector<Vec3> points;
-  std::vector<Triangle> triangles;                      ///< winding already swapped where depth was negated
-  std::vector<Index> part_first;                        ///< first triangle of each TFACE
-  std::vector<std::vector<VertexIndex>> lines;          ///< PLine: one per ILINE, as chains of rows of `points`
-  std::vector<Vec3> path;                               ///< Well
-  std::vector<std::string> properties;                  ///< of its vertices, by name; their values are passed over
+  std::vector<Triangle> triangles;              ///< orientation already reversed if depth was negated
+  std::vector<Index> part_first;                ///< first triangle of each TFACE
+  std::vector<std::vector<VertexIndex>> lines;  ///< PLine: one per ILINE, as chains of rows of `points`
+  std::vector<Vec3> path;                       ///< Well
+  std::vector<std::string> properties;          ///< properties of its vertices, by name; their values are ignored
   std::vector<std::pair<std::string, double>> markers;  ///< Well: name and measured depth
   std::vector<GocadKeyFace> key_faces;                  ///< Model3d
   std::vector<GocadRegion> regions;                     ///< Model3d
 };
 
-/// Throws Error{invalid_input} at anything that would lose data in silence: a missing END, an id used before it stands,
-/// a number that is none. Objects of kinds that are not read (Voxet, SGrid, ...) come back with their kind and name
-/// alone.
+/// Throws Error{invalid_input} for anything that would lose data silently: a missing END, an id that is used before its
+/// definition, an invalid number. For kinds that are not read (Voxet, SGrid, ...) only kind and name are returned.
 std::vector<GocadObject> parse_gocad_objects(const InputFile& file);
 
 }  // namespace geomesh::geomodel

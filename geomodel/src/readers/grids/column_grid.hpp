@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What ZMAP+ and CPS-3 have in common: values at nodes, column by column from the west, each from the north.
+/// Shared by ZMAP+ and CPS-3: values at nodes, column by column from the west, each from the north.
 #pragma once
 
 #include "readers/grids/grid.hpp"
 
 namespace geomesh::geomodel {
 
-/// Where the next value of such a file belongs.
+/// The position of the next value in such a file.
 class ColumnMajorFill {
  public:
   explicit ColumnMajorFill(Grid& grid) : grid_(grid) {}

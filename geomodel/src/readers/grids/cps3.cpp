@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CPS-3 ASCII grids: records FSASCI (null value), FSLIMI, FSNROW, FSXINC, a line ->name, then values. Values stand at
-// nodes.
+// Reads CPS-3 ASCII grids: records FSASCI (null value), FSLIMI, FSNROW, FSXINC, a line ->name, then values. Values
+// belong to nodes.
 #include <cmath>
 #include <limits>
 
@@ -25,7 +25,7 @@ std::size_t count(const LineReader& lines, std::string_view token, const char* w
   return static_cast<std::size_t>(*n);
 }
 
-/// False where the line is no record of the header: values begin.
+/// Returns false if the line is not a record of the header, so that values begin.
 bool header_record(const LineReader& lines, Header& header) {
   Tokens tokens(lines.line());
   const std::string_view key = tokens.next();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ESRI ASCII raster (Arc/Info ASCIIGRID): keys in any case and order, then rows from the north. Values belong to cells:
-// xllcorner is the edge of a cell, xllcenter its centre. Line breaks carry no meaning; a decimal comma occurs.
+// Reads ESRI ASCII rasters (Arc/Info ASCIIGRID): keys in any case and order, then rows from the north. Values belong to
+// cells: xllcorner is the edge of a cell, xllcenter its centre. Line breaks have no meaning; decimal commas occur.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A decimal comma becomes a point.
+/// Replaces a decimal comma by a point.
 std::optional<double> number_with_comma(std::string_view token) {
   if (const auto value = to_double(token)) return value;
   std::string copy(token);
@@ -52,7 +52,7 @@ std::size_t whole_count(const InputFile& file, const std::optional<double>& n, c
   return static_cast<std::size_t>(*n);
 }
 
-/// The first node: a corner of the cell given plus half a cell, or its centre as given.
+/// Returns the first node: the given corner of the cell plus half a cell, or its given centre.
 double first_node(const InputFile& file, const std::optional<double>& corner, const std::optional<double>& centre,
                   double size, const char* key) {
   if (corner.has_value() == centre.has_value())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoTIFF through GDAL, which a module holds (geotiff_plugin.hpp): pixel-is-area and pixel-is-point come out of its
-// geotransform alike, as do no-data tag, scale and offset. The raster is taken from memory and its size compared with
-// the file's before anything is allocated.
+// Reads GeoTIFF with GDAL, which is in a module (geotiff_plugin.hpp): GDAL's geotransform handles pixel-is-area and
+// pixel-is-point, as well as the no-data tag, scale and offset. The raster is read from memory and its size compared
+// with the file's before anything is allocated.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,8 @@ namespace geomesh::geomodel {
 const GeomeshRasterReader& geotiff_plugin() {
   constexpr ModuleName gdal{"geomesh-gdal.so", "geomesh_raster_reader", "GeoTIFF is read by", "geomesh-gdal",
                             "libgdal-dev"};
-  static const void* const table = module_table(gdal, [](const void* t) {  // after a throw the next call tries again
+  // After an exception the next call tries again.
+  static const void* const table = module_table(gdal, [](const void* t) {
     return static_cast<const GeomeshRasterReader*>(t)->version == geomesh_raster_reader_version;
   });
   return *static_cast<const GeomeshRasterReader*>(table);
@@ -57,7 +58,7 @@ class Raster {
   GeomeshRaster* raster_;
 };
 
-/// Refused where a compressed file could not hold the columns and rows.
+/// Throws if a compressed file could not contain the columns and rows.
 void check_size(const InputFile& file, const GeomeshRaster& header) {
   constexpr std::size_t most_nodes_a_byte = 2000, most_nodes = 400'000'000;
   if (header.n_columns < 2 || header.n_rows < 2) file.fail("the raster has fewer than two columns or rows");
@@ -89,7 +90,7 @@ SourceFrame described_frame(const GeomeshRaster& header) {
   return frame;
 }
 
-/// Heights of band 1 at the cells' centres; rows as in the file.
+/// Returns heights of band 1 at the cells' centres; rows as in the file.
 NodeLattice read_nodes(const Raster& raster) {
   const GeomeshRaster& header = raster.header();
   const double* const t = header.transform;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Grids in netCDF (GMT, xarray, GDAL) and HDF5 files: what the numbers that the module reads (netcdf_grids.hpp) mean.
+// Interprets grids in netCDF (GMT, xarray, GDAL) and HDF5 files, whose numbers a module reads (netcdf_grids.hpp).
 #include <algorithm>
 
 #include "modules/module.hpp"
@@ -23,8 +23,8 @@ bool is_netcdf_file(const InputFile& file) {
   return head.size() == 4 && head.starts_with("CDF") && head[3] >= 1 && head[3] <= 5;
 }
 
-/// Whether heights count downwards. The attribute `positive` decides; without it the standard or long name, or the
-/// variable's own.
+/// Returns whether heights count downwards. The attribute `positive` decides; without it, the standard or long name, or
+/// the variable's own.
 bool is_depth(const NetcdfGrid& grid) {
   if (!grid.positive.empty()) return grid.positive == "down";
   const std::string own = grid.name.substr(grid.name.rfind('/') + 1);
@@ -37,7 +37,7 @@ bool says_direction(const NetcdfGrid& grid) {
          name.find("elevation") != std::string::npos || name.find("height") != std::string::npos;
 }
 
-/// One grid in metres with elevation up.
+/// Returns one grid in metres with elevation up.
 FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   FileContents contents;
   contents.frame.unit = grid.xy_unit;
@@ -60,7 +60,7 @@ FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   return contents;
 }
 
-/// Whether the values are lengths or travel times. Temperatures and percentages are not.
+/// Returns whether the values are lengths or travel times; temperatures and percentages are not.
 bool is_height(const NetcdfGrid& grid) {
   return length_unit_in_metres(grid.z_unit).has_value() || is_time_unit(grid.z_unit);
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The border between the reader of netCDF and HDF5 grids and the module that reads these files by netCDF
-/// (geomodel/plugins/netcdf_grids.cpp). Types of C++ cross it, so both sides are of one build.
+/// The interface between the reader of netCDF and HDF5 grids and the module that reads these files with the netCDF
+/// library (geomodel/plugins/netcdf_grids.cpp). C++ types are passed through it, so both sides must come from the same
+/// build.
 #pragma once
 
 #include <filesystem>
@@ -12,30 +13,30 @@
 
 namespace geomesh::geomodel {
 
-/// A variable over two axes, with the places of its nodes.
+/// A variable with two dimensions, and the positions of its nodes.
 struct NetcdfGrid {
-  std::string name;             ///< of the variable, with the groups that it is in: "group/variable"
-  NodeLattice lattice;          ///< as the file has the numbers, scale_factor and add_offset applied; z NaN: no value
+  std::string name;             ///< name of the variable with its groups: "group/variable"
+  NodeLattice lattice;          ///< numbers of the file after scale_factor and add_offset are applied; z NaN: no value
   std::string z_name;           ///< standard_name or long_name, else the variable's own name
-  std::string z_unit, xy_unit;  ///< as written; empty where the file names none
+  std::string z_unit, xy_unit;  ///< units as written; empty if the file names none
   std::string positive;         ///< "up", "down" or empty
   std::string system;           ///< "epsg:CODE", else the system's name, else empty
-  bool geographic = false;      ///< x and y are longitude and latitude in degrees
+  bool geographic = false;      ///< whether x and y are longitude and latitude in degrees
   bool cell_centred = false;    ///< GMT's pixel registration
-  bool regular = false;         ///< equal spacing along each axis, up to rounding
+  bool regular = false;         ///< whether spacing along each axis is constant, up to rounding
 };
 
 struct NetcdfGrids {
   std::vector<NetcdfGrid> grids;
-  std::vector<std::string> others;  ///< variables that are no grid of heights, each with the reason in brackets
+  std::vector<std::string> others;  ///< variables that are not grids of heights, each with the reason in brackets
 };
 
 struct NetcdfGridModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Throws Error{invalid_input} where the file is damaged.
+  /// Throws Error{invalid_input} if the file is damaged.
   NetcdfGrids (*read)(const std::filesystem::path& file);
 };
-/// The function of the module: const NetcdfGridModule* geomesh_netcdf_grids().
+/// Name of the module's function: const NetcdfGridModule* geomesh_netcdf_grids().
 constexpr const char* netcdf_grids_function = "geomesh_netcdf_grids";
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden Software Surfer grids: DSAA (text), DSBB (Surfer 6, binary), DSRB (Surfer 7, binary, tagged sections). Values
-// stand at nodes, rows run from ylo upward; a value of 1.70141e38 or more is blank.
+// Reads Golden Software Surfer grids: DSAA (text), DSBB (Surfer 6, binary), DSRB (Surfer 7, binary, tagged sections).
+// Values belong to nodes, rows are ordered from ylo upward; a value of 1.70141e38 or more is blank.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ void set_limits(const InputFile& file, Grid& grid, double x_low, double x_high, 
   grid.dy = node_spacing(file, "y", y_low, y_high, grid.n_rows);
 }
 
-/// Values of type T from byte `at`, row by row from the south; those of `no_data` or more are blank.
+/// Reads values of type T from byte `at`, row by row from the south; those of `no_data` or more are blank.
 template <class T>
 void read_values(const InputFile& file, std::size_t at, double no_data, Grid& grid) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OMF v1 (Open Mining Format 0.9.0): 60 bytes of header: magic, version, project id, where the JSON begins. Then arrays
-// compressed with zlib. Then JSON: a map from ids to objects that refer to each other. A vertex stands at project
-// origin + geometry origin + array.
+// Reads OMF v1 (Open Mining Format 0.9.0). The header has 60 bytes: magic, version, project id, start of the JSON. It
+// is followed by arrays compressed with zlib, then JSON: a map from ids to objects that refer to each other. The
+// position of a vertex is project origin + geometry origin + array.
 #include <zlib.h>
 
 #include <cmath>
@@ -18,8 +18,10 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr std::size_t header_bytes = 60;
-constexpr std::size_t most_flat_nodes = 100'000'000;  // of all flat grids: nothing in the file stands for them
-/// Bytes of all arrays, inflated: so many, and so many for each byte of the file. One array can be named many times.
+// Largest number of nodes of all flat grids, since these take no space in the file.
+constexpr std::size_t most_flat_nodes = 100'000'000;
+/// Largest number of bytes of all inflated arrays: a constant, plus a multiple of the file's size. One array can be
+/// named many times.
 constexpr std::size_t bytes_always = 100'000'000, bytes_a_byte = 100;
 constexpr std::string_view magic("\x84\x83\x82\x81", 4);
 
@@ -63,7 +65,7 @@ class OmfReader {
       project_id_ += {digits[byte >> 4], digits[byte & 15]};
     }
     if (objects_.contains(project_id_)) return;
-    for (const auto& [id, entry] : objects_.items())  // writers do not agree on the byte order of the id
+    for (const auto& [id, entry] : objects_.items())  // writers use different byte orders for the id
       if (entry.is_object() && entry.value("__class__", Json()) == "Project") project_id_ = id;
   }
 
@@ -96,7 +98,8 @@ class OmfReader {
     return v;
   }
 
-  /// The bytes of an array, inflated as far as they go: a lying length meets the end of the compressed data.
+  /// Returns the bytes of an array, inflated as far as possible: a wrong length is detected at the end of the
+  /// compressed data.
   std::string inflate(const Json& owner, const std::string& what) {
     const auto array = owner.find("array");
     if (array == owner.end() || !array->is_object() || !array->contains("start") || !array->contains("length") ||
@@ -206,7 +209,7 @@ class OmfReader {
     contents_.surfaces.push_back(std::move(s));
   }
 
-  /// Widths of cells stand in the geometry itself, or in an array that it names.
+  /// Returns widths of cells, which are in the geometry itself or in an array that it names.
   std::vector<double> widths(const Json& geometry, const char* key, const std::string& name) {
     const std::string what = name + "." + key;
     const auto it = geometry.find(key);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fault sticks as Charisma has them and Petrel and OpendTect export them, a point a line:
+// Reads fault sticks in the format of Charisma, which Petrel and OpendTect export, one point per line:
 //   INLINE-  <inline>  <crossline>  <x>  <y>  <z>  <name of the fault>  <number of the stick>
 #include <map>
 
@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The rest of a line that begins with "INLINE-" or another type of line; empty where it begins with none.
+/// Returns the rest of a line that begins with "INLINE-" or another line type; empty if it begins with none.
 std::string_view behind_line_type(std::string_view line) {
   line = trim(line);
   for (const std::string_view type : {"INLINE-", "CROSSLINE-", "XLINE-", "CRSLINE-", "TRACE-", "RANDOM-"})
@@ -51,7 +51,7 @@ bool is_charisma(const InputFile& file) {
 FileContents read_charisma(const InputFile& file) {
   FileContents contents;
   contents.format = "Charisma fault sticks";
-  std::map<std::pair<std::string, std::string>, std::size_t> known;  // of a fault and a stick
+  std::map<std::pair<std::string, std::string>, std::size_t> known;  // sticks by fault and stick
   std::map<std::string, std::size_t> n_sticks;
   LineReader lines(file);
   while (lines.next()) {

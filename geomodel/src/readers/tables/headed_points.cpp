@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points whose header defines the columns: EarthVision ("# Field: 1 x" ...; with "# Grid_size" and the fields column
-// and row a grid) and Petrel points with attributes (VERSION, BEGIN HEADER, one name a line, END HEADER).
+// Reads points whose header defines the columns: EarthVision ("# Field: 1 x" ...; with "# Grid_size" and the fields
+// column and row a grid) and Petrel points with attributes (VERSION, BEGIN HEADER, one name a line, END HEADER).
 #include <algorithm>
 #include <limits>
 
@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// What stands behind the colon of a line "# Key: value"; empty where the line has another key.
+/// Returns the text after the colon of a line "# Key: value"; empty if the line has another key.
 std::string_view comment_value(std::string_view line, std::string_view key) {
   line = trim(line);
   if (line.empty() || line.front() != '#') return {};
@@ -41,7 +41,7 @@ std::optional<std::pair<std::size_t, std::size_t>> grid_size(std::string_view va
   return std::pair(static_cast<std::size_t>(*nx), static_cast<std::size_t>(*ny));
 }
 
-/// Lines of data begin where the comments of the header end.
+/// Skips to the lines of data, which begin after the comments of the header.
 void skip_comments(LineReader& lines) {
   while (lines.next()) {
     const std::string_view line = trim(lines.line());
@@ -84,7 +84,7 @@ EarthVisionHeader earth_vision_header(LineReader lines) {
   return header;
 }
 
-/// Nodes by their columns and rows.
+/// Adds nodes by their columns and rows.
 void add_grid(const InputFile& file, const Table& table, std::pair<std::size_t, std::size_t> size,
               FileContents& contents) {
   const auto [n_columns, n_rows] = size;

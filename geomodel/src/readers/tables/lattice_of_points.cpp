@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points that stand on a lattice, declared in readers/tables/table.hpp.
+// Recognises points that form a lattice, declared in readers/tables/table.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,16 +9,16 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Positions of nodes along one axis, multiples of one spacing but for the rounding of the file.
+/// Positions of nodes along one axis, which are multiples of one spacing up to the rounding of the file.
 struct Axis {
   double first = 0, spacing = 0;
   std::size_t n = 0;
 
-  /// The node of a coordinate, which lies near one.
+  /// Returns the node near a coordinate.
   std::size_t node(double v) const { return static_cast<std::size_t>(std::llround((v - first) / spacing)); }
 };
 
-/// The most that a node may be off its place, as a part of the spacing: files round coordinates, some to single
+/// Largest distance of a node from its position, as a share of the spacing: files round coordinates, some to single
 /// precision.
 constexpr double most_off = 0.02;
 

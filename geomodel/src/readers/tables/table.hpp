@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Tables of points in text: how their fields are parted, what their columns mean, and what becomes of them.
+/// Tables of points in text: how their fields are separated, what their columns mean, and how they are converted.
 #pragma once
 
 #include <limits>
@@ -15,45 +15,46 @@
 
 namespace geomesh::geomodel {
 
-/// How the fields of a line are parted and numbers are written.
+/// How the fields of a line are separated and how numbers are written.
 struct Separation {
-  char delimiter = ' ';  ///< ' ': any run of blanks and tabs; else this character, around which blanks are allowed
+  char delimiter = ' ';  ///< ' ': any run of blanks and tabs; else this character, optionally surrounded by blanks
   bool decimal_comma = false;
 
-  /// Fields without quotes and blanks around them.
+  /// Returns the fields without surrounding quotes and blanks.
   std::vector<std::string_view> split(std::string_view line) const;
-  /// Thousands may be parted by commas (by points or apostrophes where there is a decimal comma).
+  /// Thousands may be separated by commas (by points or apostrophes if there is a decimal comma).
   std::optional<double> number(std::string_view field) const;
 };
-/// Told from one line of data: ';', tab, ',' or blanks; "1,5 2,5 3,5" and "1,5;2,5;3,5" have decimal commas.
+/// Determined from one line of data: ';', tab, ',' or blanks; "1,5 2,5 3,5" and "1,5;2,5;3,5" have decimal commas.
 Separation sniff_separation(std::string_view line);
 
-/// "Depth [ft]", "Z (m)", "depth_ft": the name in lower case, and its unit; an empty unit where there is none.
+/// Splits "Depth [ft]", "Z (m)" or "depth_ft" into the name in lower case and the unit, which is empty if there is
+/// none.
 std::pair<std::string, std::string> column_name_and_unit(std::string_view text);
 
-/// Which columns (from 0) matter.
+/// The numbers, from 0, of the columns that are used.
 struct Columns {
   std::size_t x = 0, y = 1, z = 2;
-  std::optional<std::size_t> group;        ///< a name that parts the points into sets
+  std::optional<std::size_t> group;        ///< a name that divides the points into sets
   std::optional<std::size_t> stick;        ///< a number or name that divides the points of a set into lines
   std::optional<std::size_t> column, row;  ///< of a grid
   std::string group_name;
   bool depth = false, geographic = false;
   std::string z_unit;
 };
-/// From names as files write them ("X", "Easting [m]", "depth_ft", "formation"). Empty where x, y or z are not among
-/// them. Throws Error{invalid_input} at the line of `at` where z is a time.
+/// Recognises columns by the names that are common in files ("X", "Easting [m]", "depth_ft", "formation"). Returns
+/// nothing if x, y or z are not among them. Throws Error{invalid_input} at the line of `at` if z is a time.
 std::optional<Columns> columns_by_name(const LineReader& at, const std::vector<std::string>& names);
 
-/// What the columns of a table mean by the project's `columns`: the meanings at the places that its entries name, by a
-/// name of the header or a number from 1; empty names elsewhere. Throws Error{invalid_input} at the line of `at` where
-/// there is no such column.
+/// Returns the meaning of each column according to the project's `columns`, whose entries refer to a name in the header
+/// or to a number from 1; empty for other columns. Throws Error{invalid_input} at the line of `at` if there is no such
+/// column.
 std::vector<std::string> names_of_columns(const LineReader& at, const std::vector<ReadOptions::Column>& asked,
                                           const std::vector<std::string>& header, std::size_t n_columns);
 
 /// Sets columns.group to the first column, in the order formation, surface, horizon, layer, unit, feature_name ... val,
-/// that parts the rows to come into at least two sets of three rows or more on average. `lines` is a copy: the caller's
-/// stays where it is.
+/// that divides the following rows into at least two sets of three rows or more on average. `lines` is a copy, so the
+/// position of the caller's reader does not change.
 void choose_group(LineReader lines, const Separation& separation, const std::vector<std::string>& names,
                   Columns& columns);
 
@@ -61,28 +62,27 @@ void choose_group(LineReader lines, const Separation& separation, const std::vec
 struct TableRow {
   Vec3 point;
   std::string group, stick;
-  std::size_t column = 0, row = 0;  ///< of a grid, from 0
+  std::size_t column = 0, row = 0;  ///< column and row in a grid, from 0
 };
 struct Table {
   Columns columns;
   std::vector<TableRow> rows;
-  std::size_t n_skipped = 0;  ///< rows without a value of x, y or z
-  bool has_lines = false;     ///< the points are of lines, parted by a column or by lines that begin with >
+  std::size_t n_skipped = 0;  ///< number of rows without a value of x, y or z
+  bool has_lines = false;     ///< whether the points form lines, separated by a column or by lines that begin with >
 };
-/// The rows from the reader's next line on; blank lines and those that begin with # or ! are passed over, and one that
-/// begins with > begins a new stick. `null`:
-/// heights of this size and more have no value. Throws Error{invalid_input} with the line where a field is no number or
-/// missing.
+/// Reads the rows from the reader's next line on; blank lines and those that begin with # or ! are skipped, and one
+/// that begins with > starts a new stick. `null`: heights of at least this size mean no value. Throws
+/// Error{invalid_input} with the line if a field is missing or is not a number.
 Table read_table(LineReader& lines, const Separation& separation, Columns columns,
                  double null = std::numeric_limits<double>::infinity());
 
-/// Point sets of the table, one a group, or the lines of its sticks; a set that fills a regular lattice becomes a
-/// surface instead. Coordinates are
-/// not converted; contents.frame is filled. Throws Error{invalid_input} where there is no point.
+/// Adds the point sets of the table, one for each group, or the lines of its sticks; a set that fills a regular lattice
+/// becomes a surface instead. Coordinates are not converted; contents.frame is filled. Throws Error{invalid_input} if
+/// there are no points.
 void add_table(const InputFile& file, const Table& table, FileContents& contents);
 
-/// The points as a lattice. They must stand at the nodes of a regular one along x and y, of which at least a quarter
-/// is present. Nodes keep their coordinates. Empty otherwise. O(n log n).
+/// Returns the points as a lattice if they are at the nodes of a regular one along x and y, of which at least a quarter
+/// is present; otherwise nothing. Nodes keep their coordinates. O(n log n).
 std::optional<NodeLattice> lattice_of_points(const std::vector<Vec3>& points);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XYZ and CSV points: separation, decimal comma and header are told from the first lines. Nothing is guessed about
-// columns: the project says which they are, or a header names x, y and z in a way that is known, or there are three.
+// Reads XYZ and CSV points: separator, decimal comma and header are determined from the first lines. Columns are never
+// guessed: the project defines them, or a header names x, y and z in a known way, or there are exactly three.
 #include <algorithm>
 #include <cmath>
 
@@ -47,7 +47,7 @@ Columns columns_of_header(const LineReader& lines, const std::vector<std::string
   return {};
 }
 
-/// A first line of numbers that are no point: how many rows and columns follow.
+/// Throws for a first line of numbers that is not a point but gives the number of rows and columns.
 void refuse_counts(const InputFile& file, std::size_t line, const std::vector<TableRow>& rows) {
   if (rows.size() < 4) return;
   const Vec3& first = rows.front().point;
@@ -69,7 +69,7 @@ void refuse_counts(const InputFile& file, std::size_t line, const std::vector<Ta
               "and no point; take it out, or begin it with '#'");
 }
 
-/// What the columns mean where the project says so.
+/// Returns the meaning of the columns if the project defines it.
 Columns asked_columns(const LineReader& lines, const InputFile& file, const std::vector<std::string>& header,
                       std::size_t n_columns, std::vector<std::string>& names) {
   names = names_of_columns(lines, file.options.columns, header, n_columns);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Numbers out of bytes, whatever the byte order of the machine.
+/// Reads numbers from bytes, whatever the byte order of the machine.
 #pragma once
 
 #include <algorithm>

@@ -56,7 +56,7 @@ std::string in_quotes(std::string_view token) {
 
 namespace {
 
-/// Length of the UTF-8 sequence that begins at `at`; 0 where there is none.
+/// Returns the length of the UTF-8 sequence that begins at `at`; 0 if there is none.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(at);

@@ -13,15 +13,15 @@ namespace {
 
 /// No height in any unit of length reaches this; no-data values of many programs do (1e30, 1.70141e38, 3.4e38).
 constexpr double beyond_all_lengths = 1e20;
-/// How far a value that programs write for no data lies from the rest, over the range of the rest.
+/// Least distance of a known no-data value from the other values, relative to their range.
 constexpr double marker_gap = 0.1, single_marker_gap = 2;
-/// How far any other value lies from the rest, over the range of the rest, before it is reported. A faulted or folded
-/// horizon has values through most of its range; ten times the range is no geology.
+/// Distance of any other value from the rest, relative to their range, from which it is reported. A faulted or folded
+/// horizon has values through most of its range; ten times the range is geologically impossible.
 constexpr double odd_gap = 10;
 constexpr std::size_t most_odd = 8;
-constexpr std::size_t least_heights = 8;  // among fewer, nothing is far from the rest
+constexpr std::size_t least_heights = 8;  // among fewer heights none is considered unusual
 
-/// Written for "no value" by programs of this field: Petrel, SKUA, ZMAP+, Surfer, Irap, LAS, GIS.
+/// Values that common programs write for "no value": Petrel, SKUA, ZMAP+, Surfer, Irap, LAS, GIS.
 constexpr std::array written_for_no_data{-9999.0,    9999.0,    -99999.0, 99999.0, -999999.0,     999999.0,
                                          -9999999.0, -999.0,    -999.25,  -999.9,  -9999.25,      999.25,
                                          9999900.0,  9999999.0, -32768.0, 32767.0, -2147483648.0, 2147483647.0};
@@ -30,7 +30,7 @@ bool is_written_for_no_data(double v) {
   return std::find(written_for_no_data.begin(), written_for_no_data.end(), v) != written_for_no_data.end();
 }
 
-/// The two lowest and the two highest different values of those not found odd yet.
+/// The two lowest and the two highest distinct values of those not found to be unusual yet.
 struct Extremes {
   double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double high[2] = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -55,7 +55,7 @@ struct Extremes {
   }
 };
 
-/// The lowest or highest value against the rest.
+/// The lowest or highest value compared with the rest.
 struct Outermost {
   double value, gap, range;
   std::size_t count, first;
@@ -71,7 +71,7 @@ std::optional<OddHeight> judge(const Outermost& v) {
   return as(v.count > 1 ? Kind::repeated : Kind::spike);
 }
 
-/// What is beyond every length, and what the user named.
+/// Returns the values beyond every length, and those that the user named.
 std::vector<OddHeight> certain_ones(std::span<const double> heights, const ReadOptions& options) {
   std::vector<OddHeight> odd;
   for (std::size_t i = 0; i < heights.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Values that stand for "no height here" although no header says so, found by how they lie among the others.
+/// Finds values that mean "no height here" although no header says so, by their distance from the others.
 #pragma once
 
 #include <cstddef>
@@ -15,36 +15,35 @@
 
 namespace geomesh::geomodel {
 
-/// One value that is no height, or hardly one.
+/// One value that is not a height, or is implausible as one.
 struct OddHeight {
   enum class Kind {
-    no_data,   ///< a value that programs write where they have none: left out
-    repeated,  ///< repeats exactly and lies far outside the rest: reported, and kept
-    spike,     ///< stands once and lies far outside the rest: reported, and kept
+    no_data,   ///< a value that programs write for "no data": it is left out
+    repeated,  ///< repeats exactly and lies far from the others: reported and kept
+    spike,     ///< occurs once and lies far from the others: reported and kept
   };
   Kind kind = Kind::no_data;
   double value = 0;
   std::size_t count = 0;
-  std::size_t first = 0;  ///< row of the first one
+  std::size_t first = 0;  ///< row of its first occurrence
 };
 
-/// The odd values among the heights; NaN has no height and is passed over.
-///
-/// No data is what no length on earth reaches (1e20 and more), and what the user named. So are values that programs
-/// write for it (-9999, -99999, -999.25, limits of types) where they are the lowest or highest of all. They must be
-/// separated from the rest by a tenth of the range of the rest; if they stand once, by twice that range. Any other
-/// lowest or highest value is odd where it is separated from the rest by ten times the range of the rest. O(n), and at
-/// most `most_odd` values are found.
+/// Returns the unusual values among the heights; NaN is ignored. No data are values that no length on earth reaches
+/// (1e20 and more), those that the user named, and values that programs write for it (-9999, -99999, -999.25, limits of
+/// types) if they are the lowest or highest of all and separated from the rest by a tenth of the range of the rest, or
+/// by twice that range if they occur once. Any other lowest or highest value is unusual if it is separated from the
+/// rest by ten times the range of the rest. O(n), and at most `most_odd` values are found.
 std::vector<OddHeight> find_odd_heights(std::span<const double> heights, const ReadOptions& options);
 
-/// True where a height of `odd` is left out; equality up to the rounding of single precision where 1e20 is passed.
+/// Returns true if a height listed in `odd` is left out; values above 1e20 are compared up to the rounding of single
+/// precision.
 bool is_left_out(double height, std::span<const OddHeight> odd);
 
 /// "(432500, 5801200)".
 std::string map_place_words(const Vec3& p);
 
-/// What is said of the odd heights of `name`: "12 nodes of 'top' have the height -9999 ...". `what` is "nodes",
-/// "points" or "vertices"; `place` gives the words for the place of a row.
+/// Returns the messages on unusual heights of `name`: "12 nodes of 'top' have the height -9999 ...". `what` is "nodes",
+/// "points" or "vertices"; `place` returns the text for the place of a row.
 std::vector<std::string> describe_odd_heights(std::span<const OddHeight> odd, const std::string& name, const char* what,
                                               const std::function<std::string(std::size_t)>& place);
 

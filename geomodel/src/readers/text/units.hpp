@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Units of length as files and projects spell them.
+/// Units of length in the spellings of files and projects.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace geomesh::geomodel {
 
-/// Metres per unit: m, km, ft (international), ftUS (survey) and their spellings; "none" and "unknown" count as metres.
-/// Empty where the word is no unit of length.
+/// Returns metres per unit: m, km, ft (international), ftUS (survey) and their spellings; "none" and "unknown" count as
+/// metres. Returns nothing if the word is not a unit of length.
 std::optional<double> length_unit_in_metres(std::string_view unit);
-/// True for units of time (ms, s ...): surfaces in two-way time have no place in a mesh.
+/// Returns true for units of time (ms, s ...), because surfaces in two-way time cannot be meshed.
 bool is_time_unit(std::string_view unit);
-/// As above; an error at the line of `at` where the unit is one of time or not known.
+/// The same, but throws an error at the line of `at` if the unit is one of time or unknown.
 double length_unit_in_metres(const LineReader& at, std::string_view unit);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From the ids of a file (any base, gaps, out of order) to rows.
+/// Converts the ids of a file (any base, gaps, any order) to rows.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace geomesh::geomodel {
 
-/// Ids up to `dense_limit` (chosen from the file's size, so that a lying id costs no memory) stand in a table, others
-/// in a tree.
+/// Ids up to `dense_limit` (which depends on the file's size, so that a wrong id costs no memory) are in a table,
+/// others in a tree.
 class VertexIds {
  public:
   explicit VertexIds(std::size_t dense_limit) : dense_limit_(dense_limit) {}
@@ -28,7 +28,7 @@ class VertexIds {
     }
   }
 
-  /// `no_vertex` where the id is not known.
+  /// Returns `no_vertex` if the id is unknown.
   VertexIndex find(std::int64_t id) const {
     if (id >= 0 && static_cast<std::uint64_t>(id) < dense_.size()) return dense_[static_cast<std::size_t>(id)];
     const auto it = sparse_.find(id);

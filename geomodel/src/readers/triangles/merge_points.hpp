@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Equal points made one.
+/// Merges equal points.
 #pragma once
 
 #include <vector>

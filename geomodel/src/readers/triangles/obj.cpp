@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ: v and f (v, v/vt, v//vn, v/vt/vn; negative indices count from the end; polygons), l as polylines. o
-// and g make no surfaces of their own: a file is one surface, for its groups share vertices and have no fixed meaning.
+// Reads Wavefront OBJ: v and f (v, v/vt, v//vn, v/vt/vn; negative indices count from the end; polygons), l as
+// polylines. o and g do not start new surfaces: a file is one surface, because its groups share vertices and have no
+// fixed meaning.
 #include "readers/formats.hpp"
 #include "readers/text/text.hpp"
 #include "readers/triangles/single_surface.hpp"
@@ -8,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The logical line: a backslash at the end joins the next one.
+/// Returns the logical line: a backslash at the end continues it on the next one.
 std::string_view joined_line(LineReader& lines, std::string& buffer) {
   std::string_view line = lines.line();
   if (line.empty() || line.back() != '\\') return line;
@@ -57,7 +58,7 @@ FileContents read_obj(const InputFile& file) {
     std::size_t first, line;
   };
   std::vector<Face> faces;
-  std::vector<std::int64_t> corners;  // faces may name vertices that stand further below: they are built at the end
+  std::vector<std::int64_t> corners;  // faces may refer to vertices that follow later, so they are built at the end
   std::size_t n_other = 0;
   while (lines.next()) {
     const std::size_t number = lines.number();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF (Geomview): "OFF", counts, vertices, polygons with optional colours. The prefixes ST, C, N, 4 are understood as
-// far as they leave three coordinates in front.
+// Reads OFF (Geomview): "OFF", counts, vertices, polygons with optional colours. The prefixes ST, C, N, 4 are accepted
+// if each line still begins with three coordinates.
 #include "readers/formats.hpp"
 #include "readers/text/text.hpp"
 #include "readers/triangles/single_surface.hpp"
@@ -8,14 +8,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// "OFF" with its known prefixes, or empty.
+/// Returns "OFF" with its known prefixes, or an empty text.
 std::string_view off_keyword(std::string_view token) {
   for (const std::string_view name : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STNOFF", "STCNOFF"})
     if (token == name) return name;
   return {};
 }
 
-/// The next line with content, comments cut off.
+/// Returns the next line with content, without comments.
 bool next_content(LineReader& lines, std::string_view& content) {
   while (lines.next()) {
     const std::string_view line = lines.line();

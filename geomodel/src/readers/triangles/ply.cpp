@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY, ASCII and binary of both byte orders: vertices (x, y, z) and polygons (vertex_indices or vertex_index); other
-// elements and properties are passed over.
+// Reads PLY, ASCII and binary in both byte orders: vertices (x, y, z) and polygons (vertex_indices or vertex_index);
+// other elements and properties are ignored.
 #include <cmath>
 #include <map>
 #include <optional>
@@ -56,7 +56,7 @@ struct PlyElement {
 
 enum class PlyEncoding { ascii, little, big };
 
-/// Values one by one, from text or bytes.
+/// Reads values one by one, from text or bytes.
 class PlyValues {
  public:
   PlyValues(const InputFile& file, std::size_t body, PlyEncoding encoding, std::size_t header_lines)
@@ -210,7 +210,7 @@ void read_face(PlyValues& values, const PlyElement& element, std::vector<std::in
   builder.add_polygon(polygon, values.line());
 }
 
-/// Bytes that one item takes at the least; no header can claim more items than the file can hold.
+/// Returns the least number of bytes of one item, so that a header cannot declare more items than the file can contain.
 std::size_t least_bytes(const PlyElement& element, PlyEncoding encoding) {
   std::size_t bytes = 0;
   for (const PlyProperty& p : element.properties) {

@@ -15,7 +15,7 @@ bool in_triangle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
          orient2d(c, a, p) != Sign::negative;
 }
 
-/// Strictly convex at `i`, and no other corner of the polygon that is left in the ear.
+/// Returns whether the corner `i` is strictly convex, and no other remaining corner of the polygon is in the ear.
 bool is_ear(const std::vector<Vec2>& corner, const std::vector<std::size_t>& left, std::size_t i) {
   const std::size_t n = left.size();
   const Vec2 &a = corner[left[(i + n - 1) % n]], &b = corner[left[i]], &c = corner[left[(i + 1) % n]];

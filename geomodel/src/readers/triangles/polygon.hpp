@@ -20,15 +20,16 @@ struct PlaneProjection {
   std::size_t axis[2] = {0, 1};
 };
 
-/// Ears cut one by one, the first ear in the order of the loop each time; the triangles keep the loop's orientation.
-/// Empty where the polygon crosses itself in projection, or is degenerate. Quadratic in the polygon's size.
+/// Triangulates by ear clipping, using the first ear in the order of the loop each time; the triangles keep the loop's
+/// orientation. Returns an empty list if the polygon crosses itself in projection, or is degenerate. Quadratic in the
+/// polygon's size.
 std::vector<Triangle> triangulate_polygon(std::span<const Vec3> points, std::span<const VertexIndex> loop);
 
-/// Appends the polygon as triangles. A triangle is taken as it is, degenerate or not. False where the polygon cannot be
-/// triangulated.
+/// Appends the polygon as triangles. A triangle is appended unchanged, degenerate or not. Returns false if the polygon
+/// cannot be triangulated.
 bool append_polygon(std::span<const Vec3> points, std::span<const VertexIndex> loop, std::vector<Triangle>& triangles);
 
-/// 1 inside, 0 on the border, -1 outside.
+/// Returns 1 inside, 0 on the border, -1 outside.
 int side_of_polygon(std::span<const Vec2> polygon, const Vec2& p);
 
 }  // namespace geomesh::geomodel

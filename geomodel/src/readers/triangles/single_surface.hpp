@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What readers of formats with one bare mesh a file have in common.
+/// Shared by the readers of formats with a single mesh per file.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class SurfaceBuilder {
   explicit SurfaceBuilder(const InputFile& file) : SurfaceBuilder(file, file.path.stem().string()) {}
 
   std::vector<Vec3>& points() { return surface_.points; }
-  /// `line` 0: no line in messages. Indices from 0.
+  /// `line` 0 means no line in messages. Indices start at 0.
   void add_polygon(const std::vector<std::int64_t>& polygon, std::size_t line);
   bool empty() const { return surface_.triangles.empty(); }
   std::size_t n_split() const { return n_split_; }
@@ -31,13 +31,13 @@ class SurfaceBuilder {
   const InputFile& file_;
   TriangulatedSurface surface_;
   std::vector<VertexIndex> loop_;
-  std::size_t n_split_ = 0;  ///< polygons that became several triangles
+  std::size_t n_split_ = 0;  ///< number of polygons that were divided into several triangles
 };
 
-/// Contents with that one surface; an error where it has no triangle.
+/// Returns contents with that one surface; throws if it has no triangle.
 FileContents one_surface(const InputFile& file, std::string format, SurfaceBuilder&& builder);
 
-/// Adds a note where polygons were split.
+/// Adds a note if polygons were divided.
 void note_split_polygons(std::size_t n_split, FileContents& contents);
 
 }  // namespace geomesh::geomodel

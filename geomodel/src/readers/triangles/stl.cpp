@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL, ASCII and binary. A binary file may begin with "solid": the size decides. Every triangle comes with three points
-// of its own. Equal ones are merged here, exactly: the format has no other way to say that triangles share a vertex.
+// Reads STL, ASCII and binary. A binary file may begin with "solid", so its size decides. Every triangle has three
+// points of its own. Exactly equal points are merged here, because the format has no other way to express that
+// triangles share a vertex.
 #include <cmath>
 
 #include "readers/formats.hpp"
@@ -68,7 +69,7 @@ FileContents read_binary(const InputFile& file) {
   return contents;
 }
 
-/// Within one facet ... endfacet; the reader stands on the line of `facet`.
+/// Reads one facet ... endfacet; the reader is at the line of `facet`.
 void read_facet(LineReader& lines, std::vector<Vec3>& corners) {
   std::size_t n = 0;
   while (lines.next()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TetGen .poly, .smesh and .node (Si, TetGen manual 1.5, section 5.2): piecewise linear complexes as they are.
+// Reads TetGen .poly, .smesh and .node (Si, TetGen manual 1.5, section 5.2): piecewise linear complexes, which are not
+// changed.
 #include "readers/triangles/tetgen.hpp"
 
 #include "geomesh/geomodel/readers.hpp"
@@ -9,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// One line with content at a time; `#` begins a comment.
+/// Reads one line with content at a time; `#` begins a comment.
 class TetgenLines {
  public:
   explicit TetgenLines(const InputFile& file) : lines_(file) {}
@@ -36,7 +37,7 @@ class TetgenLines {
                   (token.empty() ? "the end of the line" : in_quotes(token)));
     return *value;
   }
-  /// A count that the file can hold at two bytes an item.
+  /// Returns a count of items for which the file is large enough with two bytes each.
   std::size_t count(Tokens& tokens, const char* what) const {
     const std::int64_t n = integer(tokens, what);
     if (n < 0 || static_cast<std::uint64_t>(n) > lines_.file().size() / 2) {
@@ -107,7 +108,7 @@ class TetgenParser {
     }
   }
 
-  /// n vertex numbers, which may run on over several lines.
+  /// Reads n vertex numbers, which may continue over several lines.
   std::vector<VertexIndex> vertices(Tokens& tokens, std::size_t n) {
     std::vector<VertexIndex> out;
     while (out.size() < n) {
@@ -168,7 +169,7 @@ class TetgenParser {
     }
   }
 
-  /// A facet of segments and points alone: they are isolated constraints.
+  /// Adds a facet that consists only of segments and points, which are isolated constraints.
   void add_loose(const TetgenFacet& facet) {
     for (const auto& polygon : facet.polygons) {
       if (polygon.size() == 2) out_.plc.segments.push_back({polygon[0], polygon[1]});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and points of map programs (Shapefile, GeoPackage, GeoJSON), which a module reads by GDAL: which column is the
-// name, and which the height where the points have none of their own.
+// Interprets lines and points of map programs (Shapefile, GeoPackage, GeoJSON), which a module reads with GDAL: which
+// column is the name, and which is the height if the points have none.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -22,7 +22,7 @@ const VectorModule& vector_module() {
   return module;
 }
 
-/// The name that the columns give, else that of the layer.
+/// Returns the name that the columns give, else that of the layer.
 std::string name_of(const VectorFeature& feature) {
   static constexpr std::array names{"name",  "fault", "fault_name", "horizon",   "surface", "formation",
                                     "layer", "unit",  "well",       "well_name", "label",   "id"};
@@ -79,8 +79,8 @@ class VectorReader {
     points.insert(points.end(), feature.points.begin(), feature.points.end());
   }
 
-  /// The height of a feature whose points have none of their own: the value of its first column that is named as a
-  /// height. Nothing where the points have heights, or no column does.
+  /// Returns the height of a feature whose points have none: the value of its first column with a name for heights.
+  /// Nothing if the points have heights, or if there is no such column.
   std::optional<double> height_of(const VectorFeature& feature) {
     if (feature.has_z) return std::nullopt;
     for (const auto& [column, value] : feature.numbers) {

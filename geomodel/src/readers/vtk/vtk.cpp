@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK's files as surfaces: PolyData (.vtp, .vtk) with polygons, strips and lines; UnstructuredGrid (.vtu, .vtk) with
-// triangles, polygons and lines. Single-precision points are widened. Volume cells are no surface: such a file is
-// refused here (`geomesh info` and `check` read it).
+// Reads VTK files as surfaces: PolyData (.vtp, .vtk) with polygons, strips and lines; UnstructuredGrid (.vtu, .vtk)
+// with triangles, polygons and lines. Single-precision points are converted to doubles. Volume cells are not surfaces:
+// such a file is refused here (`geomesh info` and `check` read it).
 #include <cmath>
 
 #include "readers/formats.hpp"

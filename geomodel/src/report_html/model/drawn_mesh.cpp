@@ -9,9 +9,9 @@
 namespace geomesh::geomodel::page {
 namespace {
 
-/// How much of the model's outline hangs on each vertex: sides of the box count more than all other surfaces.
+/// Returns the importance of each vertex for the model's outline: sides of the box count more than all other surfaces.
 std::vector<std::uint8_t> weights_of(const ModelMesh& mesh) {
-  constexpr std::size_t most = 4;  // surfaces told apart at one vertex
+  constexpr std::size_t most = 4;  // number of surfaces that are distinguished at one vertex
   constexpr std::uint8_t of_side = 5, of_other = 1;
   std::vector<std::array<std::int32_t, most>> met(mesh.points.size());
   std::vector<std::uint8_t> weight(mesh.points.size(), 0);
@@ -30,7 +30,7 @@ std::vector<std::uint8_t> weights_of(const ModelMesh& mesh) {
   return weight;
 }
 
-/// The vertex that stands for each one, with cells of this width.
+/// Returns the vertex that represents each one, with cells of this width.
 std::vector<VertexIndex> cluster(const ModelMesh& mesh, const std::vector<std::uint8_t>& weight, const Vec3& low,
                                  const Vec3& width) {
   struct Hash {
@@ -84,7 +84,7 @@ DrawnMesh drawn_mesh(const ModelMesh& mesh, double stretch, const DrawingLimits&
   for (const Vec3& p : mesh.points) bounds.add(p);
   const Vec3 size = bounds.max - bounds.min;
   const double stretched_volume = size.x * size.y * size.z * stretch;
-  // Units are wide and thin: cells are flat, so that the thin ones are left. A grid has about six tetrahedra a cell.
+  // Units are wide and thin, so cells are flat, which preserves thin units. A grid has about six tetrahedra per cell.
   constexpr double flatness = 3;
   double width =
       std::cbrt(std::max(stretched_volume, 1e-300) * flatness * 6 / static_cast<double>(limits.tetrahedra)) / 2;

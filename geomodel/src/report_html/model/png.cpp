@@ -19,7 +19,7 @@ std::string big_endian(std::uint32_t value) {
 std::string chunk(const std::string& kind, const std::string& body) {
   const std::string checked = kind + body;
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()),
-                         static_cast<uInt>(checked.size()));  // a PNG is below 4 GB
+                         static_cast<uInt>(checked.size()));  // a PNG is smaller than 4 GB
   return big_endian(static_cast<std::uint32_t>(body.size())) + checked + big_endian(static_cast<std::uint32_t>(sum));
 }
 
@@ -33,7 +33,7 @@ std::string deflated(const std::string& text) {
   return packed;
 }
 
-/// Each row as its differences from the row above: flat areas become zeros.
+/// Replaces each row by its differences from the row above, so that flat areas become zeros.
 std::string filtered_rows(const Picture& picture) {
   constexpr char up = 2;
   const std::size_t stride = 3 * picture.width;

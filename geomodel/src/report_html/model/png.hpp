@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pictures as PNG bytes.
+/// Encodes pictures as PNG.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace geomesh::geomodel::page {
 
-/// Rows from the top, three bytes a pixel.
+/// Rows from the top, three bytes per pixel.
 struct Picture {
   std::size_t width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
 };
 
-/// PNG (ISO/IEC 15948), eight bits a channel. Throws std::runtime_error where zlib fails.
+/// Returns PNG data (ISO/IEC 15948), eight bits per channel. Throws std::runtime_error if zlib fails.
 std::string to_png(const Picture& picture);
 
-/// RFC 4648, section 4.
+/// Encodes as in RFC 4648, section 4.
 std::string base64(std::string_view bytes);
 
 }  // namespace geomesh::geomodel::page

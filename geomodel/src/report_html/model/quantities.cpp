@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers that the viewer colours by, declared in viewer.hpp.
+// Computes the values by which the viewer colours, declared in viewer.hpp.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_quantities = 12;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Values between the hundredths at both ends; the whole range where that is nothing.
+/// Returns the range without the outermost hundredth at both ends; the whole range if nothing would be left.
 std::pair<double, double> plain_range(const std::vector<double>& values) {
   std::vector<double> known;
   std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
@@ -55,7 +55,7 @@ double mean_edge(const ModelMesh& mesh, const Tetrahedron& v) {
   return sum / 6;
 }
 
-/// First in the list: of every mesh.
+/// Returns the quantities that every mesh has; they come first in the list.
 std::vector<Quantity> shapes(const ModelMesh& mesh) {
   std::vector<double> angles, edges;
   for (const Tetrahedron& v : mesh.tetrahedra) {

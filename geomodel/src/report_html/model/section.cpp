@@ -15,8 +15,8 @@ class CuttingPlane {
 
   bool above(VertexIndex v) const { return points_[v][axis_] >= at_; }
 
-  /// Where the edge between vertices on different sides crosses. The same for both directions of the edge, so that cuts
-  /// fit together.
+  /// Returns where the plane crosses the edge between vertices on different sides. The result is the same for both
+  /// directions of the edge, so that cuts fit together.
   Vec2 crossing(VertexIndex a, VertexIndex b) const {
     if (b < a) std::swap(a, b);
     const Vec3 &p = points_[a], &q = points_[b];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A plane section of a mesh, for looking at: floating point, never used to decide anything.
+/// A plane section of a mesh for viewing, computed in floating point and never used for decisions.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel::page {
 
-/// What the plane `axis = at` (axis 0, 1, 2 for x, y, z) cuts, in the plane's two coordinates: (y, z), (x, z) or (x,
-/// y).
+/// The intersection with the plane `axis = at` (axis 0, 1, 2 for x, y, z), in the plane's two coordinates: (y, z), (x,
+/// z) or (x, y).
 struct Section {
   std::size_t axis = 0;
   double at = 0;
@@ -25,7 +25,7 @@ struct Section {
     std::int32_t surface;
     Vec2 a, b;
   };
-  std::vector<Trace> traces;  ///< where faces of surfaces cross the plane, in the order of the faces
+  std::vector<Trace> traces;  ///< lines where faces of surfaces cross the plane, in the order of the faces
 };
 
 /// Cuts all tetrahedra and faces. A vertex on the plane counts as above it, so each cut has three or four corners, some

@@ -30,7 +30,7 @@ void refuse_upright(const TriangulatedSurface& fault, const TriangulatedSurface&
                                             "place in the fault block (domain: {block: [x, y, z]})");
 }
 
-/// Per fault, whether the field of the part holds above it; empty where it holds on both sides.
+/// For each fault, whether the field of the part is valid above it; empty if it is valid on both sides.
 std::vector<std::optional<bool>> sides_of(const FieldPart& part, const std::vector<const TriangulatedSurface*>& faults,
                                           const TriangulatedSurface& horizon) {
   std::vector<std::optional<bool>> sides;
@@ -56,7 +56,7 @@ void refuse_one_block(const Parting& p, FieldOfHorizon field) {
                                                 ", at which two of its fields are to hold, lie in one block");
 }
 
-/// A field that holds on one side of a fault alone must not go round the fault's end to the other side.
+/// Warns if a field that is valid only on one side of a fault continues around the fault's end to the other side.
 void warn_of_open_ends(const Parting& p, FieldOfHorizon field) {
   const std::vector<Index>& block_of = p.built.block_of_triangle[field.horizon];
   const auto is_mine = [&](Index f) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons of several fields, each of which holds on certain sides of faults.
+/// Horizons made of several scalar fields, each of which is valid on certain sides of faults.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,18 @@
 namespace geomesh::geomodel {
 
 /// Makes the triangles of each field of horizon `s` a block that ends at the faults in SurfaceRules::throw_at. Sets the
-/// horizon's rows in `built.rows`; part_blocks then cuts the blocks off at the faults. Throws Error{invalid_input}
-/// where a field holds above or below a fault that is upright, so that neither of its sides is the upper one.
+/// horizon's rows in `built.rows`; part_blocks then cuts the blocks off at the faults. Throws Error{invalid_input} if a
+/// field is valid above or below a vertical fault, which has no upper side.
 void part_by_fields(BuiltSurfaces& built, std::size_t s, const ModelRules& rules);
 
-/// One of the fields of a horizon: rows of the surface and of SurfaceRules::field_parts.
+/// Identifies one of the fields of a horizon by the row of the surface and the row in SurfaceRules::field_parts.
 struct FieldOfHorizon {
   Index horizon, part;
 };
 
-/// Per piece of the surface of a field, whether it lies in the field's domain: in its fault block, else as
-/// `is_on_own_side` says of the sides of faults. Throws Error{invalid_input} where no piece does, or where two fields
-/// of the horizon hold in one block. Warns where the surface goes round the end of a fault that bounds the domain.
+/// For each piece of the level set of a field, returns whether it lies in the field's domain: in its fault block, else
+/// as `is_on_own_side` says of the sides of faults. Throws Error{invalid_input} if no piece does, or if two fields of
+/// the horizon are valid in one block. Warns if the surface continues around the end of a fault that bounds the domain.
 std::vector<bool> pieces_in_domain(const Parting& parting, FieldOfHorizon field, const std::vector<Piece>& pieces,
                                    const std::function<bool(const Piece&)>& is_on_own_side);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons with throw in the arranged soup: blocks and their continuations end at the faults between them.
+/// Cuts horizons with throw in the arranged soup, so that blocks and their extensions end at the faults between them.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// What parting works on and what it tells; all outlive the call.
+/// The input and output data of part_blocks, which divides horizons into blocks. All of it must outlive the call.
 struct Parting {
   WorkingSoup& soup;
   const std::vector<TriangulatedSurface>& surfaces;
@@ -21,18 +21,18 @@ struct Parting {
   std::vector<double>& removed;  ///< area, per surface
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
-  /// Whether two places lie in one fault block.
+  /// Returns whether two places lie in the same fault block.
   std::function<bool(const Vec3&, const Vec3&)> in_one_block;
 };
 
-/// Of each block's sheets and their continuation, what its faults part off goes. It stays where most of what was given
-/// of it lies on the block's own side of each fault. Triangles of every block stay where one block keeps them. Nothing
-/// happens to a horizon without blocks. Blocks that are fields are kept in their domains alone; Error{invalid_input}
-/// where a field has nothing there.
+/// Removes the parts of each block's sheets and of their extensions that faults cut off from the block. A part is kept
+/// if most of its given area lies on the block's own side of each fault. Triangles that belong to every block are kept
+/// if one block keeps them. Horizons without blocks are not changed. Blocks made of scalar fields are kept only in the
+/// domains of the fields; throws Error{invalid_input} if a field has no surface in its domain.
 void part_blocks(const Parting& parting, Index horizon);
 
-/// Continuations of faults that only served to part blocks go, once all horizons are parted. Where blocks do not meet
-/// across them, a warning tells the length and the place.
+/// Removes the extensions of faults that only served to separate blocks, after all horizons were divided. If blocks do
+/// not meet across one, a warning gives the length and the place of the gap.
 void remove_continuations(const Parting& parting);
 
 }  // namespace geomesh::geomodel

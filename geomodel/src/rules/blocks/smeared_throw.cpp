@@ -20,15 +20,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Lengths in median edges of the horizon in the map.
+// Margin on either side of a ramp, in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-constexpr double most_of_step = 2, least_of_step = 0.25;  // of the ramps, for the throw restored
-constexpr std::size_t least_sheet = 24;                   // triangles; fewer between ramps belong to them
+// Largest and least throw that is restored, as a share of the ramps' height.
+constexpr double most_of_step = 2, least_of_step = 0.25;
+// Number of triangles; smaller pieces between ramps are treated as part of the ramps.
+constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The triangles of a fault by their side of the surface at which it ends; those that cross it are divided down to
-/// `least`.
+/// Classifies the triangles of a fault by the side of the surface at which it ends; triangles that cross it are
+/// subdivided down to the size `least`.
 class StoppedFault {
  public:
   StoppedFault(TriangulatedSurface& reach, const TriangulatedSurface& stop, double least)
@@ -67,7 +69,7 @@ class StoppedFault {
   std::array<double, 2> area_{0, 0};
 };
 
-/// The fault without its continuation, and without what lies beyond the surface at which it ends.
+/// Returns the fault without its extension, and without its parts beyond the surface at which it ends.
 TriangulatedSurface reach_of(const RampFault& ramp, double edge) {
   TriangulatedSurface reach = *ramp.fault.surface;
   if (ramp.fault.first_made < reach.triangles.size()) reach.triangles.resize(ramp.fault.first_made);
@@ -75,7 +77,7 @@ TriangulatedSurface reach_of(const RampFault& ramp, double edge) {
   return reach;
 }
 
-/// One horizon and the faults whose ramps it has.
+/// Restores the throw of one horizon across the faults at which it has ramps.
 class Restorer {
  public:
   Restorer(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
@@ -170,11 +172,13 @@ class Restorer {
     }
   }
 
-  /// It stays, and all sheets are joined by it.
+  /// Returns whether the triangle lies beyond the tip of the fault; such triangles are kept and connect the sheets on
+  /// both sides.
   bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
   bool is_of_sheet(Index t) const { return !in_strip_[t] && !goes_round(t); }
 
-  /// Sheets of what is left, by their first triangles; those of a few triangles go with the strips.
+  /// Finds the connected sheets that are left after ramps were removed, identified by their first triangles; sheets of
+  /// a few triangles are removed with the ramps.
   void find_sheets() {
     const std::vector<Triangle> triangles = merged_triangles(horizon_);
     UnionFind joined(in_strip_.size());
@@ -196,7 +200,7 @@ class Restorer {
       if (n >= least_sheet) numbers_.push_back(sheet);
   }
 
-  /// The sheet goes on over the strips beside it.
+  /// Extends the sheet over the strips beside it, from which the ramp was removed.
   void carry(const std::vector<Triangle>& given, Index sheet, RestoredThrow& restored) {
     std::vector<std::uint8_t> is_own(nearest_fault_.size(), 0);
     CarriedHeights nodes(horizon_, edge_);
@@ -289,14 +293,15 @@ class Restorer {
   std::vector<Crossing> crossing_;            ///< per given triangle
   const BuildLog& log_;
   double edge_, widest_ = 0;
-  std::vector<FaultFaces> faces_;  ///< of the horizon's faults, then of the others
+  std::vector<FaultFaces> faces_;  ///< first the faults of this horizon, then all others
   std::vector<Ramp> ramps_;
-  std::vector<std::size_t> n_across_;                    ///< triangles that cross each fault
-  std::vector<std::uint8_t> in_strip_;                   ///< per given triangle
-  std::vector<std::pair<Index, double>> nearest_fault_;  ///< per given node, with the distance across
-  std::vector<Vec2> across_;                             ///< per given node: the direction across that fault
-  std::vector<Index> sheet_, numbers_;                   ///< per given triangle; those that are there
-  std::map<VertexIndex, std::vector<double>> heights_;   ///< carried from each side, by given node
+  std::vector<std::size_t> n_across_;   ///< number of triangles that cross each fault
+  std::vector<std::uint8_t> in_strip_;  ///< per given triangle
+  /// For each given node: the nearest fault and the distance from it perpendicular to strike.
+  std::vector<std::pair<Index, double>> nearest_fault_;
+  std::vector<Vec2> across_;  ///< for each given node: the direction perpendicular to the strike of that fault
+  std::vector<Index> sheet_, numbers_;  ///< for each given triangle that is still present: its sheet and its number
+  std::map<VertexIndex, std::vector<double>> heights_;  ///< heights extrapolated from each side, by given node
 };
 
 }  // namespace

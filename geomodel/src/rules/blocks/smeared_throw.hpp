@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons that run across a fault as a steep ramp: the throw is restored in place of the ramp.
+/// Replaces steep ramps, by which a horizon runs across a fault, by sharp throw.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,28 @@
 
 namespace geomesh::geomodel {
 
-/// A fault of a horizon with throw.
+/// A fault at which a horizon may have a ramp.
 struct RampFault {
   ThrowFault fault;
-  const TriangulatedSurface* stop = nullptr;  ///< the surface at which it ends, where there is one
+  const TriangulatedSurface* stop = nullptr;  ///< the surface at which the fault ends, if there is one
 };
 
-/// What became of a horizon whose throw was restored.
+/// Result of restoring the throw of a horizon.
 struct RestoredThrow {
-  std::vector<Index> sheet;      ///< per triangle: those of one number are one sheet, those of
-                                 ///< BuiltRows::of_every_block go round a fault's end; empty: nothing was done
-  Index n_given = 0;             ///< triangles that stayed, which come first
-  std::vector<Triangle> before;  ///< all that were given
+  /// Sheet number of each triangle; BuiltRows::of_every_block for triangles around a fault's tip; empty if nothing was
+  /// done.
+  std::vector<Index> sheet;
+  Index n_given = 0;             ///< number of given triangles that were kept; they come first
+  std::vector<Triangle> before;  ///< all triangles of the horizon as given
 };
 
-/// Takes the ramps out of the horizon and carries what lies beside them across in their place. Each side comes on by
-/// planes fitted to its own nodes, as two sheets that overshoot the fault. Nodes and triangles off the ramps stay.
-/// Where the horizon crosses a fault without a ramp, it is parted there too. Where a fault ends inside, triangles
-/// beyond its end stay and hold both sheets together; from there the throw grows. A fault that ends at another surface
-/// counts on the side alone where most of it lies. Notes tell the length and the width of each ramp, and the throw.
-/// Nothing is done where there is no ramp. Nor is it, with a warning, where the throw carried is far from the height of
-/// the ramp.
+/// Removes the ramps from the horizon and extrapolates the surface beside them across the fault. Each side is extended
+/// by planes fitted to its own nodes, so that two sheets result which overshoot the fault. Nodes and triangles outside
+/// the ramps are kept. If the horizon crosses a fault without a ramp, it is divided there too. If a fault ends inside
+/// the model, triangles beyond its tip are kept and connect both sheets; the throw grows from there. For a fault that
+/// ends at another surface, only the side is used on which most of the fault lies. Notes report the length and width of
+/// each ramp, and the throw. Nothing is done if there is no ramp, or, with a warning, if the extrapolated throw differs
+/// much from the height of the ramp.
 RestoredThrow restore_smeared_throw(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
                                     const std::vector<const TriangulatedSurface*>& others, const BuildLog& log);
 

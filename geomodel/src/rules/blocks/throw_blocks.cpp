@@ -18,20 +18,21 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double most_throw_left = 0.5;  // of the greatest throw, at the end of a fault, before it is warned of
-constexpr double much_alone = 0.02;      // of the horizon's area in the box
+// Share of the greatest throw that may remain at the end of a fault without a warning.
+constexpr double most_throw_left = 0.5;
+constexpr double much_alone = 0.02;  // share of the horizon's area in the box
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
          p.z <= box.max.z;
 }
 
-/// The block of each triangle by the sides of the faults on which its sheet lies for most of its area. Only triangles
-/// that `counts` accepts are sorted; the others are of no block.
+/// Returns the block of each triangle, which follows from the sides of the faults on which most of its sheet's area
+/// lies. Only triangles that `counts` accepts are assigned; the others have no block.
 template <class F>
 SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                               const std::vector<ThrowFault>& faults, F&& counts) {
-  std::map<Index, std::vector<double>> balance;  // per sheet and fault: area above less area below
+  std::map<Index, std::vector<double>> balance;  // for each sheet and fault: area above the fault minus area below it
   std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
   const AreaSamples samples(horizon);
@@ -55,7 +56,7 @@ SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vec
   return blocks;
 }
 
-/// The horizon's sheets as the faults that end inside part them.
+/// Connected parts of the horizon after cutting it along the faults that end inside the model.
 class Ends {
  public:
   Ends(const TriangulatedSurface& horizon, const BlockFaults& parting)
@@ -70,12 +71,13 @@ class Ends {
     attach_overshoot();
   }
   const std::vector<Index>& parts() const { return part_; }
-  /// In a part that counts: the largest of its sheet, those that go round a fault's end, and what crosses a fault on
-  /// the border of one of these.
+  /// Returns whether the triangle belongs to a kept part: the largest part of its sheet, a part that continues around a
+  /// fault's tip, or triangles across a fault on the border of one of these.
   bool is_kept(Index t) const { return counts_[t] != 0; }
-  /// Crosses a fault and goes round no end.
+  /// Returns whether the triangle crosses a fault and does not lie around a fault's tip.
   bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
-  /// Beyond the box nothing goes round an end: blocks are continued there.
+  /// Returns whether the triangle lies around a fault's tip, which is only possible inside the box, since blocks are
+  /// extended beyond it.
   bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
 
  private:
@@ -84,7 +86,7 @@ class Ends {
     std::map<Index, double> area;
     for (Index t = 0; t < part_.size(); ++t)
       if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // part of each sheet
+    std::map<Index, Index> largest;  // largest part of each sheet
     for (const auto& [part, size] : area) {
       kept_[part] = false;
       const auto [at, is_new] = largest.emplace(whole_[part], part);
@@ -97,16 +99,16 @@ class Ends {
     }
   }
 
-  /// What crosses faults and goes round no end hangs together in places. A place beside one part that counts is its
-  /// overshoot, and is ended at the fault later. A place beside none is a part of its own, as where a sheet is as
-  /// narrow as its triangles. A place between two such parts is a ramp, and is made anew.
+  /// Triangles that cross faults and do not lie around a tip form connected groups. A group beside one kept part is an
+  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, which
+  /// happens if a sheet is as narrow as its triangles. A group between two kept parts is a ramp, and is replaced.
   void attach_overshoot() {
     const std::size_t n = part_.size();
     const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
     UnionFind joined(n);
     for (const auto& [a, b] : neighbours_)
       if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
-    std::map<Index, std::set<Index>> beside;  // by place the parts that count
+    std::map<Index, std::set<Index>> beside;  // for each group, the kept parts beside it
     for (const auto& [a, b] : neighbours_)
       for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
         if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);
@@ -131,7 +133,7 @@ class Ends {
   std::map<Index, bool> kept_;
 };
 
-/// The greatest difference in height along an edge across a fault or its continuation.
+/// Returns the greatest difference in height along an edge across a fault or its extension.
 double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
                     const Box3& box) {
   TriangulatedSurface edge{};
@@ -146,7 +148,7 @@ double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const
   return greatest;
 }
 
-/// Says how much throw is left where the faults end.
+/// Reports how much throw remains at the ends of the faults.
 void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, double at_end, double greatest,
                 const BuildLog& log) {
   const std::string what = "horizon " + horizon.name + ": its blocks are joined beyond the end of its faults by " +
@@ -160,7 +162,7 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
   }
 }
 
-/// Appends those triangles of the joint's continuation by which it runs round the faults' ends.
+/// Appends the triangles of the joint extension that run around the tips of the faults.
 void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
                      const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons given block by block: each block is continued on its own, through the faults that bound it.
+/// Horizons given block by block: each block is extended on its own through the faults that bound it.
 #pragma once
 
 #include <vector>
@@ -11,49 +11,47 @@
 
 namespace geomesh::geomodel {
 
-/// The faults of a horizon and how its blocks are continued to the box.
+/// The faults of a horizon, and how its blocks are extended to the box.
 struct BlockFaults {
   const std::vector<ThrowFault>& faults;
   Extend how;
   const Box3& box;
 };
 
-/// Sheets of a horizon whose ramps were taken out; empty lists: not known.
+/// The sheets of a horizon after its ramps were removed; empty lists if they are not known.
 struct KnownSheets {
-  std::vector<Index> sheet{};      ///< per triangle: its sheet, or BuiltRows::of_every_block
-  std::vector<Triangle> before{};  ///< the horizon's triangles with the ramps
+  std::vector<Index> sheet{};      ///< for each triangle its sheet, or BuiltRows::of_every_block
+  std::vector<Triangle> before{};  ///< the horizon's triangles before ramps were removed
 };
 
-/// Blocks of a horizon.
+/// The blocks of a horizon and the faults that bound them.
 struct SortedBlocks {
   std::vector<Index> of_triangle;
-  std::vector<std::vector<bool>> sides{};  ///< per block: whether it lies above each of the faults
+  std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
 };
 
-/// The block of each triangle, from 0 in the order of their first triangles: sheets that lie, for most of their area,
-/// on the same sides of all `faults` are one block. Which side is that of the nearest fault triangle's plane; it only
-/// sorts sheets, nothing is cut by it.
-///
-/// Where a fault ends inside the box, beyond its tip the horizon runs on. There its triangles belong to every block
-/// (BuiltRows::of_every_block): those given that cross the fault's continuation. Where the sheets on both sides leave
-/// a gap there, triangles that join them come too, which are appended to the horizon. What crosses the fault itself,
-/// and what lies beyond it without going round its tip, is in no block (BuiltRows::of_no_block): the blocks are
-/// continued to the fault in its place.
-///
-/// With sheets known those of one number are a sheet; else triangles that hang together by edges. What goes round a tip
-/// is then known too, and only what joins the sheets beyond the horizon's own border is added.
+/// Assigns each triangle to a block, numbered from 0 in the order of their first triangles: sheets whose area lies
+/// mostly on the same sides of all `faults` form one block. The side is that of the plane of the nearest fault
+/// triangle, which is exact enough to sort sheets, since nothing is cut by it. If a fault ends inside the box, the
+/// horizon continues beyond its tip. The given triangles that cross the fault's extension there belong to every block
+/// (BuiltRows::of_every_block). If the sheets on both sides leave a gap there, triangles that connect them are appended
+/// to the horizon and belong to every block too. Triangles that cross the fault itself, or lie beyond it without
+/// continuing around its tip, are in no block (BuiltRows::of_no_block); the blocks are extended to the fault instead.
+/// With known sheets, triangles with the same number form a sheet; otherwise sheets are connected by edges. Then the
+/// triangles around a tip are known too, and only those are added that connect sheets beyond the horizon's own border.
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
-/// Whether much of what goes round the faults' ends in the box, or crosses them, lies on sides of them on which no
-/// block does. Nothing would be left there once the faults part the horizon. Never where all faults go through.
+/// Returns whether a large part of the triangles that cross the faults, or lie around their ends, lies on sides of the
+/// faults where there is no block. Nothing would be left there after the faults divide the horizon. False if all faults
+/// go through the whole model.
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 
-/// Continues each block to beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then run
-/// through each other near the faults; trim_soup ends them there. What lies wholly beyond a fault is left out. What
-/// crosses a fault that ends inside at both ends, all about it in one block, comes back to that block as it is. False
-/// where a block could not be continued, which a warning tells.
+/// Extends each block beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then cross
+/// each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are left out. Triangles
+/// that cross a fault with both ends inside the model, and that one block surrounds, are returned to this block
+/// unchanged. Returns false, with a warning, if a block could not be extended.
 bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log);
 

@@ -12,14 +12,14 @@ namespace {
 
 using Corners = ApronGrid::Corners;
 
-/// Ways along the edges of a surface that no wall crosses.
+/// Paths along the edges of a surface that no wall crosses.
 class UnpartedEdges {
  public:
   UnpartedEdges(const TriangulatedSurface& surface, Index row, const Walls& walls)
       : surface_(surface), row_(row), walls_(walls) {}
 
-  /// Whether triangles at the two vertices lead from one to the other past the wall between them: a wall that reaches
-  /// into the surface and ends there parts nothing.
+  /// Returns whether triangles at the two vertices lead from one to the other around the wall between them: a wall that
+  /// reaches into the surface and ends there does not separate them.
   bool join(VertexIndex a, VertexIndex b) {
     if (ring_.empty())
       for (const Triangle& t : surface_.triangles)
@@ -49,10 +49,10 @@ class UnpartedEdges {
   const TriangulatedSurface& surface_;
   Index row_;
   const Walls& walls_;
-  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of the vertices, once asked for
+  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of vertices, computed when first needed
 };
 
-/// Whether the surface's triangles at the chain are counter-clockwise in the frame, for most of the chain.
+/// Returns whether the surface's triangles at the chain are counter-clockwise in the frame, for most of the chain.
 bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame) {
   double up = 0;
   for (const Index t : chain.triangles) {
@@ -64,7 +64,8 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// Which nodes of a grid hang together without a wall between: each such set is a side, told by its first node.
+/// Finds which nodes of a grid are connected without a wall between them: each connected set is a side, identified by
+/// its first node.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -86,7 +87,7 @@ class ApronSides {
       if (grid.nodes()[v].is_seen) side_[v] = joined.find(v);
   }
 
-  /// no_index where nothing sees the node.
+  /// Returns the side of a node, or no_index if the node is not visible from the border.
   Index operator[](Index v) const { return side_[v]; }
   std::set<Index> of(const Corners& t) const {
     std::set<Index> sides;
@@ -94,13 +95,14 @@ class ApronSides {
       if (side_[v] != no_index) sides.insert(side_[v]);
     return sides;
   }
-  /// The surface as given runs on across a wall in a side of the triangle: so does what lies beside.
+  /// If the given surface continues across a wall at a side of the triangle, what lies beside it continues too.
   bool runs_on(const Corners& t) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
     return false;
   }
-  /// The side from which an edge of the border leads to v, if a wall on that edge cuts v off; otherwise no_index.
+  /// Returns the side from which an edge of the border leads to v, if a wall on that edge separates v from it;
+  /// otherwise no_index.
   Index before(Index v) const {
     if (v >= grid_.n_border()) return no_index;
     const std::size_t n = grid_.chain().n_edges();
@@ -127,7 +129,7 @@ class ApronSides {
   std::set<std::pair<Index, Index>> parted_border_;
 };
 
-/// The triangles of a grid, once for each side of the walls that part them.
+/// The triangles of a grid, with one copy for each side of the walls that divide them.
 class SidedApron {
  public:
   SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -147,7 +149,7 @@ class SidedApron {
 
  private:
   void copy_triangles() {
-    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls by sides of triangles
+    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls, by sides of triangles
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
       const std::set<Index> sides = sides_.of(t);
@@ -165,7 +167,7 @@ class SidedApron {
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
       }
     }
-    // Of a triangle beside these an inner part may be seen though no corner is: where two walls meet, say.
+    // A triangle beside these may be partly visible although none of its corners is, for example where two walls meet.
     for (const Corners* t : unseen) {
       std::set<Index> sides;
       for (std::size_t i = 0; i < 3; ++i)
@@ -176,7 +178,7 @@ class SidedApron {
     apron_.walls.assign(grid_.hidden_by().begin(), grid_.hidden_by().end());
   }
 
-  /// The triangle with the heights of one side.
+  /// Adds a copy of the triangle with the heights of one side.
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -202,9 +204,9 @@ class SidedApron {
     if (is_new) at->second = add_point(grid_.nodes()[v].point);
     return at->second;
   }
-  /// A node at the place of another one with the height of a side; no_vertex where that side has no border near.
+  /// Returns a node at the same place with the height of another side; no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // the border leads there
+    if (sides_.before(v) == side) return row_of(v);  // the border leads to the node
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;
@@ -222,7 +224,7 @@ class SidedApron {
   double within_;
   ApronGrid grid_;
   ApronSides sides_;
-  std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< by node and side (no_index: its own)
+  std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< rows by node and side (no_index: the node's own side)
   std::map<Index, Index> number_of_side_;
   bool faces_up_;
   Apron apron_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The strip by which a surface goes on from a run of its border to the walls before it.
+/// The strip by which a surface is continued from a run of its border to the walls in front of it.
 #pragma once
 
 #include <vector>
@@ -9,29 +9,29 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles beside a chain, over rows of the surface's points and of `added` after them.
+/// Triangles beside a run of border, over the rows of the surface's points followed by those of `added`.
 struct Apron {
   std::vector<Vec3> added;
-  std::vector<Triangle> triangles;  ///< oriented as the surface's triangle at the border
-  std::vector<Index> side;          ///< per triangle, from 0: which of the sides of walls it continues
-  std::vector<Index> walls;         ///< surfaces that it runs through, ascending
-  bool crosses_itself = false;      ///< the chain in the plane, so nothing was made
+  std::vector<Triangle> triangles;  ///< triangles oriented as the surface's triangle at the border
+  std::vector<Index> side;          ///< for each triangle, number from 0 of the side of walls that it continues
+  std::vector<Index> walls;         ///< rows of the surfaces that the strip crosses, ascending
+  bool crosses_itself = false;      ///< whether the run of border crosses itself in the plane, so that nothing was made
 };
 
-/// Where an apron is made: the plane in which it has one height at a place (the map for horizons, the mean plane for
-/// faults), and how far it goes.
+/// The plane in which an apron (the strip beside a run of border) has one height at each place, the map for horizons
+/// and the mean plane for faults, and the distance over which it extends.
 struct ApronSetting {
   Frame frame;
   double within = 0;  ///< m
   Box3 bounds;        ///< of the model
 };
 
-/// The apron has the height of the nearest point of the border that no wall hides, continued with the border's slope
-/// there. It is a constrained Delaunay triangulation of the chain and of a grid beside it. A triangle that a wall parts
-/// comes once for each side, with the heights of that side beyond the wall too; round the end of a wall both sides are
-/// one. What the border does not see for a wall is left out but for these triangles and those next to them, and so is
-/// what no wall stops within the distance. Empty where the chain crosses
-/// itself in the plane. O(n log n) in the chain's edges and the grid's points.
+/// The apron has the height of the nearest point of the border that no wall hides, extrapolated with the border's slope
+/// there. It is a constrained Delaunay triangulation of the run of border and of a grid beside it. A triangle that a
+/// wall divides is added once for each side, with the heights of that side beyond the wall too; around the end of a
+/// wall both sides are connected. Places that a wall hides from the border are left out, except in these triangles and
+/// those next to them, and so are places where no wall stops the surface within the distance. Empty if the run of
+/// border crosses itself in the plane. O(n log n) in the edges of the run and the points of the grid.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                  const ApronSetting& setting);
 

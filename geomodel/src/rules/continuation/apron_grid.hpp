@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places beside a run of border: a grid with heights, and the triangles that join it to the border.
+/// Nodes beside a run of border: a grid with heights, and the triangles that connect it to the border.
 #pragma once
 
 #include <array>
@@ -12,16 +12,17 @@
 
 namespace geomesh::geomodel {
 
-/// A vertex of the apron: of the border (the first ones, in the order of the chain) or of the grid.
+/// A node of the strip beside a run of border: of the border (the first ones, in its order) or of the grid.
 struct ApronNode {
   Vec2 place;
   Vec3 point;           ///< in the model
-  double distance = 0;  ///< from the border's place that gives its height
-  Index edge = 0;       ///< of the chain, there
-  bool is_seen = true;  ///< no wall is between
+  double distance = 0;  ///< distance from the place of the border that determines its height
+  Index edge = 0;       ///< edge of the run of border at that place
+  bool is_seen = true;  ///< whether no wall lies between the node and that place
 };
 
-/// What an apron is made over. Nodes of the border come first, in the order of the chain.
+/// The nodes and triangles from which a strip beside a run of border is made. Nodes of the border come first, in its
+/// order.
 class ApronGrid {
  public:
   using Corners = std::array<Index, 3>;
@@ -30,12 +31,14 @@ class ApronGrid {
             const ApronSetting& setting);
 
   const std::vector<ApronNode>& nodes() const { return nodes_; }
-  const std::vector<Corners>& triangles() const { return triangles_; }  ///< none where the border stays open
-  bool crosses_itself() const { return crosses_itself_; }               ///< the chain, in the plane
+  /// Triangles of the strip, without those at which the border remains open.
+  const std::vector<Corners>& triangles() const { return triangles_; }
+  bool crosses_itself() const { return crosses_itself_; }  ///< whether the run of border crosses itself in the plane
   Index n_border() const { return n_border_; }
   const ChainInPlane& chain() const { return chain_; }
-  const std::set<Index>& hidden_by() const { return crossed_; }  ///< surfaces that hide nodes from the border
-  /// The node at a place with the height that the border has there.
+  /// Rows of the surfaces that hide nodes from the border.
+  const std::set<Index>& hidden_by() const { return crossed_; }
+  /// Returns the node at a place with the height extrapolated from the border.
   ApronNode node_at(const Vec2& p, const ChainInPlane::Nearest& at) const;
 
  private:

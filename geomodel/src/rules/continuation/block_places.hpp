@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The places over a block at which a horizon is continued, and which of them end in the open.
+/// The places over a fault block at which a horizon may be continued, and which of them are open, that is, not enclosed
+/// by walls.
 #pragma once
 
 #include <array>
@@ -15,37 +16,40 @@
 
 namespace geomesh::geomodel {
 
-/// The horizon that is continued, and what it is continued in. All of it is referred to and outlives its use.
+/// The horizon that is continued, and the walls and blocks in which it is continued. All of it is referenced and must
+/// outlive its use.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< as in BlockSetting, like those that follow
+  const Walls& cutters;  ///< as in BlockSetting, like the members below
   const Walls& walls;
   double within;
   const HorizonDivision& division;
   bool fills_blocks, has_margin;
 };
 
-/// Places of the border of one sheet, then those of a grid over its block, with the heights of the border continued.
+/// Places of the border of one sheet, followed by those of a grid over its block, with heights extrapolated from the
+/// border.
 class BlockPlaces {
  public:
-  /// `sheet`: triangles over the horizon's points. O(m log n) for n edges of the border and m places of the grid
-  /// near it.
+  /// `sheet` contains triangles over the horizon's points. O(m log n) for n edges of the border and m places of the
+  /// grid near it.
   BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
   BlockPlaces(const BlockPlaces&) = delete;
   BlockPlaces& operator=(const BlockPlaces&) = delete;
 
-  /// False where the distance is too short for a grid: there are no places then.
+  /// Returns false if the distance is too short for a grid, so that there are no places.
   bool has_grid() const;
   const SheetBorder& border() const { return border_; }
   const std::vector<Vec3>& points() const { return points_; }
-  std::size_t n_border() const { return n_border_; }        ///< the first points
-  double distance(Index v) const { return distance_[v]; }   ///< from the border in the map, m
-  bool is_in_block(Index v) const { return in_block_[v]; }  ///< and to be filled: not where the border has met its wall
-  /// Whether a triangle of places has some of the block.
+  std::size_t n_border() const { return n_border_; }       ///< the first points
+  double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
+  /// Whether the place is in the block and to be filled: not where the border has met its wall.
+  bool is_in_block(Index v) const { return in_block_[v]; }
+  /// Returns whether a triangle of places overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
-  /// Whether it fills some of the block that is not open. Adds the walls that it runs through.
+  /// Returns whether a triangle covers a part of the block that is not open. Adds the walls that it crosses.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
 
  private:
@@ -62,7 +66,7 @@ class BlockPlaces {
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
-  std::vector<Vec3> foot_;  ///< the nearest place of the border
+  std::vector<Vec3> foot_;  ///< the nearest point of the border for each place
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs

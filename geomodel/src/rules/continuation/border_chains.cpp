@@ -20,11 +20,11 @@ struct LoopEdge {
   VertexIndex a, b;
   Index triangle;
   double length;
-  bool goes_on = true;              ///< false where the surface has met its wall
+  bool goes_on = true;              ///< false if the surface has already met its wall there
   std::uint8_t cut_off = 0;         ///< BorderChain::cut_off
-  bool is_beyond = false;           ///< it lies outside of the model
-  bool counts = true;               ///< false outside of the model, where what is continued is cut off with the rest
-  std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is the distance in m
+  bool is_beyond = false;           ///< whether it lies outside the model
+  bool counts = true;               ///< false outside the model, where the continuation is cut off with the rest
+  std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is its distance in m
 };
 
 Vec3 normalized(const Vec3& v) {
@@ -32,7 +32,7 @@ Vec3 normalized(const Vec3& v) {
   return length > 0 ? (1 / length) * v : Vec3{0, 0, 0};
 }
 
-/// Direction away from the surface at a border edge, in the plane of its triangle.
+/// Returns the direction away from the surface at a border edge, in the plane of its triangle.
 Vec3 outward(const TriangulatedSurface& s, const LoopEdge& e) {
   const Vec3 along = normalized(s.points[e.b] - s.points[e.a]);
   Vec3 centre{0, 0, 0};
@@ -46,13 +46,14 @@ bool is_within(const Box3& box, const Vec3& p, double room) {
          p.y < box.max.y + room && p.z < box.max.z + room;
 }
 
-/// Border vertices that a wall cuts off from all inner vertices: the surface has met its wall before it ends there, or
-/// ends on it. A wall that ends inside the surface cuts nothing off: round its end a vertex hangs together with others.
+/// Finds border vertices that a wall separates from all inner vertices: the surface has met its wall before it ends
+/// there, or ends on it. A wall that ends inside the surface separates nothing, since vertices are connected around its
+/// end.
 class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
       : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
-    const auto inner = static_cast<Index>(s.points.size());  // stands for all inner vertices
+    const auto inner = static_cast<Index>(s.points.size());  // represents all inner vertices
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;
@@ -62,7 +63,7 @@ class CutOffBorder {
         if (!is_border[v] && !is_border[w]) continue;
         const Index a = is_border[v] ? v : inner, b = is_border[w] ? w : inner;
         if (joined_.find(a) == joined_.find(b)) continue;
-        // Both ways: a way that begins on a wall does not meet it.
+        // Both directions are tested, because a segment that begins on a wall does not meet it.
         if (!walls.first_surface(s.points[v], s.points[w], row) && !walls.first_surface(s.points[w], s.points[v], row))
           joined_.unite(a, b);
         else
@@ -80,7 +81,7 @@ class CutOffBorder {
   std::vector<VertexIndex> merged_;
   UnionFind joined_;
   Index inner_ = 0;
-  std::set<Index> cut_off_;  ///< of sets of vertices
+  std::set<Index> cut_off_;  ///< union-find sets of vertices
 };
 
 struct WallSearch {
@@ -108,14 +109,15 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
-/// Whether an edge lies on its wall, up to rounding: one that crosses it may have its middle there.
+/// Returns whether an edge lies on its wall, up to rounding; for an edge that crosses the wall, only its midpoint may
+/// lie on it.
 bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSearch& search) {
   for (const double share : {0.25, 0.5, 0.75})
     if (const auto hit = wall_before(s, e, share, search); !hit || hit->share > search.rounding) return false;
   return true;
 }
 
-/// Edges without a wall between edges that have one take the wall of the edge before, as far as they are few.
+/// Edges without a wall between edges that have one get the wall of the previous edge, if the run is short.
 void close_short_runs(std::vector<LoopEdge>& loop, double within) {
   const std::size_t n = loop.size();
   const auto first = std::find_if(loop.begin(), loop.end(), [](const LoopEdge& e) { return e.hit.has_value(); });
@@ -157,14 +159,14 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
   return chain;
 }
 
-/// Cuts a loop where edges have no wall.
+/// Cuts a loop at edges that have no wall.
 void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
   const std::size_t n = loop.size();
   const auto keep = [&](const std::vector<LoopEdge>& run) {
     if (std::any_of(run.begin(), run.end(), [](const LoopEdge& e) { return e.goes_on && e.counts; }))
       chains.push_back(chain_of(s, run));
   };
-  const auto ends_after = [&](std::size_t k) {  // between edge k and the next
+  const auto ends_after = [&](std::size_t k) {  // whether the loop is cut between edge k and the next
     return !loop[k].hit || !loop[(k + 1) % n].hit;
   };
   std::size_t cut = n;
@@ -185,8 +187,8 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
   }
 }
 
-/// The share of an edge from a to b at which walls are sought: its middle, or that of its part in the box where its
-/// middle lies outside.
+/// Returns the fraction of an edge from a to b at which walls are searched: its midpoint, or the midpoint of its part
+/// in the box if the edge's midpoint lies outside.
 double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding) {
   if (is_within(box, 0.5 * (a + b), 0)) return 0.5;
   double first = 0, last = 1;
@@ -201,7 +203,8 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
-/// The border's loops with the wall before each edge. Edges of triangles that are `done` go on to none.
+/// Returns the loops of the border with the wall in front of each edge. Edges of triangles that are `done` are not
+/// continued.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                                     const Box3& box, double within, const std::vector<bool>& done) {
   const std::vector<BorderEdge> edges = border_edges(surface);

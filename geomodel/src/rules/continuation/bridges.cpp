@@ -26,7 +26,7 @@ double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area2 > 0 ? u * v * w / (2 * area2) : std::numeric_limits<double>::infinity();
 }
 
-/// The side of an obtuse triangle beyond which its circumcentre lies: from that corner to the next.
+/// Returns the side of an obtuse triangle beyond which its circumcentre lies, as the corner at which the side begins.
 std::optional<std::size_t> side_before_centre(const std::array<Vec2, 3>& t) {
   const auto length = [&](std::size_t i) { return std::hypot(t[(i + 1) % 3].x - t[i].x, t[(i + 1) % 3].y - t[i].y); };
   for (std::size_t i = 0; i < 3; ++i)
@@ -34,7 +34,7 @@ std::optional<std::size_t> side_before_centre(const std::array<Vec2, 3>& t) {
   return std::nullopt;
 }
 
-/// Where the way from p to q meets the triangle, its border included.
+/// Returns the point at which the segment from p to q meets the triangle, including its border.
 std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Sign from = orient3d(a, b, c, p), to = orient3d(a, b, c, q);
   if (from == to || from == Sign::zero || to == Sign::zero) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const 
   return p + (d / (d - e)) * (q - p);
 }
 
-/// The border of a part of the surface as seen that way, and the gaps in its triangulation.
+/// The border of a part of the surface projected along a direction, and the gaps in its triangulation.
 class Gaps {
  public:
   Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame)
@@ -68,7 +68,7 @@ class Gaps {
     }
   }
 
-  /// False where the border crosses itself.
+  /// Returns false if the border crosses itself.
   bool find(const GapSetting& setting) {
     const auto& [within, box, holes_alone] = std::tie(setting.within, setting.box, setting.holes_alone);
     std::vector<Vec2> places;
@@ -81,7 +81,7 @@ class Gaps {
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
       if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
-        // A disc has room here, but where its centre lies beyond a border, which has the surface.
+        // The circumscribed disc lies in the gap, unless its centre lies beyond a border, where the surface is.
         const auto side = side_before_centre(corners);
         if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
       }
@@ -94,7 +94,7 @@ class Gaps {
     return true;
   }
 
-  /// Adds the places where tips end in the gaps. False where there are none.
+  /// Adds points where fault tips end in the gaps. Returns false if there are none.
   bool add_tips(const std::vector<FaultTip>& tips) {
     std::vector<Box3> boxes;
     for (const Corners& t : gaps_) {
@@ -145,7 +145,7 @@ class Gaps {
   void set_faces_up(bool up) { faces_up_ = up; }
 
  private:
-  /// Whether a place in a gap triangle lies on one of its sides that is part of the border, as seen.
+  /// Returns whether a place in a gap triangle lies on a side of it that is part of the projected border.
   bool is_on_border(const Corners& t, const Vec3& p) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
@@ -157,13 +157,14 @@ class Gaps {
     return false;
   }
 
-  /// Whether a wall parts the triangle. Where a wall passes through a side that is border, the surface runs on across
-  /// that wall there as given, and so it does in the triangle.
+  /// Returns whether a wall divides the triangle. If a wall passes through a side that is border, the given surface
+  /// continues across that wall there, and so does the triangle.
   bool crosses_wall(const Corners& t, const Walls& walls) const {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // Ways begin and end a little inside: a tip of a wall is a corner of the triangles that begin there.
+      // Segments begin and end a little inside, because the tip of a wall is a corner of the triangles that begin
+      // there.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);
@@ -179,14 +180,14 @@ class Gaps {
   const TriangulatedSurface& surface_;
   Frame frame_;
   std::vector<VertexIndex> rows_;
-  std::vector<Vec3> points_;  ///< those of the border, then tips
+  std::vector<Vec3> points_;  ///< points of the border, followed by tips
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_border_;
   std::vector<Corners> gaps_;
   bool faces_up_ = true;
 };
 
-/// False where the edges cross each other as seen that way.
+/// Returns false if the edges cross each other in this projection.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
             const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
@@ -206,7 +207,7 @@ struct SurfacesAt {
   const std::vector<Index>& on(bool is_above) const { return is_above ? above : below; }
 };
 
-/// Surfaces that lie on one side of all places alone.
+/// Returns the surfaces that lie on the same side of all places.
 std::set<Index> on_one_side(const std::vector<SurfacesAt>& places, bool is_above) {
   std::set<Index> found, elsewhere;
   for (const SurfacesAt& at : places) {
@@ -234,7 +235,7 @@ struct FilledHole {
   std::vector<Triangle> triangles;
 };
 
-/// Which of its triangles are to be taken out again (open_where_pierced).
+/// Returns which of the hole's triangles are to be removed again (open_where_pierced).
 std::vector<bool> beyond_piercing(const TriangulatedSurface& s, const FilledHole& hole, Index row, const Walls& walls,
                                   const Box3& all) {
   std::vector<SurfacesAt> border, inside;
@@ -265,7 +266,7 @@ void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, co
   const std::vector<BorderEdge> edges = border_edges(horizon);
   UnionFind loops(horizon.points.size());
   for (const BorderEdge& e : edges) loops.unite(e.a, e.b);
-  std::map<Index, FilledHole> holes;  // by loop of the border
+  std::map<Index, FilledHole> holes;  // holes by loop of the border
   for (const Triangle& t : filled) holes[loops.find(t[0])].triangles.push_back(t);
   for (const BorderEdge& e : edges)
     if (const auto hole = holes.find(loops.find(e.a)); hole != holes.end()) hole->second.border.insert(e.a);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A run of border in a plane: its nearest point, which side of it lies outside, and the height of its continuation.
+/// A run of border projected onto a plane: the nearest point on it, which side of it lies outside, and the height of
+/// its continuation.
 #pragma once
 
 #include <cstdint>
@@ -20,21 +21,23 @@ class ChainInPlane {
 
   struct Nearest {
     Index edge = no_index;
-    double along = 0;  ///< of the edge, from 0 to 1
+    double along = 0;  ///< position on the edge, from 0 to 1
     double distance = 0;
   };
-  /// The nearest point of the chain, where that is no farther than twice `within`; farther ones may be found or not.
+  /// Returns the nearest point of the chain if it is no farther than twice `within`; farther ones may or may not be
+  /// found.
   std::optional<Nearest> nearest(const Vec2& p) const;
-  /// The nearest points of all edges no farther than `most`, nearest first; `most` is at most twice `within`.
+  /// Returns the nearest points of all edges that are no farther than `most`, nearest first; `most` is at most twice
+  /// `within`.
   std::vector<Nearest> all_near(const Vec2& p, double most) const;
-  /// Whether p lies outside of the surface beside the chain, seen from its nearest point. False beyond an open end and
-  /// beside edges that do not go on.
+  /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point. False beyond an open
+  /// end and beside edges that are not continued.
   bool is_outside(const Vec2& p, const Nearest& at) const;
-  /// The nearest point itself, in the frame.
+  /// Returns the nearest point itself, in the frame.
   Vec3 foot(const Nearest& at) const;
   double height(const Vec2& p, const Nearest& at) const;
 
-  const std::vector<Vec3>& points() const { return points_; }  ///< in the frame, per vertex of the chain
+  const std::vector<Vec3>& points() const { return points_; }  ///< vertices of the chain, in the frame
   std::size_t n_edges() const { return slopes_.size(); }
   double mean_edge() const;
   std::size_t end_of(std::size_t edge) const { return (edge + 1) % points_.size(); }
@@ -47,7 +50,7 @@ class ChainInPlane {
   double length(std::size_t edge) const;
 
   std::vector<Vec3> points_;
-  std::vector<Vec2> slopes_, out_;     ///< per edge; `out_` has length one
+  std::vector<Vec2> slopes_, out_;     ///< for each edge; `out_` is the outward unit vector
   std::vector<std::uint8_t> goes_on_;  ///< per edge
   bool closed_;
   double cell_;

@@ -21,14 +21,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Triangles that meet have the same points, which tells what a continuation belongs to.
+/// Triangles that meet share their points, by which the parts that belong to a continuation are recognised.
 void share_points(TriangulatedSurface& surface) {
   const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
   for (Triangle& t : surface.triangles)
     for (VertexIndex& v : t) v = merged[v];
 }
 
-/// The triangles from row `first` on. The place is in the largest of those that fill the most.
+/// Records the area of the triangles from row `first` on, and a place in the largest of them for the hole with the
+/// largest area.
 void book_filled(ContinuedSurface& ledger, const TriangulatedSurface& s, Index first) {
   const double area_before = ledger.area_filled;
   double largest = 0, added = 0;
@@ -55,7 +56,7 @@ void note(const ContinuedSurface& ledger, double within, const BuildLog& log) {
                         to_text(ledger.place) + " (extend: none keeps the border open)");
 }
 
-/// One surface on its way to its walls.
+/// State of one surface while it is continued to its walls.
 class Continuing {
  public:
   Continuing(BuiltSurfaces& built, Index row, const Walls& walls, const ContinuationRules& rules, double within)
@@ -64,14 +65,14 @@ class Continuing {
     share_points(surface());
   }
 
-  /// A fault: in its mean plane.
+  /// Continues a fault, in its mean plane.
   void go_on() {
     begin();
     add_aprons({}, {frame_of(surface())});
     finish();
   }
 
-  /// A horizon: its holes in blocks without the tip of a fault. In the others go_on_in fills all gaps.
+  /// Fills the holes of a horizon in blocks in which no fault ends. In the other blocks, go_on_in fills all gaps.
   void fill_holes(const Walls& cutters, const std::function<bool(const Vec3&)>& counts) {
     const auto first = static_cast<Index>(surface().triangles.size());
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts, true});
@@ -80,7 +81,7 @@ class Continuing {
     book_filled(ledger_, surface(), first);
   }
 
-  /// A horizon: block by block, and where that does not do, along its border.
+  /// Continues a horizon block by block, and where that is not possible, along its border.
   void go_on_in(const BorderStates& states, const BlockSetting& setting, const std::vector<FaultTip>& tips) {
     begin();
     DividedHorizon divided = continue_in_blocks(surface(), row_, states, setting);
@@ -138,7 +139,7 @@ class Continuing {
     }
   }
 
-  /// In the first frame in which the chain does not cross itself.
+  /// Makes the strip in the first frame in which the run of border does not cross itself.
   Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
     for (const Frame& frame : frames) {
       Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
@@ -157,7 +158,7 @@ class Continuing {
     built_.rows.continued_to[row_].assign(ends_on_.begin(), ends_on_.end());
   }
 
-  /// Rows of the apron's own points begin at `first_points`.
+  /// Appends a strip whose own points begin at row `first_points`.
   void append(const Apron& apron, std::size_t first_points) {
     TriangulatedSurface& s = surface();
     const auto shift = static_cast<VertexIndex>(s.points.size() - first_points);
@@ -173,8 +174,8 @@ class Continuing {
   struct Run {
     double length, farthest;
     Vec3 place;
-    std::vector<Index> before;   ///< walls that the border has before it
-    std::vector<Index> through;  ///< walls that the continuation runs through
+    std::vector<Index> before;   ///< walls in front of the border
+    std::vector<Index> through;  ///< walls that the continuation crosses
   };
   void book(const Run& run) {
     ledger_.length += run.length;
@@ -217,11 +218,11 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
   return built.surfaces[row].triangles.empty() || !rules.of(row).continues_by_default();
 }
 
-/// Horizons continued in the blocks of one framework.
+/// Continues horizons in the blocks of one framework.
 class HorizonContinuation {
  public:
-  /// `built`: what bounds the blocks; it outlives this, and gets BuiltRows::overshooting. Horizons that are continued
-  /// may be those of `built` itself, unless they bound blocks.
+  /// `built` contains what bounds the blocks; it must outlive this object, and BuiltRows::overshooting is set in it.
+  /// Horizons that are continued may belong to `built` themselves, unless they bound blocks.
   HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
       : built_(built),
         rules_(rules),
@@ -270,7 +271,7 @@ class HorizonContinuation {
     return rows;
   }
 
-  /// Blocks above an unconformity that is younger than the horizon, and below one that is older.
+  /// Returns the blocks above an unconformity that is younger than the horizon, and those below one that is older.
   std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
     const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
     std::vector<bool> blocks(framework_->n_blocks(), false);
@@ -299,7 +300,7 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
   built.rows.truncations = fault_truncations(built.surfaces, rules);
-  std::map<Index, Walls> walls_of;  // all are made before any fault is continued
+  std::map<Index, Walls> walls_of;  // walls of all faults are collected before any fault is continued
   const Walls walls(built.surfaces, faults, how.sides);
   for (const Index row : faults) {
     std::vector<Index> own;

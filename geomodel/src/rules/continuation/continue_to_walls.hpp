@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Surfaces that stop a little short of what bounds them are continued to it: faults to other faults and to the sides
-/// of the model, horizons to those, to bodies and to other horizons. This is the default; `extend: none` and
-/// `extent: as_given` keep borders open.
+/// Continues surfaces that stop a little short of what bounds them: faults to other faults and to the sides of the
+/// model, horizons to those, to bodies and to other horizons. This is the default; `extend: none` and `extent:
+/// as_given` keep borders open.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,17 @@
 
 namespace geomesh::geomodel {
 
-/// Faults without an extent of their own, up to ContinuationRules::within_of_faults. A fault that ends inside the
-/// model farther from everything keeps its tip.
+/// Continues faults without an extent of their own, over at most ContinuationRules::within_of_faults. A fault that ends
+/// inside the model farther from all others keeps its tip.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
-/// How far a horizon looks for walls, m: one that fills its blocks through all of the model.
+/// Returns how far a horizon is continued to find walls, in m; a horizon that fills its blocks is continued through the
+/// whole model.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 
-/// Horizons without `extend` and without throw, up to ContinuationRules::within_of_horizons. Gaps in them that no
-/// fault or body explains are filled first. Horizons of these rows fill each block in which they have data. Gives the
-/// blocks, where it needed any.
+/// Continues horizons without `extend` and without throw, over at most ContinuationRules::within_of_horizons. Gaps in
+/// them that no fault or body explains are filled first. Horizons of these rows fill each block in which they have
+/// data. Returns the blocks, if any were needed.
 std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
                                                const std::vector<Index>& fill_blocks, const BuildLog& log);
 

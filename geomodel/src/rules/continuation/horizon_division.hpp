@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which triangles of a horizon lie in which fault block.
+/// Determines which triangles of a horizon lie in which fault block.
 #pragma once
 
 #include <array>
@@ -16,20 +16,21 @@
 namespace geomesh::geomodel {
 
 /// The triangles of a horizon with their blocks and neighbours. A triangle with an edge that a wall cuts belongs to no
-/// block. Refers to the horizon and the framework, which outlive it.
+/// block. References the horizon and the framework, which must outlive it.
 class HorizonDivision {
  public:
-  /// `cutters`: faults and bodies. `states`: of the horizon's border.
+  /// `cutters` are faults and bodies. `states` are those of the horizon's border.
   HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
                   const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of merged_triangles
-  /// Whether a wall cuts an edge of the triangle.
+  /// Returns whether a wall cuts an edge of the triangle.
   bool crosses_wall(Index t) const { return crosses_[t]; }
-  /// The state of an edge at which the horizon ends; nothing where it goes on.
+  /// Returns the state of an edge at which the horizon ends; nothing if the horizon continues there.
   std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
-  /// Triangles of the block, those that hang together with them outside of the model, those next to these that cross a
-  /// wall, and those that hang together with these, cross a wall and reach into the block: in a narrow block all do.
+  /// Returns the triangles of the block; those connected with them outside the model; those next to these that cross a
+  /// wall; and those connected with these that cross a wall and reach into the block, since in a narrow block all
+  /// triangles do.
   std::vector<Index> sheet_of(Index block) const;
 
  private:
@@ -37,7 +38,7 @@ class HorizonDivision {
   void for_each_edge_of(Index t, F&& visit) const {
     for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
-  bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }  ///< its corners are distinct
+  bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }  ///< whether its corners are distinct
   Index block_of(Index t, Index& last) const;
   std::array<Vec3, 3> corners(Index t) const {
     const auto& [a, b, c] = triangles_[t];

@@ -16,14 +16,14 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr int n_grid = 24;             // points added along the longer side of the extended area
-constexpr double margin = 0.05;        // how far beyond the box the continuation goes, in box diagonals
+constexpr int n_grid = 24;             // number of points added along the longer side of the extended area
+constexpr double margin = 0.05;        // distance beyond the box to which the surface is extended, in box diagonals
 constexpr double slope_radius = 0.05;  // radius for the mean slope near a border point, in surface diagonals
 
-/// The surface's border in its frame: points without repeats and edges between them.
+/// The surface's border in its frame: distinct points and edges between them.
 struct PlanarBorder {
   std::vector<BorderEdge> edges;
-  std::vector<VertexIndex> row;  ///< surface row of each planar point
+  std::vector<VertexIndex> row;  ///< row in the surface of each point in the plane
   std::vector<Vec3> in_frame;    ///< parallel
   std::vector<std::pair<Index, Index>> constraints;
   std::vector<Vec2> planar() const {
@@ -74,7 +74,7 @@ Nearest nearest_on_border(const PlanarBorder& border, double x, double y) {
   return best;
 }
 
-/// Heights beyond the border by the rule.
+/// Computes heights beyond the border by the rule for extension.
 class Continuation {
  public:
   Continuation(const TriangulatedSurface& s, const Frame& frame, const PlanarBorder& border, Extend how)
@@ -109,8 +109,8 @@ class Continuation {
     if (!nearest_) nearest_.emplace(vertices_);
     return vertices_[nearest_->find(x, y)].z;
   }
-  /// Slope of the mean normal of the triangles near the middle of a border edge; flat where it is steeper than can be
-  /// continued.
+  /// Returns the slope of the mean normal of the triangles near the midpoint of a border edge; zero if it is too steep
+  /// to be extrapolated.
   Vec2 slope_at(std::size_t edge) {
     if (slopes_[edge]) return *slopes_[edge];
     const Vec3 middle =
@@ -132,7 +132,7 @@ class Continuation {
   double radius_;
 };
 
-/// Rectangle in the frame that holds the box and the surface, with a margin.
+/// Returns a rectangle in the frame that contains the box and the surface, with a margin.
 Box3 extended_area(const TriangulatedSurface& s, const Frame& frame, const Box3& box, Index rim) {
   Box3 area;
   for (int corner = 0; corner < 8; ++corner)
@@ -149,7 +149,7 @@ Triangle oriented(Triangle t, bool up) {
   return t;
 }
 
-/// Groups hole triangles (depth two or more, even) that hang together; gives the length of the border of each.
+/// Groups connected triangles inside holes (depth two or more, even); returns each group with the length of its border.
 std::vector<std::pair<std::vector<std::size_t>, double>> holes_of(const std::vector<PlanarTriangle>& triangles,
                                                                   const PlanarBorder& border) {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> at_edge;
@@ -287,7 +287,7 @@ void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& l
         greatest[k] = std::max(greatest[k], p[k]);
       }
     }
-    // The side of the box that the whole loop is nearest to, or furthest beyond.
+    // Finds the side of the box to which the whole loop is nearest, or beyond which it is farthest.
     std::size_t axis = 2;
     bool at_max = false;
     double gap = std::numeric_limits<double>::infinity();

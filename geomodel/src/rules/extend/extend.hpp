@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Rules on one surface before the arrangement: holes, continuation, open bodies.
+/// Rules that apply to a single surface before the arrangement: filling holes, extending, closing open bodies.
 #pragma once
 
 #include <string>
@@ -10,34 +10,38 @@
 
 namespace geomesh::geomodel {
 
-/// Steeper slopes are continued level: a sheet that is folded over there has no one height.
+/// Steeper slopes are extended horizontally, because a sheet that folds over there has no single height.
 inline constexpr double steepest_slope = 3;
 
-/// Each appends points and triangles to the surface (rows as given stay), and says what it did or why it could not.
+/// Receives notes and warnings. Each rule appends points and triangles to the surface (given rows do not change) and
+/// reports what it did or why it could not.
 struct BuildLog {
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
 };
 
-/// Fills holes whose border is at most `longest_border` long with the Delaunay triangulation of their border. It is
-/// made in the map, for faults and bodies in the mean plane.
+/// Fills holes whose border is at most `longest_border` long with the Delaunay triangulation of their border, computed
+/// in the map, or in the mean plane for faults and bodies.
 void fill_holes(TriangulatedSurface& surface, double longest_border, const BuildLog& log);
 
-/// Points that a continuation gets beside those of the border.
+/// Points that an extension has in addition to those of the border.
 struct ContinuationPoints {
   Index rim =
-      0;  ///< surfaces that are continued over the same area with different numbers have no border edge in common
-  bool inside = true;  ///< on a grid between the border and the rim; else what lies between two borders is bridged by
-                       ///< straight lines
+      /// Number of the extension: surfaces that are extended over the same area with different numbers have no border
+      /// edge in common.
+      0;
+  /// Whether points are placed on a grid between the border and the rim; if not, the area between two borders is
+  /// bridged by straight lines.
+  bool inside = true;
 };
 
-/// Continues the surface from its outer border to beyond the box, in the frame of fill_holes. What lies between sheets
-/// of one surface (a horizon given block by block) is filled as well. Holes stay. False where its border crosses itself
-/// in the frame, which a warning tells: the surface stays as it is.
+/// Extends the surface from its outer border to beyond the box, in the frame of fill_holes. The areas between sheets of
+/// one surface (a horizon given block by block) are filled as well. Holes are kept. Returns false, with a warning, if
+/// the border crosses itself in the frame; the surface is then unchanged.
 bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
                    const ContinuationPoints& added = {});
 
-/// Closes every border loop of a body: a loop that reaches into the box is first drawn out beyond the box's nearest
+/// Closes every border loop of a body: a loop that reaches into the box is first extruded beyond the box's nearest
 /// side.
 void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& log);
 

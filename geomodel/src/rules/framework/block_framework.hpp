@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The fault blocks of a model: what faults, bodies and the sides of the model divide its volume into.
+/// The fault blocks of a model: the parts into which faults, bodies and the sides of the model divide its volume.
 #pragma once
 
 #include <array>
@@ -16,35 +16,36 @@
 namespace geomesh::geomodel {
 
 /// Faults, bodies and the horizons at which faults end are intersected with the sides of the model and tetrahedralized;
-/// a block is a component of that mesh, so every place lies in one block, exactly, but for the walls themselves. A
-/// fault that ends inside leaves one block round its tip.
+/// a block is a component of that mesh, so every place lies in exactly one block, except on the walls themselves. A
+/// fault that ends inside the model leaves one block around its tip.
 ///
-/// Invariants: the tetrahedra fill the model's volume and do not overlap (tetrahedralize validates its result); a wall
-/// lies on faces of the mesh alone.
+/// Invariants: the tetrahedra fill the model's volume and do not overlap (tetrahedralize validates its result); walls
+/// consist of faces of the mesh.
 class BlockFramework {
  public:
-  /// Of the built faults and bodies, cut where end_faults cuts them. Expects ContinuationRules::sides. Throws as
-  /// arrange and tetrahedralize do.
+  /// Uses the built faults and bodies, cut as end_faults does. Requires ContinuationRules::sides. Throws as arrange and
+  /// tetrahedralize do.
   BlockFramework(const BuiltSurfaces& built, const ModelRules& rules);
 
   Index n_blocks() const { return static_cast<Index>(has_tip_.size()); }
-  /// The block that holds p, no_index outside of the model. On a wall the block of a tetrahedron that touches it.
-  /// `last` makes it fast for places one after another: the tetrahedron of the last one, no_index at first. Cost: of
-  /// TetrahedronSearch::find.
+  /// Returns the block that contains p, or no_index outside the model. On a wall, returns the block of a tetrahedron
+  /// that touches it. `last` speeds up consecutive queries: it holds the tetrahedron of the previous one, no_index at
+  /// first. Cost: that of TetrahedronSearch::find.
   Index block_at(const Vec3& p, Index& last) const;
   Index block_at(const Vec3& p) const;
-  /// Whether some of the triangle lies in the block. Decided by clipping in doubles: a triangle that reaches in by no
-  /// more than rounding may be told either way. O(log n + k) for the k tetrahedra near the triangle.
+  /// Returns whether some of the triangle lies in the block. This is decided by clipping in doubles, so the result is
+  /// not defined for a triangle that reaches in by no more than rounding. O(log n + k) for the k tetrahedra near the
+  /// triangle.
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
-  /// Whether a wall ends inside the block, so that both of its sides belong to it.
+  /// Returns whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }
-  /// Whether a wall ends inside the block that holds p; false outside of the model.
+  /// Returns whether a wall ends inside the block that contains p; false outside the model.
   bool has_tip_at(const Vec3& p) const {
     const Index block = block_at(p);
     return block != no_index && has_tip(block);
   }
-  /// 1 where the block lies on the upper side of a horizon at which faults end (BuiltRows::truncations), -1 on the
-  /// lower one, 0 where it does not touch the horizon.
+  /// Returns 1 if the block lies on the upper side of a horizon at which faults end (BuiltRows::truncations), -1 on the
+  /// lower one, 0 if it does not touch the horizon.
   int side_of_unconformity(Index block, Index horizon) const;
   const Box3& bounds(Index block) const { return bounds_[block]; }
 
@@ -52,7 +53,7 @@ class BlockFramework {
   std::vector<Index> block_;  ///< per tetrahedron
   std::vector<bool> has_tip_;
   std::map<std::pair<Index, Index>, double>
-      side_;  ///< by block and unconformity: area above it less area below, in the map
+      side_;  ///< by block and unconformity: area in the map above it minus area below it
   std::vector<Box3> bounds_;
   std::unique_ptr<TetrahedronSearch> search_;
 };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Faults that end on other faults: continued up to them where they stop short, cut there where they run a little
-/// beyond.
+/// Ends faults on other faults: extends those that stop short, and cuts those that run a little beyond.
 #pragma once
 
 #include <set>
@@ -14,40 +13,41 @@
 
 namespace geomesh::geomodel {
 
-/// What was taken off a soup: the area by surface, and what is told of it.
+/// The parts removed from a soup: the area by surface, and notes about them.
 struct TakenOff {
   std::vector<double>& area;
   std::vector<std::string>& notes;
 };
 
-/// Removes what lies beyond the faults on which faults end: continuations (end_at_walls), and what
-/// BuiltRows::overshooting faults have beyond other faults, and faults beyond the unconformities that truncate them, up
-/// to `within` (m).
+/// Removes the parts of faults beyond the faults on which they end: continuations (end_at_walls), the parts of
+/// BuiltRows::overshooting faults beyond other faults, and the parts of faults beyond the unconformities that truncate
+/// them, up to `within` (m).
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                 double within, const TakenOff& taken);
 
-/// Walls of blocks intersected with the sides of the model; what lies outside of it is left out.
+/// Walls of blocks intersected with the sides of the model, without the parts outside it.
 struct ArrangedWalls {
-  std::vector<TriangulatedSurface> surfaces;  ///< those built, without triangles where not asked for; then the sides
+  /// The built surfaces, without triangles if not requested, followed by the sides.
+  std::vector<TriangulatedSurface> surfaces;
   PolygonSoup soup;
 };
-/// Surfaces of the kinds asked for, and the unconformities that truncate faults, cut by each other and by the sides of
-/// the model. Expects ContinuationRules::sides.
+/// Returns the surfaces of the requested kinds, and the unconformities that truncate faults, cut by each other and by
+/// the sides of the model. Requires ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
-/// Faults and what is left of their borders.
+/// Faults, and the parts of their borders that remain free.
 struct EndedFaults {
-  std::vector<TriangulatedSurface> surfaces;  ///< those given, with the faults as end_faults will leave them
+  std::vector<TriangulatedSurface> surfaces;  ///< the given surfaces, with the faults as end_faults will leave them
   std::vector<FaultTip> tips;
 };
-/// From an arrangement of the faults with the sides of the model: outside of it continuations go round other faults.
-/// Sets BuiltRows::overshooting. Faults with a rule of their own for their extent are not cut. Horizons that are
-/// continued to these surfaces do not take a stub beyond a fault for the wall of a block, nor the line where two faults
-/// meet for a tip.
+/// Determines how faults end from an arrangement of the faults with the sides of the model, since outside the model
+/// continuations run around other faults. Sets BuiltRows::overshooting. Faults with a rule for their extent are not
+/// cut. Because of this, horizons that are continued to these surfaces do not treat a stub beyond a fault as the wall
+/// of a block, or the line where two faults meet as a tip.
 EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules);
 
-/// Whether the fault may be continued and cut by default: no rule tells its extent, and no horizon has throw across it,
-/// whose blocks need the fault whole.
+/// Returns whether the fault may be continued and cut by default: no rule determines its extent, and no horizon has
+/// throw across it, because its blocks need the whole fault.
 bool ends_by_default(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules, Index row);
 
 }  // namespace geomesh::geomodel

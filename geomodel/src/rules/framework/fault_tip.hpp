@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where faults end inside the model.
+/// Edges at which faults end inside the model.
 #pragma once
 
 #include "geomesh/core/geometry.hpp"
@@ -11,8 +11,8 @@ namespace geomesh::geomodel {
 /// An edge of a fault's border that lies on no other fault.
 struct FaultTip {
   EdgeEnds ends;
-  Vec3 normal;  ///< of the fault's facet there, of any length
-  Index fault;  ///< row of the surfaces
+  Vec3 normal;  ///< normal of the fault's facet there, not normalised
+  Index fault;  ///< row of the fault among the surfaces
 };
 
 }  // namespace geomesh::geomodel

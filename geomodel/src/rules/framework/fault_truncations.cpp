@@ -21,22 +21,23 @@ bool is_inside(const Box3& box, const Vec3& p) {
   return p.x > box.min.x && p.y > box.min.y && p.z > box.min.z && p.x < box.max.x && p.y < box.max.y && p.z < box.max.z;
 }
 
-/// The ends of border edges, with the place along strike first and the height last.
+/// The ends of border edges, with the position along strike first and the height last.
 using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
 
-/// Whether an edge passes over a place. The first of two edges that meet above it does.
+/// Returns whether an edge passes above a place. If two edges meet above it, only the first one counts.
 bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   const auto& [a, b] = edge;
   if (std::min(a[0], b[0]) > place[0] || std::max(a[0], b[0]) <= place[0]) return false;
   return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// A place of the upper border, and the corner of its triangle that is opposite to the border.
+/// A place on the upper border, and the corner of its triangle opposite the border.
 struct UpperPlace {
   Vec3 at, opposite;
 };
 
-/// Middles, in the model, of the border edges along strike that no other one passes over, as seen along the fault.
+/// Returns the midpoints, inside the model, of the border edges along strike that have no other border edge above them,
+/// as seen along the fault.
 std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
@@ -48,7 +49,8 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
     const Vec3 &a = fault.points[border[e].a], &b = fault.points[border[e].b];
     const Vec3 middle = 0.5 * (a + b);
     const Vec3 way = frame.to_frame(b) - frame.to_frame(a);
-    if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;  // a side of the fault
+    // This edge is a lateral end of the fault.
+    if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;
     bool is_upper = true;
     for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));
     if (!is_upper) continue;
@@ -58,14 +60,14 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
   return upper;
 }
 
-/// How an upper border lies beside a horizon.
+/// Position of an upper border relative to a horizon.
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
   bool is_above = true;                                                    ///< all of it
-  std::size_t n_crossing = 0;  ///< places whose triangles the horizon runs through
+  std::size_t n_crossing = 0;  ///< number of places whose triangles the horizon crosses
 };
 
-/// The horizons that a fault may end at.
+/// The horizons at which a fault may end.
 class Horizons {
  public:
   Horizons(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
@@ -81,7 +83,7 @@ class Horizons {
     }
   }
 
-  /// The horizons that truncate a fault with this upper border.
+  /// Returns the horizons that truncate a fault with this upper border.
   std::vector<Index> truncating(const std::vector<UpperPlace>& border) const {
     std::vector<Index> rows;
     std::optional<Index> best;

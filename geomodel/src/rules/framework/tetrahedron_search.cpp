@@ -13,14 +13,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The corners of each face, seen from inside alike for a positive tetrahedron, by the corner opposite to it.
+/// The corners of each face, by the opposite corner, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// Planes of faces at the border that are looked at. A box has six; a border with more costs time, and no result.
+/// Number of planes of border faces that are tested. A box has six; a border with more costs time but does not change
+/// results.
 constexpr std::size_t most_planes = 64;
-/// Of the largest coordinate: more than two sums of three products with a unit vector can be off.
+/// Bound relative to the largest coordinate: greater than the error of two sums of three products with a unit vector.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Positive on the side of the corner opposite to the face.
+/// Returns positive on the side of the corner opposite the face.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
   const auto& [i, j, k] = face_of[opposite];
   return orient3d(t[i], t[j], t[k], p);

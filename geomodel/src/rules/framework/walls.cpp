@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Whether the line through p and q meets the triangle, its border included.
+/// Returns whether the line through p and q meets the triangle, including its border.
 bool line_meets(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Sign s0 = orient3d(p, q, a, b), s1 = orient3d(p, q, b, c), s2 = orient3d(p, q, c, a);
   const bool any_left = s0 == Sign::positive || s1 == Sign::positive || s2 == Sign::positive;
@@ -56,7 +56,7 @@ void Walls::for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const {
 
 namespace {
 
-/// The hit that comes first; of several at one place that on the surface with the lowest row.
+/// Keeps the hit that comes first; of several at one place, the one on the surface with the lowest row.
 void keep_first(std::optional<Walls::Hit>& first, const Walls::Hit& hit) {
   if (!first || hit.share < first->share || (hit.share == first->share && hit.surface < first->surface)) first = hit;
 }

@@ -25,7 +25,7 @@ Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
   return younger_moves ? Keeper::older : Keeper::younger;
 }
 
-/// The horizons that are there, youngest first.
+/// The horizons that are present at a place, youngest first.
 struct Present {
   std::array<std::size_t, most_horizons> row;
   std::size_t n = 0;
@@ -35,14 +35,14 @@ struct Present {
   }
 };
 
-/// Whether all pairs of the stack between two horizons are merged.
+/// Returns whether all pairs of neighbouring horizons between these two are merged.
 bool are_merged(MergedPairs merged, std::size_t above, std::size_t below) {
   for (std::size_t k = above; k < below; ++k)
     if (!(merged >> k & 1)) return false;
   return true;
 }
 
-/// Puts the i-th horizon that is there onto older ones that stay.
+/// Raises the i-th horizon present so that it lies on older ones that keep their place.
 void rise(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, const Keepers& keepers,
           double gap) {
   const std::size_t own = there.row[i];
@@ -57,7 +57,7 @@ void rise(std::span<double> heights, const Present& there, std::size_t i, Merged
   }
 }
 
-/// Lets older ones sink below the i-th horizon that is there; they are in order among themselves.
+/// Lowers older horizons below the i-th horizon present; they are in order among themselves.
 void sink_below(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, double gap) {
   for (std::size_t j = i; j + 1 < there.n; ++j) {
     const std::size_t above = there.row[j], below = there.row[j + 1];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which of two horizons cuts the other, and the order of all of them at one place of the map.
+/// Which of two horizons truncates the other, and the order of all horizons at one place of the map.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace geomesh::geomodel {
 
-/// Bit k: horizons k and k + 1 of the stack share one surface there.
+/// Bit k is set if horizons k and k + 1 of the stack coincide at a place.
 using MergedPairs = std::uint64_t;
 inline constexpr std::size_t most_horizons = 64;
 
-/// Which horizon of a pair stays where the two cross or share one surface; the other gives way.
+/// Which horizon of a pair keeps its place where the two cross or coincide; the other one moves.
 enum class Keeper { younger, older };
 
-/// Who stays, for each pair of a stack's horizons, neighbours or not.
+/// For each pair of horizons of a stack, neighbours or not, which of them keeps its place.
 class Keepers {
  public:
   Keepers() = default;
   Keepers(std::size_t n_horizons, Keeper of_all) : n_(n_horizons), of_pairs_(n_horizons * n_horizons, of_all) {}
-  /// Of the neighbours `pair` and `pair` + 1.
+  /// Returns the keeper of the neighbours `pair` and `pair` + 1.
   Keeper operator[](std::size_t pair) const { return of(pair, pair + 1); }
   Keeper of(std::size_t younger, std::size_t older) const { return of_pairs_[younger * n_ + older]; }
   void set(std::size_t younger, std::size_t older, Keeper keeper) { of_pairs_[younger * n_ + older] = keeper; }
@@ -34,15 +34,17 @@ class Keepers {
   std::vector<Keeper> of_pairs_{};
 };
 
-/// Tells which of two horizons stays where they cross. `rows`: of surfaces, youngest first. The topography and the
-/// bottom of the model stay, then a horizon at which the other's field ends, then a younger one that erodes, then an
-/// older one that is onlapped. Else `on_crossing` and `thin_layers` tell; the younger one stays by default.
+/// Returns which of two horizons keeps its place where they cross. `rows` are rows of surfaces, youngest first. In
+/// descending priority: the topography and the base of the model, a horizon at which the other's field ends, a younger
+/// one that erodes, an older one that is onlapped. Otherwise `on_crossing` and `thin_layers` decide; by default the
+/// younger one is kept.
 Keepers keepers_of(const ModelRules& rules, const std::vector<Index>& rows,
                    const std::vector<TriangulatedSurface>& surfaces);
 
-/// Brings the heights of a stack, youngest first, into order: each is at least `gap` above the next older one that is
-/// there, or equal to it where the pair is merged. NaN: the horizon is not there. Horizons come as they were laid down,
-/// oldest first: each rises onto older ones that stay, then those that do not stay sink below it. O(n^2) at most.
+/// Puts the heights of a stack, youngest first, into order: each is at least `gap` above the next older horizon that is
+/// present, or equal to it if the pair is merged. NaN: the horizon is absent. Horizons are processed in order of
+/// deposition, oldest first: each one rises onto older ones that keep their place, then those that do not are lowered
+/// below it. O(n^2) at most.
 void settle_column(std::span<double> heights, MergedPairs merged, const Keepers& keepers, double gap);
 
 }  // namespace geomesh::geomodel

@@ -67,7 +67,8 @@ double LaidDown::height(const Horizon& horizon, const Vec3& p) {
     most = std::max(most, z);
   });
   const double tiny = by_rounding * (std::abs(least) + std::abs(most));
-  return most - least <= tiny ? 0.5 * (least + most) : nowhere;  // more than one height: it overhangs
+  // The horizon has more than one height there, because it overhangs.
+  return most - least <= tiny ? 0.5 * (least + most) : nowhere;
 }
 
 UnitRange LaidDown::units_at(const Vec3& p) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The units of the column at a place, by the horizons as they were laid down.
+/// The units of the column at a place, which follow from the horizons in the order in which they were deposited.
 #pragma once
 
 #include <memory>
@@ -14,29 +14,31 @@
 
 namespace geomesh::geomodel {
 
-/// The heights of the column's horizons over each place before any cut another one, and what the rules make of them.
-/// Horizons with throw count by the block on whose sides of the faults the place lies. So the unit is known, too, where
-/// nothing is left of a horizon: another one cut it there. Surfaces are copied.
+/// The heights of the column's horizons over each place before any of them cut another one, and the order that the
+/// rules make of them. For horizons with throw, the block is used that lies on the place's sides of the faults. The
+/// unit is therefore known even where a horizon was removed because another one cut it. Surfaces are copied.
 class LaidDown {
  public:
-  /// Throws Error{usage} where the column names no surface. `built` tells blocks; it may be of fewer surfaces.
+  /// Throws Error{usage} if the column names a surface that does not exist. `built` holds the blocks; it may have fewer
+  /// surfaces.
   LaidDown(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules);
 
-  /// The units that the horizons leave: one, or several where a horizon is not there, or there more than once. Empty
-  /// where they contradict each other. O(horizons * log triangles) and the square of the horizons.
+  /// Returns the units that are possible at p: one, or several if a horizon is absent there or has several heights.
+  /// Empty if the horizons contradict each other. O(horizons * log triangles) and the square of the horizons.
   UnitRange units_at(const Vec3& p) const;
 
  private:
-  /// A part of a horizon of one height over each place.
+  /// A part of a horizon that has one height over each place of the map.
   struct Sheet {
     TriangulatedSurface surface{};
     std::unique_ptr<MapLocator> locator{};
   };
   struct Horizon {
     std::vector<FaultSides> faults{};
-    std::vector<std::vector<bool>> sides{};          ///< per block
-    std::vector<std::vector<bool>> on_both_sides{};  ///< per block, or empty: faults on both sides of which it lies
-    std::vector<Sheet> blocks{};                     ///< one where there are none
+    std::vector<std::vector<bool>> sides{};  ///< per block
+    /// For each block, the faults on both sides of which it lies; or empty.
+    std::vector<std::vector<bool>> on_both_sides{};
+    std::vector<Sheet> blocks{};  ///< one sheet for each block; a single one if there are no blocks
   };
   static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
                             const std::vector<TriangulatedSurface>& surfaces);
@@ -46,8 +48,9 @@ class LaidDown {
   Keepers keepers_;
 };
 
-/// The naming rules with the model's unconformities and LaidDown::units_at, which tells nothing without a column, or
-/// with more than `most_horizons`. Surfaces are looked at when it is first asked, and must outlive it. Not for threads.
+/// Returns the naming rules with the model's unconformities and with LaidDown::units_at, which gives no information if
+/// there is no column or if it has more than `most_horizons`. Surfaces are read at the first call, so they must outlive
+/// the result. Not thread-safe.
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules);
 

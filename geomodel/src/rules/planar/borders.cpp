@@ -50,13 +50,13 @@ BorderLoops border_loops(const std::vector<BorderEdge>& edges) {
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (used[start]) continue;
     std::vector<VertexIndex> path;          // of the walk
-    std::map<VertexIndex, std::size_t> at;  // place on the path
+    std::map<VertexIndex, std::size_t> at;  // position of each vertex on the path
     for (std::size_t e = start;;) {
       used[e] = true;
       at[edges[e].a] = path.size();
       path.push_back(edges[e].a);
       const VertexIndex next = edges[e].b;
-      if (const auto closed = at.find(next); closed != at.end()) {  // a loop closes: take it off the path
+      if (const auto closed = at.find(next); closed != at.end()) {  // a loop closes and is removed from the path
         const std::size_t first = closed->second;
         result.loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
         for (std::size_t k = first; k < path.size(); ++k) at.erase(path[k]);

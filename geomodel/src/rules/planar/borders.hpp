@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Borders of a surface as read, and the frame in which a surface is continued.
+/// Borders of a surface as read, and the frame in which a surface is extended.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace geomesh::geomodel {
 
-/// An edge of one triangle alone (equal coordinates merged), in the direction in which its triangle runs through it.
+/// An edge with only one triangle (equal coordinates merged), in the direction in which the triangle traverses it.
 struct BorderEdge {
   VertexIndex a, b;  ///< the first rows with these coordinates
   Index triangle;
 };
 
-/// In the order of triangles.
+/// Returns the border edges in the order of their triangles.
 std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface);
 
-/// The border's closed loops, each in the direction of its edges; edges that do not close up (two loops through one
-/// point are parted there) are left out and counted.
+/// The border's closed loops, each in the direction of its edges (two loops through one point are separated). Edges
+/// that do not close a loop are left out and counted.
 struct BorderLoops {
   std::vector<std::vector<VertexIndex>> loops;
   std::size_t n_edges_left = 0;
 };
 BorderLoops border_loops(const std::vector<BorderEdge>& edges);
 
-/// An orthonormal frame: map (u = x, v = y, w = z) or the mean plane of a surface or loop.
+/// An orthonormal frame: the map (u = x, v = y, w = z) or the mean plane of a surface or loop.
 struct Frame {
   Vec3 origin, u{1, 0, 0}, v{0, 1, 0}, w{0, 0, 1};
   bool is_map = true;
@@ -42,17 +42,17 @@ struct Frame {
     return origin + q.x * u + q.y * v + q.z * w;
   }
 };
-/// Frame whose w is the direction of `normal`; the map where normal is zero.
+/// Returns a frame whose w is the direction of `normal`; the map if the normal is zero.
 Frame frame_of_normal(const Vec3& origin, const Vec3& normal);
 
-/// The map for horizons; the mean plane for faults and bodies. Expects at least one triangle.
+/// Returns the map for horizons, the mean plane for faults and bodies. Requires at least one triangle.
 Frame frame_of(const TriangulatedSurface& surface);
 
-/// Whether most of the area, as the triangles are given, faces up in the frame: triangles that are added are stored
-/// alike.
+/// Returns whether most of the area of the given triangles faces up in the frame, so that added triangles get the same
+/// orientation.
 bool faces_up(const TriangulatedSurface& surface, const Frame& frame);
 
-/// Area of the triangles from row `first` on.
+/// Returns the area of the triangles from row `first` on.
 double area_from(const TriangulatedSurface& surface, std::size_t first);
 
 }  // namespace geomesh::geomodel

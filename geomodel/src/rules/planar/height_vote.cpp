@@ -26,7 +26,7 @@ HeightVote::HeightVote(const WorkingSoup& working, Index y, const std::vector<Tr
         });
       }) {}
 
-/// Heights are rounded: a fault that rounding puts on one of the ends meets a surface at that very place.
+/// Heights are rounded: a fault that rounding places exactly at one of the ends meets a surface at that very place.
 bool HeightVote::is_fault_between(const Vec3& p, double height) const {
   if (!faults_.locator()) return false;
   bool is_between = false;

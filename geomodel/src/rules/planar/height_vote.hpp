@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// On which side of a horizon most of a piece of another one lies, by heights.
+/// Determines on which side of a horizon most of a piece of another horizon lies, by heights.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,22 @@
 
 namespace geomesh::geomodel {
 
-/// A piece may go on beyond the end of the horizon that cuts it, and meet it again from its other side. Edges where
-/// they meet tell little of such a piece; the area above and below tells its side.
+/// A piece may continue beyond the end of the horizon that cuts it, and meet it again from the other side. Edges where
+/// they meet say little about such a piece; its area above and below does.
 class HeightVote {
  public:
-  /// What is left of surface y, and of the faults among the surfaces.
+  /// Uses the remaining parts of surface y, and of the faults among the surfaces.
   HeightVote(const WorkingSoup& working, Index y, const std::vector<TriangulatedSurface>& surfaces);
   HeightVote(const HeightVote&) = delete;
   HeightVote& operator=(const HeightVote&) = delete;
 
-  /// 1: most of the piece's area lies above y, -1: below, 0: y is over or under none of it. Facets are judged at their
-  /// centres, exactly, where y is there once. Where a fault passes between, y is that of another block, which was
-  /// thrown: it tells nothing there.
+  /// Returns 1 if most of the piece's area lies above y, -1 if below, 0 if y is neither above nor below any of it.
+  /// Facets are tested at their centres, exactly, where y is present once. Where a fault passes between the two, y
+  /// belongs to another, displaced block, and that place is ignored.
   int side_of(const Piece& piece) const;
 
  private:
-  /// What is left of some surfaces, and where in the map.
+  /// The remaining parts of some surfaces, with a locator in the map.
   class Left {
    public:
     Left(const WorkingSoup& working, const std::function<bool(Index facet)>& is_mine);
@@ -38,7 +38,7 @@ class HeightVote {
 
    private:
     TriangulatedSurface surface_;
-    std::optional<MapLocator> locator_;  ///< where anything is left
+    std::optional<MapLocator> locator_;  ///< locator, if any parts remain
   };
   bool is_fault_between(const Vec3& p, double height) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Heights of a surface over points of the map.
+/// Finds heights of a surface over points of the map.
 #pragma once
 
 #include <functional>
@@ -13,23 +13,23 @@
 
 namespace geomesh::geomodel {
 
-/// Which triangles of a surface lie over or under a point of the map, by exact orientation; a grid of cells makes
-/// questions cheap: constant time for evenly spaced triangles. Vertical triangles are never found.
+/// Finds which triangles of a surface lie above or below a point of the map, by exact orientation; a grid of cells
+/// makes a query constant time for evenly spaced triangles. Vertical triangles are never found.
 class MapLocator {
  public:
   explicit MapLocator(const TriangulatedSurface& surface);
 
   struct Hit {
     Index triangle = no_index;
-    std::size_t count = 0;  ///< how many triangles; more than one on shared edges or where the surface overhangs
-    bool strictly = false;  ///< inside the triangle, on none of its edges
+    std::size_t count = 0;  ///< number of triangles found; more than one on shared edges or where the surface overhangs
+    bool strictly = false;  ///< whether the point is inside the triangle and on none of its edges
   };
   Hit find(Vec2 p) const;
-  /// `found` is given each triangle over or under p, and whether p is strictly inside it.
+  /// Calls `found` with each triangle above or below p, and whether p is strictly inside it.
   void for_each(Vec2 p, const std::function<void(Index triangle, bool strictly)>& found) const;
-  /// Height of the triangle's plane; at one of its corners exactly that corner's.
+  /// Returns the height of the triangle's plane at p; at one of its corners exactly that corner's height.
   double height(Index triangle, Vec2 p) const;
-  /// Height over p, nothing beside the surface.
+  /// Returns the height at p, or nothing beside the surface.
   std::optional<double> height(Vec2 p) const;
 
  private:

@@ -26,14 +26,14 @@ bool runs_from(const Triangle& t, VertexIndex a, VertexIndex b) {
   return false;
 }
 
-/// Whether facet f, turned so that its normal is on the upper side of y, runs through the edge from a to b.
+/// Returns whether facet f, oriented so that its normal is on the upper side of y, traverses the edge from a to b.
 bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& sides, VertexIndex a, VertexIndex b) {
   const PolygonSoup::Origin& o = *w.origin_of(f, y);
   const bool facet_is_up = (sides.as_stored[o.triangle] != 0) != o.reversed;
   return runs_from(w.soup.facets[f], a, b) == facet_is_up;
 }
 
-/// Whether, in the map, two facets are on different sides of an edge of both.
+/// Returns whether two facets lie on different sides of their common edge in the map.
 bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
   const Vec3 &a = w.soup.points[edge.a], &b = w.soup.points[edge.b];
   const auto side = [&](Index facet) {
@@ -43,8 +43,8 @@ bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
   return side(f) * side(g) == Sign::negative;
 }
 
-/// Side of point d at the edge against the facets of y there: 1 above, -1 below, 0 on it or undecided. Facets of y
-/// are one (y ends here) or two (d is in the upper or the lower wedge between them).
+/// Returns the side of point d at the edge relative to the facets of y there: 1 above, -1 below, 0 on it or undecided.
+/// There is one facet of y (y ends here), or there are two (d is in the upper or the lower wedge between them).
 int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
                  const UpwardSides& sides, VertexIndex d) {
   const VertexIndex a = edge.a, b = edge.b;
@@ -56,7 +56,7 @@ int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<In
     return static_cast<int>(runs_upward(w, of_y[0], y, sides, a, b) ? s : -s);
   }
   if (of_y.size() != 2) return 0;
-  Index from = of_y[0], to = of_y[1];  // the upper wedge turns counter-clockwise about a -> b from `from` to `to`
+  Index from = of_y[0], to = of_y[1];  // the upper wedge extends counter-clockwise about a -> b from `from` to `to`
   if (!runs_upward(w, from, y, sides, a, b)) std::swap(from, to);
   if (!runs_upward(w, from, y, sides, a, b) || runs_upward(w, to, y, sides, a, b)) return 0;
   const VertexIndex c1 = apex_of(w.soup.facets[from], a, b), c2 = apex_of(w.soup.facets[to], a, b);
@@ -119,8 +119,8 @@ PolygonSoup WorkingSoup::result() const {
   for (Index f = 0; f < soup.facets.size(); ++f) {
     if (!alive(f)) continue;
     Triangle t = soup.facets[f];
-    // The first origin's orientation is the facet's: where that origin went, turn the facet to the one that is first
-    // now.
+    // A facet has the orientation of its first origin: if that origin was removed, the facet is flipped to match the
+    // one that is first now.
     const bool turn = origins[f].front().reversed;
     if (turn) std::swap(t[1], t[2]);
     out.facets.push_back({row[t[0]], row[t[1]], row[t[2]]});

@@ -23,12 +23,12 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
-/// Fewest constraints between each face and the infinite one.
+/// Computes the least number of constraints between each face and the infinite one.
 void find_depths(Triangulation& triangulation) {
   for (auto face : triangulation.all_face_handles()) face->info() = -1;
   std::deque<Triangulation::Face_handle> queue{triangulation.infinite_face()};
   triangulation.infinite_face()->info() = 0;
-  while (!queue.empty()) {  // breadth first with weights 0 and 1
+  while (!queue.empty()) {  // breadth-first search with weights 0 and 1
     const auto face = queue.front();
     queue.pop_front();
     for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ void find_depths(Triangulation& triangulation) {
   }
 }
 
-/// Rows of the points along a curve that fills the plane, so that each is inserted near the one before.
+/// Returns the rows of the points along a space-filling curve, so that each is inserted near the previous one.
 std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
   std::vector<std::pair<Kernel::Point_2, Index>> rows;
   for (Index i = 0; i < points.size(); ++i) rows.push_back({{points[i].x, points[i].y}, i});
@@ -57,16 +57,16 @@ std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
   return order;
 }
 
-/// Both diagonals between four points on one circle are Delaunay. The one without the last of the points, by y and then
-/// x, is taken, as if later points lay a little outside of the circle. So the squares of a grid have parallel
-/// diagonals, the triangulation is unique, and the flips end.
+/// Both diagonals between four cocircular points are Delaunay. The one that avoids the last of the points, by y and
+/// then x, is chosen, as if later points lay slightly outside the circle. The squares of a grid then have parallel
+/// diagonals, the triangulation is unique, and the flips terminate.
 void settle_ties(Triangulation& triangulation) {
   const auto is_before = [](const Triangulation::Vertex_handle& v, const Triangulation::Vertex_handle& w) {
     const auto &p = v->point(), &q = w->point();
     return p.y() != q.y() ? p.y() < q.y() : p.x() < q.x();
   };
-  // The faces are visited as they were made. CGAL's edges are visited by the faces' places in memory, which would
-  // decide the order of the triangles.
+  // Faces are visited in the order of their creation. CGAL visits edges by the addresses of faces in memory, which
+  // would make the order of the triangles vary.
   std::vector<Triangulation::Edge> queue;
   for (auto face : triangulation.finite_face_handles())
     for (int k = 0; k < 3; ++k) queue.emplace_back(face, k);

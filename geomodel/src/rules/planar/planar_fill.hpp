@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Constrained Delaunay triangulation of points in a plane, with CGAL behind it.
+/// Constrained Delaunay triangulation of points in a plane, implemented with CGAL.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@ namespace geomesh::geomodel {
 
 struct PlanarTriangle {
   std::array<Index, 3> vertices;  ///< rows of the points, counter-clockwise
-  int depth;  ///< constraints crossed on the way in from outside: 0 outside all loops, 1 inside, 2 in a hole ...
+  int depth;  ///< number of constraints crossed from outside: 0 outside all loops, 1 inside, 2 in a hole ...
 };
 
-/// All triangles of the points' convex hull; the order depends on the input alone. None where constraints cross each
-/// other or pass through a point, or where two points are equal.
+/// Returns all triangles of the points' convex hull; their order depends on the input alone. Returns nothing if
+/// constraints cross each other or pass through a point, or if two points are equal.
 std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<Vec2>& points,
                                                              const std::vector<std::pair<Index, Index>>& constraints);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One triangulation of the map that holds the edges of several surfaces, with CGAL behind it.
+/// One triangulation of the map that contains the edges of several surfaces, implemented with CGAL.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,11 @@
 namespace geomesh::geomodel {
 
 struct PlanarOverlay {
-  std::vector<Vec2> points;         ///< those of the surfaces, and where their edges cross in the map (rounded)
-  std::vector<Triangle> triangles;  ///< counter-clockwise, of the whole convex hull
+  /// Points of the surfaces, followed by the (rounded) points where their edges cross in the map.
+  std::vector<Vec2> points;
+  std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the whole convex hull
 };
-/// Near-linear but for the crossings of edges.
+/// Nearly linear except for the crossings of edges.
 PlanarOverlay overlay_in_map(const std::vector<const TriangulatedSurface*>& surfaces);
 
 }  // namespace geomesh::geomodel

@@ -29,7 +29,7 @@ struct Part {
   unsigned halvings;
 };
 
-/// What is within a length of one edge is convex.
+/// The set of points within a length of one edge is convex, so testing the corners suffices.
 bool one_edge_is_near_all(const std::vector<EdgeEnds>& edges, const Part& part, double limit) {
   return std::ranges::any_of(edges, [&](const EdgeEnds& edge) {
     return std::ranges::all_of(part.corners, [&](const Vec3& p) { return distance_to(edge, p) <= limit; });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far triangles reach from edges.
+/// How far triangles reach from a set of edges.
 #pragma once
 
 #include <array>
@@ -12,9 +12,10 @@ namespace geomesh::geomodel {
 
 using EdgeEnds = std::array<Vec3, 2>;
 
-/// False where every point of the triangle is shown to be within `limit` of one of the edges. What lies between cannot
-/// be told from its corners: it is cut into parts until each is shown to be near, or a place is found that is not.
-/// Where 64 cuts of a side leave it open, it is true. Cost: few parts, but for triangles that reach just so far.
+/// Returns false if every point of the triangle is proven to be within `limit` of one of the edges. This does not
+/// follow from the corners alone: the triangle is subdivided until each part is proven to be near, or a place is found
+/// that is not. Returns true if 64 subdivisions of a side do not decide. Cost: few parts, except for triangles that
+/// reach almost exactly to the limit.
 bool reaches_beyond(const std::array<Vec3, 3>& triangle, const std::vector<EdgeEnds>& edges, double limit);
 
 }  // namespace geomesh::geomodel

@@ -12,7 +12,7 @@ namespace {
 
 struct EdgeSide {
   VertexIndex a, b;  ///< the lesser first
-  Sign side;         ///< of the triangle's third point
+  Sign side;         ///< side on which the triangle's third point lies
   friend bool operator<(const EdgeSide& x, const EdgeSide& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
 };
 

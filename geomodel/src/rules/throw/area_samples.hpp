@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Places all over a surface, each with the area that it stands for.
+/// Sample points all over a surface, each with the area that it represents.
 #pragma once
 
 #include <cmath>
@@ -12,11 +12,11 @@ namespace geomesh::geomodel {
 Vec3 centre_of(const TriangulatedSurface& surface, const Triangle& triangle);
 double area_of(const TriangulatedSurface& surface, Index triangle);
 
-/// Triangles by equal parts, so that a horizon of few large ones is on each side of a fault by the area that lies
-/// there. A surface has some 500 parts at least; a triangle that is small beside it is one part.
+/// Divides large triangles into equal parts, so that even a horizon of few large triangles has its area on each side of
+/// a fault measured. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
 class AreaSamples {
  public:
-  /// The surface outlives this. O(triangles).
+  /// The surface must outlive this object. O(triangles).
   explicit AreaSamples(const TriangulatedSurface& surface);
 
   /// Calls visit(place, area) for each part of a triangle.
@@ -41,7 +41,7 @@ class AreaSamples {
   }
 
   const TriangulatedSurface& surface_;
-  double largest_ = 0;  ///< area of a part; infinite where the surface has none
+  double largest_ = 0;  ///< largest area of a part; infinite if the surface has no area
 };
 
 }  // namespace geomesh::geomodel

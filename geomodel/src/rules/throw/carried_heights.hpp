@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Heights of a horizon carried on beyond its nodes, towards a fault and over it.
+/// Extrapolates heights of a horizon beyond its nodes, towards a fault and across it.
 #pragma once
 
 #include <map>
@@ -16,12 +16,13 @@ namespace geomesh::geomodel {
 /// approximation power of moving least-squares, Math. Comp. 67, 1998).
 class CarriedHeights {
  public:
-  /// `edge`: median edge of the horizon in the map. The surface outlives it, and may get more points.
+  /// `edge` is the median edge length of the horizon in the map. The surface must outlive this object and may get more
+  /// points.
   CarriedHeights(const TriangulatedSurface& surface, double edge);
   void add(VertexIndex node);
-  /// The height at p of the plane through the nodes about the nearest one, within reach of p. `across`: the direction
-  /// across a fault, of length one; distances along it count more, since throw changes along the strike. Nought: no
-  /// direction counts more.
+  /// Returns the height at p of the plane fitted to the nodes around the nearest node, if that is within reach of p.
+  /// `across` is the unit vector perpendicular to the fault's strike; distances along it have a larger weight, since
+  /// throw changes along the strike. If it is zero, all directions are equal.
   std::optional<double> at(const Vec3& p, const Vec2& across, double reach) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where triangles cross a fault, and where its continuation beyond the end that it has inside the model.
+/// Finds triangles that cross a fault, and those that cross its extension beyond an end inside the model.
 #pragma once
 
 #include <cstdint>
@@ -10,25 +10,25 @@
 
 namespace geomesh::geomodel {
 
-/// The box that nothing is outside of.
+/// A box that contains everything.
 inline constexpr Box3 everywhere{Box3{}.max, Box3{}.min};
 
-/// A fault across which a horizon has throw, and where its own continuation begins (its number of triangles where there
-/// is none).
+/// A fault across which a horizon has throw, and the row at which its own extension begins (its number of triangles if
+/// it has none).
 struct ThrowFault {
   const TriangulatedSurface* surface;
   Index first_made;
 };
 
-/// Whether the fault has a continuation in the box. It has none there where it ends on the sides, but for rounding.
+/// Returns whether the fault has an extension inside the box. It has none if it ends on the sides, up to rounding.
 bool ends_inside(const ThrowFault& fault, const Box3& box);
 
-/// What a triangle crosses: nothing, a fault as it is, or the continuation of one (which wins over the fault itself:
-/// the fault ends in that triangle).
+/// What a triangle crosses: nothing, a given fault, or the extension of a fault (which takes precedence over the fault
+/// itself, because the fault ends in that triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };
 
-/// Of the horizon's triangles from row `first` on; by exact orientation of edges against triangles. Continuations count
-/// inside the box.
+/// Classifies the horizon's triangles from row `first` on, by exact orientation of edges against triangles. Extensions
+/// count only inside the box.
 std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::size_t first,
                                      const std::vector<ThrowFault>& faults, const Box3& box);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A fault as its triangles: on which side of it a place lies, how far off, and where along its strike.
+/// A fault as a set of triangles: on which side of it a place lies, how far away, and where along its strike.
 #pragma once
 
 #include <array>
@@ -14,23 +14,23 @@
 
 namespace geomesh::geomodel {
 
-/// A place beside a fault.
+/// Position of a place relative to a fault.
 struct Beside {
   double distance;
-  double across;   ///< in the map at the place's own height, positive above the fault
+  double across;   ///< horizontal distance at the height of the place, positive above the fault
   double along;    ///< the strike
   Vec2 direction;  ///< of `across`
-  bool is_within;  ///< not beyond the fault's end
+  bool is_within;  ///< whether the place is not beyond the fault's end
 };
 
-/// Triangles with normals to one side, boxes about them, and the strike of all. A query costs about as many triangles
-/// as lie within its reach, or nearer than the nearest one.
+/// Triangles of a fault with normals to one side, their bounding boxes, and the mean strike. A query visits about as
+/// many triangles as lie within its reach or are closer than the nearest one.
 class FaultFaces {
  public:
   explicit FaultFaces(const TriangulatedSurface& fault);
 
-  /// From the nearest triangle that is not level; beyond the fault's ends its plane goes on. Nothing further off than
-  /// reach.
+  /// Returns the position relative to the nearest triangle that is not horizontal, whose plane is extended beyond the
+  /// fault's ends. Returns nothing beyond `reach`.
   std::optional<Beside> beside(const Vec3& p, double reach) const;
 
  private:
@@ -39,7 +39,8 @@ class FaultFaces {
     Vec3 normal;
     Box3 bounds;
     bool is_further(const Vec3& p, double reach) const;
-    /// Over the triangle, or nearly so over a bend between two.
+    /// Returns the distance of p, and whether p projects onto the triangle, or nearly so at a bend between two
+    /// triangles.
     std::pair<double, bool> distance(const Vec3& p) const;
   };
 
@@ -48,7 +49,7 @@ class FaultFaces {
   std::vector<Index> faces_within(const Vec3& p, double reach) const;
 
   std::vector<Face> faces_;
-  std::vector<Index> steep_;  ///< those that are not level
+  std::vector<Index> steep_;  ///< rows of the triangles that are not horizontal
   NearestPoint steep_centres_;
   arrangement::BoxTree tree_;
   Box3 bounds_;

@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t few = 8;  // looked at one after the other
+constexpr std::size_t few = 8;  // number of points that are searched linearly
 
 }  // namespace
 

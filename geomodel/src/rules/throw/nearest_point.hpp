@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The nearest of many points.
+/// Finds the nearest of many points.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace geomesh::geomodel {
 
-/// A tree that halves the points along the longest side of the box about them (J. L. Bentley, Multidimensional binary
-/// search trees used for associative searching, Comm. ACM 18, 1975). O(n log n) to build, O(log n) a question.
+/// A tree that halves the points along the longest side of their bounding box (J. L. Bentley, Multidimensional binary
+/// search trees used for associative searching, Comm. ACM 18, 1975). O(n log n) to build, O(log n) per query.
 class NearestPoint {
  public:
   explicit NearestPoint(std::vector<Vec3> points);
-  /// Row of the point nearest to p, the first of equally near ones; no_index: there are none.
+  /// Returns the row of the point nearest to p, the first of equally near ones; no_index if there are no points.
   Index find(const Vec3& p) const;
 
  private:
@@ -24,14 +24,14 @@ class NearestPoint {
     double distance = 0;
   };
   void build(std::size_t begin, std::size_t end);
-  /// `off`: from p to the part's box, along each axis.
+  /// Searches the points in rows [begin, end). `off` is the vector from p to their bounding box, along each axis.
   void find(std::size_t begin, std::size_t end, const Vec3& p, const Vec3& off, Best& best) const;
   void look_at(Index row, const Vec3& p, Best& best) const;
 
   std::vector<Vec3> points_;
   Box3 bounds_;
   std::vector<Index> rows_;         ///< halved in place
-  std::vector<std::uint8_t> axis_;  ///< by the middle of each part
+  std::vector<std::uint8_t> axis_;  ///< axis along which each part was halved, stored at the row of its middle
 };
 
 }  // namespace geomesh::geomodel

@@ -10,10 +10,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double least_of_sides = 0.1;         // of a sheet's area, on either side of a fault that it runs on across
-constexpr double least_beside_another = 0.25;  // the same where another sheet lies on the smaller side
-constexpr double least_of_corner = 0.02;       // the same where other faults part its sheets
-constexpr double least_sheet = 0.005;          // of the horizon's area
+// Least share of a sheet's area on each side of a fault across which it is considered to continue.
+constexpr double least_of_sides = 0.1;
+constexpr double least_beside_another = 0.25;  // the same share if another sheet lies on the smaller side
+constexpr double least_of_corner = 0.02;       // the same share if other faults separate its sheets
+constexpr double least_sheet = 0.005;          // smallest sheet that counts, as a share of the horizon's area
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   std::vector<Vec3> centres;
@@ -21,7 +22,7 @@ std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   return centres;
 }
 
-/// Through the centres of the triangles, their normals to one side.
+/// Returns planes through the centres of the triangles, with normals to one side.
 std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
   const UpwardSides up = orient_upward(s);
   std::vector<SidedPlane> planes;
@@ -107,7 +108,8 @@ bool SheetSides::runs_across(std::size_t fault) const {
 }
 
 bool SheetSides::parts_alone(std::size_t fault, const std::vector<bool>& counts) const {
-  std::map<std::vector<bool>, std::pair<bool, bool>> found;  // by sides of the others: below, above
+  // For each combination of sides of the other faults: whether sheets lie below and above this fault.
+  std::map<std::vector<bool>, std::pair<bool, bool>> found;
   for (const auto& entry : sheets_) {
     const Sheet& sheet = entry.second;
     if (sheet.area < least_sheet * area_) continue;
@@ -152,7 +154,7 @@ std::vector<bool> SheetSides::run_across() const {
   std::vector<bool> counts(n_faults_);
   for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = !runs_across(f);
   const auto corner = [this](std::size_t f) { return largest_corner(f); };
-  for (;;) {  // one at a time: those that are left may part the sheets alone then
+  for (;;) {  // remove one fault at a time, because the remaining ones may then be needed to separate the sheets
     const std::size_t next = least_needed(counts, least_of_corner, corner);
     if (next == n_faults_) break;
     counts[next] = false;

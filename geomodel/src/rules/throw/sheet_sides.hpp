@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// On which sides of faults the sheets of a horizon lie.
+/// Determines on which sides of faults the sheets (connected parts) of a horizon lie.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 
 namespace geomesh::geomodel {
 
-/// Pairs of triangles with an edge in common (equal coordinates merged).
+/// Returns pairs of triangles with a common edge (equal coordinates are merged).
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& surface);
 
-/// Sheets joined across the pairs that `joins` accepts, as the least triangle of each.
+/// Returns sheets connected across the pairs that `joins` accepts; each is identified by its smallest triangle row.
 template <class F>
 std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pair<Index, Index>>& neighbours,
                              F&& joins) {
@@ -33,40 +33,41 @@ std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pai
   return sheet;
 }
 
-/// A fault's triangles with normals to one side. A query costs O(log triangles), and next to nothing where the place
-/// is on one side of the planes of all.
+/// A fault's triangles with normals to one side. A query costs O(log triangles), and much less if the place is on one
+/// side of all their planes.
 class FaultSides {
  public:
   explicit FaultSides(const TriangulatedSurface& fault);
-  /// By the plane of the triangle that is nearest by its centre.
+  /// Returns whether p is above the plane of the triangle whose centre is nearest.
   bool is_above(const Vec3& p) const;
 
  private:
-  std::vector<SidedPlane> planes_;  ///< by triangle, through their centres
+  std::vector<SidedPlane> planes_;  ///< planes through the centres of the triangles, in their order
   NearestPoint nearest_;
   SideBounds bounds_;
 };
 
-/// Sheets of a horizon (triangles that hang together by edges), and how much of each lies on which side of each fault.
-/// A sheet is on the side where most of its area is. Cost: parts of triangles times faults, each O(log n).
+/// Sheets of a horizon (sets of triangles connected by edges), and how much of each lies on each side of each fault. A
+/// sheet is on the side where most of its area is. Cost: parts of triangles times faults, each O(log n).
 class SheetSides {
  public:
   /// Both outlive this.
   SheetSides(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
-  /// Per fault, whether a sheet runs on across it, so that the horizon has no throw there. A tenth of the sheet's area
-  /// at least lies on either side. Where another sheet is on the same sides of all faults as the smaller part, it is a
-  /// quarter. Over or under that part lies no other sheet, as one does where the sheet only overshoots. A fiftieth is
-  /// enough where other faults lie between all sheets that this one has on its two sides: it cuts a corner off.
+  /// For each fault, returns whether a sheet continues across it, so that the horizon has no throw there. At least a
+  /// tenth of the sheet's area must lie on either side, or a quarter if another sheet is on the same sides of all
+  /// faults as the smaller part. No other sheet may lie above or below that part, because then the sheet only
+  /// overshoots the fault. A fiftieth is enough if other faults lie between all sheets that this one has on its two
+  /// sides: the fault then cuts off a corner.
   std::vector<bool> run_across() const;
 
-  /// Per fault, whether it is one of the fewest faults that part the sheets. Of two that part the same ones it is that
-  /// with less of them on the wrong side. One that a sheet runs on across parts none. Sheets of less than a
-  /// two-hundredth of the horizon's area do not count.
+  /// For each fault, returns whether it belongs to a smallest set of faults that separates the sheets. If two faults
+  /// separate the same sheets, the one with the smaller area on the wrong side is chosen. A fault across which a sheet
+  /// continues separates none. Sheets smaller than a two-hundredth of the horizon's area are ignored.
   std::vector<bool> parting() const;
 
  private:
-  /// Part of a triangle (AreaSamples).
+  /// Part of a triangle, with the area it represents (AreaSamples).
   struct Part {
     Index sheet;
     Vec3 place;
@@ -83,21 +84,22 @@ class SheetSides {
     bool is_above(std::size_t fault) const { return 2 * above[fault] > area; }
     double smaller(std::size_t fault) const { return std::min(above[fault], area - above[fault]); }
   };
-  /// Area of the sheet's smaller part beside the fault over and under which no other sheet lies; and whether another
-  /// sheet is on the same sides as that part.
+  /// Area of the sheet's smaller part beside a fault, excluding what has another sheet above or below it; and whether
+  /// another sheet lies on the same sides as that part.
   struct SmallerPart {
     double alone;
     bool has_another;
   };
   SmallerPart smaller_part(Index sheet, std::size_t fault) const;
   bool runs_across(std::size_t fault) const;
-  /// Whether two sheets lie on different sides of the fault, and on the same side of all others that count.
+  /// Returns whether two sheets lie on different sides of the fault, and on the same side of all others that count.
   bool parts_alone(std::size_t fault, const std::vector<bool>& counts) const;
   bool parts_any(std::size_t fault) const;
-  double largest_corner(std::size_t fault) const;  ///< smaller part alone, as a share of its sheet
-  double on_wrong_side(std::size_t fault) const;   ///< area of all smaller parts
-  /// Of the faults that count, the one with most of it that parts sheets, though others that count part them as well;
-  /// n_faults_ where none has more than `least`.
+  /// Largest smaller part without other sheets on its sides, as a share of its sheet.
+  double largest_corner(std::size_t fault) const;
+  double on_wrong_side(std::size_t fault) const;  ///< total area of all smaller parts
+  /// Among the faults that count, returns the one with the greatest measure that separates sheets which the other
+  /// faults separate as well; n_faults_ if no measure exceeds `least`.
   template <class F>
   std::size_t least_needed(const std::vector<bool>& counts, double least, F&& much) const;
 
@@ -109,7 +111,7 @@ class SheetSides {
   double area_ = 0;
 };
 
-/// SheetSides::parting. A horizon of one sheet is parted by none, without looking at its sides.
+/// Returns SheetSides::parting. A horizon that is one sheet is separated by no fault, so its sides are not computed.
 std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel

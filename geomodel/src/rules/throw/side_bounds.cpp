@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t few = 8;  // planes that are not halved
+constexpr std::size_t few = 8;  // number of planes that are not divided further
 
 }  // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ramps are found in stretches along the fault, from the slopes of triangles across it.
+// Detects ramps in segments along the fault, from the slopes of triangles perpendicular to it.
 #include "rules/throw/throw_ramp.hpp"
 
 #include <algorithm>
@@ -15,27 +15,27 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Lengths in median edges of the horizon in the map.
+// Length of a segment along the fault, in median edge lengths of the horizon in the map.
 constexpr double stretch_length = 8;
 constexpr double ring_width = 8;
-// Where the slope beside a ramp is taken from on, nearer where others are near.
+// Distances, in edges, from which the slope beside a ramp is measured; smaller ones are tried if other faults are near.
 constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr std::size_t fewest_in_ring = 6;
-constexpr double sure_of_spread = 3;      // of slopes in the rings
-constexpr double sure_of_difference = 2;  // of the slopes on the two sides
-constexpr double least_slope = 0.02;      // steeper than beside the ramp
-constexpr double ramp_ends_at = 0.1;      // of its greatest slope
+constexpr double sure_of_spread = 3;      // number of standard deviations of the slopes beside the ramp
+constexpr double sure_of_difference = 2;  // factor on the difference between the slopes on the two sides
+constexpr double least_slope = 0.02;      // least amount by which a ramp is steeper than its surroundings
+constexpr double ramp_ends_at = 0.1;      // share of the greatest slope at which the ramp ends
 constexpr double share_of_stretches = 0.25;
 
-/// The slope of a triangle of the horizon across the fault.
+/// The slope of a triangle of the horizon, perpendicular to the fault.
 struct SlopeBeside {
   double across, slope;
 };
 
-/// The ramp in one stretch. Nothing where the slope beside it is not known on both sides.
+/// Returns the ramp in one segment, or nothing if the slope beside it is not known on both sides.
 struct StretchRamp {
   bool is_ramp = false;
-  double step = 0;  ///< its height, in edges
+  double step = 0;  ///< height of the ramp, in median edge lengths
   RampWidth width;
 };
 std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, long ring_from) {
@@ -74,7 +74,8 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
   for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
-  if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};  // a slope of the horizon, and no ramp
+  // The steep part is as wide as the segment, so it is the horizon's own slope and no ramp.
+  if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
   return found;
 }
@@ -162,10 +163,11 @@ void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& ru
       faces.emplace_back(s);
       faults.push_back(&s);
     }
-  // Throw belongs to two blocks, and all horizons in them have it: a fault is smeared in all of them or in none. One
-  // horizon restored beside others that keep their ramps would cross these.
+  // Throw belongs to two blocks and therefore affects all horizons in them: a grid smears a fault in all of them or in
+  // none. If one horizon were restored beside others that keep their ramps, they would cross.
   std::vector<std::size_t> n_ramps(faults.size(), 0), n_stretches(faults.size(), 0);
-  std::map<std::size_t, std::vector<bool>> parts;  // by horizon the faults between its sheets, which smear nothing
+  // For each horizon, the faults that separate its sheets; these have no ramp.
+  std::map<std::size_t, std::vector<bool>> parts;
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     const SurfaceRules& rule = rules.surfaces[s];
     if (!rule.throw_auto || !rule.cut_smeared || !is_single_valued(surfaces[s])) continue;

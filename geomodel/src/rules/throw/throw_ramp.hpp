@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A horizon that runs on across a fault as a ramp: where, how wide and how high.
+/// Detects where a horizon runs across a fault as a ramp, with the ramp's width and height.
 #pragma once
 
 #include <map>
@@ -11,36 +11,39 @@
 
 namespace geomesh::geomodel {
 
-/// Median edges of the horizon in the map: how far from a fault its slopes are looked at.
+/// Distance from a fault up to which slopes of the horizon are examined, in median edge lengths of the horizon in the
+/// map.
 inline constexpr double furthest_beside = 16;
 
-/// How far a ramp reaches on the two sides of the fault, in edges.
+/// Width of a ramp on the two sides of the fault, in edge lengths.
 struct RampWidth {
   double below = 0, above = 0;
 };
 
-/// The ramp along a fault, by stretches.
+/// The ramp along a fault, by segments along its strike.
 struct Ramp {
   std::map<long, RampWidth> at;
-  std::vector<double> steps;  ///< m, by stretch that has it
+  std::vector<double> steps;  ///< heights of the ramp in m, for the segments that have one
   std::size_t n_stretches = 0;
-  double length = 0;  ///< of the stretches that have it
+  double length = 0;  ///< total length of the segments that have a ramp
 
-  /// In a quarter of the stretches at least.
+  /// Returns whether at least a quarter of the segments have a ramp.
   bool is_there() const;
-  /// That of the stretch and its neighbours, else of the nearest one. Only where the ramp is there.
+  /// Returns the width in this segment and its neighbours, else that of the nearest segment with a ramp. Precondition:
+  /// is_there().
   RampWidth width(long stretch) const;
 };
 
 double median(std::vector<double> values);
 /// 0: no triangles.
 double median_map_edge(const TriangulatedSurface& s);
-/// The stretch of a fault that holds a place along its strike.
+/// Returns the segment of a fault that contains a position along its strike.
 long stretch_at(double along, double edge);
 
-/// A ramp is steeper across the fault than the median slope further out on both sides, by three times the spread of
-/// slopes there. Triangles that are nearer to another of `faults` do not count; `own` is one of these. `edge`: of
-/// median_map_edge(). Cost: the horizon's triangles near the fault times the triangles of all faults.
+/// Finds the ramp of a horizon across a fault. A ramp is steeper across the fault than the median slope farther away on
+/// both sides, by three times the spread of slopes there. Triangles closer to another of `faults`, which include `own`,
+/// are ignored. `edge` is the result of median_map_edge(). Cost: the horizon's triangles near the fault times the
+/// triangles of all faults.
 Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own, double edge);
 
 }  // namespace geomesh::geomodel

@@ -2,8 +2,8 @@
 // Faults that end above or below a horizon across which they are to have throw, declared in
 // geomesh/geomodel/model_rules.hpp.
 //
-// A vertex of the fault that is over or under the horizon is on one side of it. Beyond the horizon's extent in the map
-// the nearest vertex tells. All vertices must be on one side, none in a gap that blocks leave, and no triangle of the
+// A vertex of the fault is above or below the horizon; beyond the horizon's extent in the map it is compared with the
+// nearest vertex. All vertices must be on one side, none in a gap that blocks leave, and no triangle of the
 // horizon may cross the fault.
 #include <algorithm>
 
@@ -15,7 +15,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Heights of a horizon in the map, and beside it.
+/// Heights of a horizon over the map, and at the nearest vertex beyond its extent.
 class Heights {
  public:
   explicit Heights(const TriangulatedSurface& horizon)
@@ -24,7 +24,8 @@ class Heights {
       for (const VertexIndex v : t) extent_.add(horizon.points[v]);
   }
 
-  /// Whether p is above (1) or below (-1) all of the horizon over its place, 0 where it is neither or nobody can say.
+  /// Returns whether p is above (1) or below (-1) all of the horizon over its place; 0 if it is neither, or if this is
+  /// unknown.
   int side(const Vec3& p) const {
     bool above = true, below = true, found = false;
     locator_.for_each({p.x, p.y}, [&](Index triangle, bool) {
@@ -56,7 +57,7 @@ class Heights {
   NearestPoint nearest_;
 };
 
-/// 1 where the fault lies above the horizon, -1 below, 0 where it reaches it.
+/// Returns 1 if the fault lies above the horizon, -1 if below, 0 if it reaches it.
 int side_of_fault(const TriangulatedSurface& horizon, const Heights& heights, const TriangulatedSurface& fault) {
   int side = 0;
   for (const Triangle& t : fault.triangles)
@@ -82,7 +83,7 @@ void leave_out_unreached_faults(const std::vector<TriangulatedSurface>& surfaces
     const auto is_unreached = [&](const std::string& name) {
       const auto fault = std::find_if(surfaces.begin(), surfaces.end(),
                                       [&](const TriangulatedSurface& other) { return other.name == name; });
-      if (fault == surfaces.end()) return false;  // build_surfaces refuses the name
+      if (fault == surfaces.end()) return false;  // build_surfaces reports the unknown name
       const auto row = static_cast<std::size_t>(fault - surfaces.begin());
       if (rules.of(row).extend != Extend::none) return false;
       const int side = side_of_fault(surfaces[s], heights, *fault);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// No tetrahedron keeps all of its corners on a fault that is to be split.
+/// Ensures that no tetrahedron has all of its corners on a fault that is to be split.
 #pragma once
 
 #include <string>
@@ -10,15 +10,15 @@
 
 namespace geomesh::geomodel {
 
-/// The mesh in which no tetrahedron has all four corners on inner faces of one of these surfaces: each that had is
-/// divided into four about its centre. Solvers that insert cohesive cells or constrain the nodes of a fault cannot tell
-/// on which side such a tetrahedron lies (geodynamics/pylith#795). Nothing else changes: faces, curves and the rows of
-/// points and of other tetrahedra are kept. The new point has the mean of each point array, its tetrahedra the cell
-/// values of the old one. Names that no surface has are passed over. Throws Error{cannot_mesh} with the place where a
-/// tetrahedron is too flat for a centre in doubles. O(tetrahedra).
+/// Returns a mesh in which no tetrahedron has all four corners on inner faces of one of these surfaces: each such
+/// tetrahedron is divided into four around its centre. Solvers that insert cohesive cells or constrain the nodes of a
+/// fault cannot tell on which side such a tetrahedron lies (geodynamics/pylith#795). Nothing else changes: faces,
+/// curves and the rows of points and of other tetrahedra are kept. The new point has the mean of each point array, its
+/// tetrahedra the cell values of the old one. Names that no surface has are ignored. Throws Error{cannot_mesh} with the
+/// place if a tetrahedron is too flat for a centre in doubles. O(tetrahedra).
 ModelMesh with_free_corners(const ModelMesh& mesh, const std::vector<std::string>& surfaces);
 
-/// Rows of the tetrahedra with all four corners on inner faces of one of these surfaces, rising.
+/// Returns the rows of tetrahedra with all four corners on inner faces of one of these surfaces, ascending.
 std::vector<std::size_t> tetrahedra_on_surfaces(const ModelMesh& mesh, const std::vector<std::string>& surfaces);
 
 }  // namespace geomesh::geomodel

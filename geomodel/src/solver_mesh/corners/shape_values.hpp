@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Cell arrays that hold a measure of a tetrahedron's shape.
+/// Cell arrays that contain a measure of a tetrahedron's shape.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// The value that the cell array of this name has for a tetrahedron of this shape; none where the array is no measure.
+/// Returns the value of the cell array with this name for a tetrahedron of this shape; nothing if the array is not a
+/// shape measure.
 inline std::optional<double> shape_value(std::string_view name, const TetrahedronShape& s) {
   if (name == "min_dihedral") return s.min_dihedral;
   if (name == "max_dihedral") return s.max_dihedral;

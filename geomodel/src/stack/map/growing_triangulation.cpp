@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Joins cells across the sides that they share.
+/// Connects cells across the sides that they share.
 class SidePairing {
  public:
   explicit SidePairing(std::vector<GrowingTriangulation::Cell>& cells) : cells_(cells) {}
@@ -31,7 +31,7 @@ class SidePairing {
   std::map<std::pair<VertexIndex, VertexIndex>, std::pair<Index, std::size_t>> open_;
 };
 
-/// p sees the piece a b under a right angle or a greater one.
+/// Returns whether p sees the line segment a b at a right or obtuse angle.
 bool encroaches(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) <= 0;
 }
@@ -79,7 +79,7 @@ void GrowingTriangulation::number_zones() {
 
 Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
   Index at = hint;
-  std::size_t first = 0;  // the side asked first changes, so that the walk does not run in circles
+  std::size_t first = 0;  // the side that is tested first alternates, so that the walk does not loop
   for (std::size_t step = 0; step <= cells_.size(); ++step) {
     const Cell& cell = cells_[at];
     bool moved = false;
@@ -107,7 +107,7 @@ Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
 void GrowingTriangulation::star(VertexIndex v, std::vector<Index>& cells) const {
   cells.clear();
   const Index start = cell_of_vertex_[v];
-  for (const std::size_t turn : {1U, 2U}) {  // one way round; at the rim the other way too
+  for (const std::size_t turn : {1U, 2U}) {  // first in one direction; at the rim in the other direction too
     Index at = start;
     while (at != no_index) {
       if (turn == 1 || at != start) cells.push_back(at);
@@ -182,7 +182,8 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
   const Vec2 a = points_[va], b = points_[vb];
   const Vec2 m{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
   if (m == a || m == b) return;
-  // Both cells at the piece go; where the middle is off the piece by rounding it must still see all sides of the hole.
+  // Both cells at the line segment are removed; if rounding puts its midpoint beside the segment, the midpoint must
+  // still see all sides of the hole.
   const Index other = cells_[cell].neighbours[side];
   grow_cavity(m, cell, change);
   if (other != no_index && !is_in(other)) {
@@ -206,7 +207,7 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
       const VertexIndex p = in.vertices[(i + 1) % 3], q = in.vertices[(i + 2) % 3];
       const bool is_piece = (p == va && q == vb) || (p == vb && q == va);
       if (is_piece || (in.neighbours[i] != no_index && is_in(in.neighbours[i]) && !in.lined[i])) continue;
-      if (orient2d(points_[p], points_[q], m) != Sign::positive) return;  // too narrow for doubles: left as it is
+      if (orient2d(points_[p], points_[q], m) != Sign::positive) return;  // too narrow for doubles: left unchanged
     }
   fill(m, std::array{va, vb}, change);
 }
@@ -230,7 +231,7 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     }
   points_.push_back(p);
   change.vertex = v;
-  std::map<VertexIndex, Index> starts, ends;  // new cells by the first and the last vertex of their outer side
+  std::map<VertexIndex, Index> starts, ends;  // new cells by the first and by the last vertex of their outer side
   for (std::size_t k = 0; k < sides.size(); ++k) {
     Index row = static_cast<Index>(cells_.size());
     if (k < change.emptied.size()) {
@@ -249,7 +250,7 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     const Side& s = sides[k];
     const Index row = change.made[k];
     if (s.beyond != no_index) {
-      // The neighbour beyond still names a former cell: find the side by its vertices.
+      // The neighbouring cell still refers to a former cell: its side is found by the vertices.
       Cell& beyond = cells_[s.beyond];
       for (std::size_t i = 0; i < 3; ++i)
         if (beyond.vertices[(i + 1) % 3] == s.b && beyond.vertices[(i + 2) % 3] == s.a) beyond.neighbours[i] = row;

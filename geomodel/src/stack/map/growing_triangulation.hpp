@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A constrained Delaunay triangulation of a convex piece of the map that points are added to, one at a time.
+/// A constrained Delaunay triangulation of a convex part of the map, into which points are inserted one at a time.
 #pragma once
 
 #include <array>
@@ -12,41 +12,40 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles are counter-clockwise; side i is opposite to vertex i. Lines, and the rim, are never crossed by a new
-/// edge.
+/// Triangles are counter-clockwise; side i is opposite vertex i. New edges never cross the constraint lines or the rim.
 class GrowingTriangulation {
  public:
   struct Cell {
     Triangle vertices;
-    std::array<Index, 3> neighbours;  ///< no_index beyond the rim
-    std::array<bool, 3> lined;        ///< the side is part of a line or of the rim
-    Index zone;                       ///< cells made from a cell keep its number
+    std::array<Index, 3> neighbours;  ///< neighbouring cell across each side, no_index beyond the rim
+    std::array<bool, 3> lined;        ///< whether each side is part of a constraint line or of the rim
+    Index zone;                       ///< number of the zone; cells made from a cell inherit it
   };
-  /// Zones are numbered from 0: maximal sets of cells joined across sides that are part of no line.
+  /// Zones are numbered from 0: maximal sets of cells connected across sides that are not on constraint lines.
   explicit GrowingTriangulation(const LinedTriangulation& start);
 
   const std::vector<Vec2>& points() const { return points_; }
   const std::vector<Cell>& cells() const { return cells_; }
   std::size_t n_zones() const { return n_zones_; }
 
-  /// The cell that holds p, by a walk from `hint`; no_index outside of the rim.
+  /// Returns the cell that contains p, found by a walk from `hint`; no_index outside the rim.
   Index locate(const Vec2& p, Index hint) const;
-  /// Where the straight way from p, in cell `at`, to q leaves cells: calls f(cell, first vertex, second vertex of the
-  /// side, share of the way) for each.
+  /// Walks the straight line from p, in cell `at`, to q and calls f(cell, first vertex, second vertex of the crossed
+  /// side, fraction of the line) for each cell that it leaves.
   template <class F>
   void walk(const Vec2& p, Index at, const Vec2& q, F&& f) const;
-  /// Cells about a vertex, in no particular order.
+  /// Appends the cells around a vertex, in no particular order.
   void star(VertexIndex v, std::vector<Index>& cells) const;
 
-  /// What one addition changed.
+  /// The changes that one insertion caused.
   struct Change {
-    VertexIndex vertex = no_vertex;  ///< no_vertex: nothing was added
-    std::vector<Index> emptied;      ///< former cells; the new ones take their rows first
+    VertexIndex vertex = no_vertex;  ///< the inserted vertex; no_vertex if nothing was inserted
+    std::vector<Index> emptied;      ///< rows of removed cells; new cells reuse them first
     std::vector<Index> made;
   };
-  /// Adds p inside cell `at`, or on a side of it. Where p would come into the diametral circle of a line's piece longer
-  /// than `shortest`, that piece is halved instead: the new vertex is its middle. Adds nothing nearer
-  /// than a quarter of `shortest` to a vertex or line.
+  /// Inserts p inside cell `at`, or on a side of it. If p lies in the diametral circle of a constraint segment longer
+  /// than `shortest`, that segment is split at its midpoint instead. Inserts nothing that is closer than a quarter of
+  /// `shortest` to a vertex or constraint line.
   void add(const Vec2& p, Index at, double shortest, Change& change);
 
  private:
@@ -54,7 +53,7 @@ class GrowingTriangulation {
   void grow_cavity(const Vec2& p, Index at, Change& change);
   void halve(Index cell, std::size_t side, Change& change);
   bool is_crowded(const Vec2& p, double distance, const Change& change) const;
-  /// `halved`: the ends of the line's piece of which p is the middle, or nothing.
+  /// `halved` contains the ends of the constraint segment whose midpoint is p, or is empty.
   void fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change);
   bool is_in(Index cell) const { return epoch_of_[cell] == epoch_; }
 
@@ -76,7 +75,7 @@ void GrowingTriangulation::walk(const Vec2& p, Index at, const Vec2& q, F&& f) c
     const Cell& cell = cells_[at];
     double nearest = 2;
     std::size_t side = 3;
-    for (std::size_t i = 0; i < 3; ++i) {  // of the sides that q is beyond, the first on the way
+    for (std::size_t i = 0; i < 3; ++i) {  // among the sides that q is beyond, the first on the line to q
       const Vec2 &a = points_[cell.vertices[(i + 1) % 3]], &b = points_[cell.vertices[(i + 2) % 3]];
       const double to_p = turn(a, b, p), to_q = turn(a, b, q);
       if (!(to_q < 0)) continue;

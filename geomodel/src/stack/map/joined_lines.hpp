@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Lines of the map that lie in each other but for rounding, made one.
+/// Merges lines of the map that coincide up to rounding.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,10 @@
 
 namespace geomesh::geomodel {
 
-/// The lines with vertices merged that are no further apart than `reach`, and each piece led through the vertices that
-/// are no further from it. Pieces that lay side by side then are the same pieces. The first vertex of those merged, in
-/// the order of the lines, stays.
-///
-/// Cost: vertices and pieces times their logarithm, and for each piece the vertices over its width in x.
+/// Returns the lines with vertices merged that are at most `reach` apart, and with each segment routed through the
+/// vertices that are at most that far from it. Segments that lay side by side are then identical. Of merged vertices,
+/// the first one in the order of the lines is kept. Cost: vertices and segments times their logarithm, and for each
+/// segment the vertices within its range of x.
 std::vector<std::vector<Vec2>> join_lines(std::vector<std::vector<Vec2>> lines, double reach);
 
 }  // namespace geomesh::geomodel

@@ -10,11 +10,12 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double room_about_lines = 0.4;  // of the lattice's distance, kept free of its points
+// Distance from constraint lines that is kept free of lattice points, as a share of the lattice spacing.
+constexpr double room_about_lines = 0.4;
 constexpr double room_on_rim = 0.3;
-constexpr double shortest_edge = 0.08;  // of the lattice's distance
+constexpr double shortest_edge = 0.08;  // shortest edge, as a share of the lattice spacing
 
-/// The part of the piece p q within the bounds; ends that are cut off lie on them exactly.
+/// Returns the part of the segment p q within the bounds; ends that are clipped lie exactly on the bounds.
 std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b) {
   const auto at_x = [&](double x) { return Vec2{x, p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y)}; };
   const auto at_y = [&](double y) { return Vec2{p.x + (y - p.y) / (q.y - p.y) * (q.x - p.x), y}; };
@@ -32,7 +33,7 @@ std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b)
 std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lines, const MapBounds& bounds) {
   std::vector<std::vector<Vec2>> kept;
   for (const std::vector<Vec2>& line : lines) {
-    bool joins = false;  // the next piece goes on from the last one
+    bool joins = false;  // whether the next segment continues the last one
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto piece = cut_off(line[i - 1], line[i], bounds);
       if (!piece) {
@@ -47,7 +48,7 @@ std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lin
   return kept;
 }
 
-/// Tells places near lines, by cells of the lattice's distance.
+/// Finds whether places are near constraint lines, using a grid with the lattice spacing.
 class Neighbourhood {
  public:
   Neighbourhood(const MapLayout& layout, const std::vector<std::vector<Vec2>>& lines)
@@ -103,7 +104,7 @@ void add_rim(const MapLayout& layout, const Neighbourhood& lines, std::vector<Ve
   }
 }
 
-/// Rows of points, every other one shifted by half of their distance.
+/// Adds rows of points, every other row shifted by half of their spacing.
 void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vector<Vec2>& points) {
   const MapBounds& b = layout.bounds;
   const auto n_rows =
@@ -120,8 +121,8 @@ void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vecto
     }
 }
 
-/// Points nearer to each other than `least` along an edge, by the row of the one that stays: a corner, else one on the
-/// rim, else the first. Nothing where there are none.
+/// Returns which points to merge because an edge between them is shorter than `least`, by the row of the point that is
+/// kept: a corner, else one on the rim, else the first. Returns nothing if there are none.
 std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBounds& b, double least) {
   std::vector<VertexIndex> row(t.points.size());
   for (VertexIndex v = 0; v < row.size(); ++v) row[v] = v;
@@ -148,7 +149,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges what lines leave nearer to each other than `least`, and triangulates anew until nothing is.
+/// Merges points that constraint lines put closer together than `least`, and triangulates again until there are none.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {

@@ -8,7 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double most_move = 0.25;  // of a piece of a divided curve, so that its sides keep their areas
+// Largest move of a point, as a share of a piece of the divided curve, by which the areas on its sides are preserved.
+constexpr double most_move = 0.25;
 
 }  // namespace
 
@@ -39,7 +40,7 @@ double MapRaster::between(Vec2 p) const {
 
 namespace {
 
-/// Calls f with each cell beside `cell`.
+/// Calls f with each cell adjacent to `cell`.
 template <class F>
 void for_neighbours(const MapRaster& r, std::size_t cell, F&& f) {
   const std::size_t i = cell % r.n_columns, j = cell / r.n_columns;
@@ -60,10 +61,10 @@ void smooth_line(std::vector<double>& values, std::size_t first, std::size_t n, 
   }
 }
 
-/// Joins the segments of marching triangles: each end is an edge of the lattice, shared by two segments at most.
+/// Connects the segments of marching triangles: each end is an edge of the lattice, shared by at most two segments.
 class CurveJoiner {
  public:
-  using Edge = std::pair<std::size_t, std::size_t>;  ///< two cells, the lesser first
+  using Edge = std::pair<std::size_t, std::size_t>;  ///< two cells, the smaller index first
   void add(Edge from, Vec2 p, Edge to, Vec2 q) {
     place_[from] = p;
     place_[to] = q;
@@ -95,7 +96,7 @@ class CurveJoiner {
   std::map<Edge, bool> has_before_;
 };
 
-/// The part of the zero curve in one triangle of cells, counter-clockwise.
+/// Adds the part of the zero curve in one triangle of cell centres, which is counter-clockwise.
 void add_crossing(const MapRaster& r, const std::array<std::size_t, 3>& cells, CurveJoiner& joiner) {
   const auto centre = [&](std::size_t cell) { return r.centre(cell % r.n_columns, cell / r.n_columns); };
   CurveJoiner::Edge ends[2];
@@ -106,7 +107,8 @@ void add_crossing(const MapRaster& r, const std::array<std::size_t, 3>& cells, C
     if ((va < 0) == (vb < 0)) continue;
     const double t = va / (va - vb);
     const Vec2 p = centre(a), q = centre(b);
-    const std::size_t end = va < 0 ? 0 : 1;  // the curve leaves through the side that goes from negative to positive
+    // The curve leaves through the side along which values change from negative to positive.
+    const std::size_t end = va < 0 ? 0 : 1;
     ends[end] = {std::min(a, b), std::max(a, b)};
     places[end] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
   }
@@ -185,7 +187,7 @@ std::vector<std::vector<Vec2>> zero_curves(const MapRaster& r) {
 
 namespace {
 
-/// Twice the area that a chain of points and the way back enclose, positive where it runs counter-clockwise.
+/// Returns twice the area enclosed by a chain of points and its closing segment, positive if it is counter-clockwise.
 double twice_area(const std::vector<Vec2>& chain) {
   double sum = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -197,13 +199,13 @@ double twice_area(const std::vector<Vec2>& chain) {
 
 Vec2 on_piece(const Vec2& p, const Vec2& q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
 
-/// A point of a divided curve: on the piece of the curve before row `at`, at a share of it.
+/// A point of a divided curve: on the curve's segment that ends at row `at`, at a fraction of it.
 struct Division {
   std::size_t at;
   double share;
 };
 
-/// Moves points so that as much area lies on each side of the divided curve as of the one it stands for.
+/// Moves points so that the divided curve has the same area on each side as the original curve.
 void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve,
                double length) {
   const std::size_t n = divided.size() - 1;  // pieces
@@ -214,7 +216,7 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
     std::vector<Vec2> chain{divided[k + 1], divided[k], of(from[k])};
     for (std::size_t i = from[k].at; i < from[k + 1].at; ++i) chain.push_back(curve[i]);
     chain.push_back(of(from[k + 1]));
-    twice[k] = -twice_area(chain);  // positive where the curve runs on the left of the piece
+    twice[k] = -twice_area(chain);  // positive if the curve runs on the left of the segment
     lengths[k] = std::hypot(divided[k + 1].x - divided[k].x, divided[k + 1].y - divided[k].y);
   }
   const std::vector<Vec2> before = divided;

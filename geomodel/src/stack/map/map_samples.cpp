@@ -10,15 +10,16 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_for_plane = 6;
 constexpr std::size_t samples_a_bin = 3;
-constexpr double by_rounding = 1e-4;  // of the spacing: a place this far beside a surface is on its border
+// Share of the spacing: a place at most this far beside a surface is on its border.
+constexpr double by_rounding = 1e-4;
 
-/// Sums of a plane's normal equations about a centre.
+/// Sums for the normal equations of a plane around a centre.
 struct PlaneSums {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, z = 0, xz = 0, yz = 0;
   void add(double px, double py, double pz) {
     n += 1, x += px, y += py, xx += px * px, xy += px * py, yy += py * py, z += pz, xz += px * pz, yz += py * pz;
   }
-  /// Height of the fitted plane at the centre; NaN where the samples lie nearly on a line.
+  /// Returns the height of the fitted plane at the centre; NaN if the samples lie nearly on a line.
   double at_centre() const {
     const double mx = x / n, my = y / n, mz = z / n;
     const double cxx = xx / n - mx * mx, cxy = xy / n - mx * my, cyy = yy / n - my * my;

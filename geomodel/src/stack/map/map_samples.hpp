@@ -21,12 +21,12 @@ struct MapBounds {
   MapBounds grown(double by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
 };
 
-/// Between places of the map at which heights of horizons are compared: an eighth of the size, so that no element fits
-/// between them, or more where there would be more than 250,000 of them.
+/// Distance between places of the map at which heights of horizons are compared: an eighth of the target size, so that
+/// no element fits between them, or more if there would be more than 250,000 of them.
 double step_between_places(const MapBounds& bounds, double size);
 
 /// All places within bounds where at least one of the surfaces has a vertex, each once, with the heights of all
-/// surfaces there. The surfaces outlive it.
+/// surfaces there. The surfaces must outlive this object.
 class MapSamples {
  public:
   MapSamples(const std::vector<const TriangulatedSurface*>& surfaces, const MapBounds& bounds);
@@ -35,21 +35,21 @@ class MapSamples {
   std::size_t n_surfaces() const { return locators_.size(); }
   const TriangulatedSurface& surface(std::size_t k) const { return *surfaces_[k]; }
   Vec2 place(std::size_t sample) const { return places_[sample]; }
-  /// One height a surface, NaN where the surface is not there.
+  /// Returns one height per surface, NaN where the surface is absent.
   std::span<const double> heights(std::size_t sample) const {
     return {heights_.data() + sample * n_surfaces(), n_surfaces()};
   }
-  /// How far beside a surface a place still counts as on its border.
+  /// Returns how far beside a surface a place still counts as on its border.
   double border_reach() const;
-  /// The surfaces' heights at any place: on their triangles.
+  /// Computes the heights of the surfaces' triangles at any place.
   void heights_at(Vec2 p, std::span<double> heights) const;
-  /// The same from planes fitted by least squares to the samples within `radius`; on the triangles where there are
-  /// fewer than six.
+  /// Computes heights from planes fitted by least squares to the samples within `radius`; from the triangles if there
+  /// are fewer than six samples.
   void fitted_heights(Vec2 p, double radius, std::span<double> heights) const;
   bool covers(std::size_t surface, Vec2 p) const { return locators_[surface]->find(p).count > 0; }
-  /// More than one triangle of the surface lies strictly over some sample.
+  /// Returns whether more than one triangle of the surface lies strictly above some sample.
   bool overhangs(std::size_t surface) const { return overhangs_[surface]; }
-  /// About the distance between samples.
+  /// Returns the approximate distance between samples.
   double spacing() const { return spacing_; }
 
  private:

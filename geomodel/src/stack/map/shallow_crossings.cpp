@@ -8,10 +8,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double small_slope = 0.035;  // of one horizon over the other: 2 degrees
-constexpr double shared = 1e-5;        // of the size: surfaces nearer than that are one
+constexpr double small_slope = 0.035;  // slope of one horizon against the other: 2 degrees
+constexpr double shared = 1e-5;        // share of the size: surfaces closer than this coincide
 
-/// A row of the lattice: per place and horizon how far the lowest of the younger ones is over it; NaN: one is absent.
+/// A row of the lattice. For each place and horizon it holds the height above the lowest of the younger horizons; NaN
+/// if one is absent.
 class Row {
  public:
   Row(const MapSamples& samples, std::size_t n_places) : n_(samples.n_surfaces()), over_(n_places * n_) {}
@@ -34,7 +35,7 @@ class Row {
   std::vector<double> over_;
 };
 
-/// Differences at a place and at the next ones along both axes.
+/// Decides by the differences at a place and at the next ones along both axes.
 bool is_shallow(double here, double east, double north, double step, double size) {
   const double largest = std::max({std::abs(here), std::abs(east), std::abs(north)});
   const bool crosses = (here < 0) != (east < 0) || (here < 0) != (north < 0);

@@ -13,12 +13,13 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr int rounds = 20;
-constexpr int hops = 6;  // over which a round passes on what vertices could not take
+constexpr int hops = 6;  // number of edges over which a round propagates corrections that vertices could not take
 constexpr double most_places = 1e5;
-constexpr double place_of_cell = 0.25;      // distance of places, at most, of the cells of mean thicknesses
-constexpr double fit_of_spacing = 2;        // radius in which the data are averaged, of the samples' distance
-constexpr double fit_of_cell = 0.5;         // at most, of the cells of mean thicknesses
-constexpr double more_where_closing = 0.5;  // of the least thickness
+// Largest distance between places in the cells of mean thicknesses, as a share of the cell.
+constexpr double place_of_cell = 0.25;
+constexpr double fit_of_spacing = 2;        // radius in which the data are averaged, in distances between samples
+constexpr double fit_of_cell = 0.5;         // largest such radius, as a share of the cells of mean thicknesses
+constexpr double more_where_closing = 0.5;  // share of the least thickness
 
 /// A place of the map, and the heights that data and rules give there; NaN: none.
 struct RuledPlace {
@@ -26,7 +27,7 @@ struct RuledPlace {
   std::vector<double> heights;
 };
 
-/// Pairs that share one surface at a place by the thickness averaged there.
+/// Returns the pairs of neighbours that coincide at a place, from the thickness averaged there.
 MergedPairs merged_at(const std::vector<ThinArea>& areas, const Vec2& p) {
   MergedPairs merged = 0;
   for (std::size_t k = 0; k < areas.size(); ++k)
@@ -90,7 +91,7 @@ class Centring {
   }
 
  private:
-  /// Of a pair that shares one surface, the horizon that gives way.
+  /// Returns which horizon of a merged pair is moved.
   std::size_t giver(std::size_t pair) const { return options_.keepers[pair] == Keeper::younger ? pair + 1 : pair; }
   bool follows(VertexIndex v, std::size_t horizon) const {
     for (std::size_t k = 0; k + 1 < n_; ++k)
@@ -98,7 +99,7 @@ class Centring {
     return false;
   }
 
-  /// Vertices that a triangle joins to a pinch-out line.
+  /// Limits the moves of vertices that a triangle connects to a pinch-out line.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])
@@ -112,7 +113,7 @@ class Centring {
     room_.down[row] = std::max(room_.down[row], least);
   }
 
-  /// Horizons that share a vertex have the lesser room of both.
+  /// Horizons that share a vertex get the smaller of their allowed moves.
   void share_room() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (int way = 0; way < 2; ++way)
@@ -124,7 +125,7 @@ class Centring {
         }
   }
 
-  /// By how much a vertex answers to what its neighbours could not take.
+  /// Returns the weight with which a vertex takes over what its neighbours could not take.
   double taking(VertexIndex v, std::size_t horizon) const {
     return follows(v, horizon) ? 0 : weights_[v * n_ + horizon];
   }
@@ -146,7 +147,7 @@ class Centring {
     }
   }
 
-  /// Moves vertices by sums over their weights, as far as they may; gives what is left of the sums.
+  /// Moves vertices by sums divided by weights, as far as allowed; returns the remainder of the sums.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -164,7 +165,7 @@ class Centring {
     return sums;
   }
 
-  /// False where keeping the order would push a horizon beyond its room.
+  /// Returns false if keeping the order would push a horizon farther than allowed.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };
@@ -182,7 +183,7 @@ class Centring {
     return true;
   }
 
-  /// Sums of vertices given to their neighbours.
+  /// Distributes what is left at vertices among their neighbours.
   std::vector<double> passed_on(const std::vector<double>& left) const {
     std::vector<double> passed(left.size(), 0);
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
@@ -198,11 +199,11 @@ class Centring {
   MapSheets& sheets_;
   const SheetOptions& options_;
   std::size_t n_;
-  std::vector<MergedPairs> merged_about_;  ///< per vertex, of any triangle
+  std::vector<MergedPairs> merged_about_;  ///< for each vertex, the pairs that are merged in any triangle around it
   std::vector<std::vector<VertexIndex>> neighbours_;
   std::vector<double> first_;           ///< heights before the first round
   SheetRoom room_;                      ///< from there
-  std::vector<double> sums_, weights_;  ///< of distances, per vertex and horizon
+  std::vector<double> sums_, weights_;  ///< weighted sums of distances and sums of weights, for each vertex and horizon
   std::vector<RuledPlace> places_;
 };
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sheets of a stack moved so that units keep their volumes.
+/// Moves the sheets of a stack so that units keep their volumes.
 #pragma once
 
 #include "stack/sheets/sheet_approximation.hpp"
 
 namespace geomesh::geomodel {
 
-/// Moves vertices along the vertical until each horizon has the mean height that data and rules give it, about each
-/// vertex. Triangles on a bend are all off to one side, and so is a closing unit that has a least thickness. The rules
-/// are those of the stack at every place of the map: shared where `areas` say so, elsewhere at least `options.gap`
-/// apart. What a vertex cannot take is left to its neighbours. No vertex moves further than its room (`SheetRoom`), so
-/// that horizons stay as near to their data as is allowed. Where a unit closes the one that gives way has at least half
-/// of the least thickness. The order of the horizons stays. Cost: near-linear in the samples.
+/// Moves vertices vertically until each horizon has, on average around each vertex, the height that data and rules give
+/// it. Without this, triangles on a bend all lie on one side of the data, and so does a closing unit that has a least
+/// thickness. At every place of the map the rules of the stack apply: horizons coincide where `areas` say so, elsewhere
+/// they are at least `options.gap` apart. What a vertex cannot take is passed to its neighbours. No vertex moves
+/// farther than its room (`SheetRoom`), so that horizons stay within the allowed distance of their data. Where a unit
+/// closes, the horizon that is moved keeps at least half of the least thickness. The order of the horizons is
+/// preserved. Cost: nearly linear in the samples.
 void centre_sheets(MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
                    const SheetOptions& options);
 

@@ -9,13 +9,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double most_of_edge = 0.5;  // an edge is cut no further from the pinch-out line than here
+// An edge is cut at this share of its length at most, counted from the pinch-out line.
+constexpr double most_of_edge = 0.5;
 
 using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The row of triangles along the pinch-out lines of one pair of neighbours.
+/// The row of triangles along the pinch-out lines of one pair of neighbouring horizons.
 class ClosingRow {
  public:
   ClosingRow(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width, std::size_t pair)
@@ -35,7 +36,8 @@ class ClosingRow {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
       if (sheets_.merged[f] & bit_)
         for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
-    std::map<Edge, std::array<bool, 2>> sides;  // whether the unit is shared, and whether it is there, beside an edge
+    // For each edge: whether a triangle beside it has the pair merged, and whether one has the unit.
+    std::map<Edge, std::array<bool, 2>> sides;
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
       for (std::size_t i = 0; i < 3; ++i)
@@ -49,7 +51,8 @@ class ClosingRow {
     }
   }
 
-  /// Distance from the pinch-out line through vertex `from`, which it leaves to both sides, of the direction to q.
+  /// Returns the distance between the pinch-out line and the direction to q, for a vertex `from` at which the line
+  /// continues to both sides.
   double distance_from_line(VertexIndex from, const Vec2& q) const {
     const Vec2& p = sheets_.points[from];
     const double dx = q.x - p.x, dy = q.y - p.y;
@@ -65,7 +68,7 @@ class ClosingRow {
 
   bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
 
-  /// Pairs that are merged beside an edge are so at its cut.
+  /// Pairs that are merged beside an edge are also merged at the point where it is cut.
   void join_pairs_of_edges() {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -95,7 +98,7 @@ class ClosingRow {
     return v;
   }
 
-  /// A triangle with one or two vertices on the line is cut across two sides, which meet in its lone vertex.
+  /// Cuts a triangle with one or two vertices on the line across the two sides that meet in its single vertex.
   void cut(std::size_t f) {
     const Triangle t = sheets_.triangles[f];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -128,8 +131,8 @@ class ClosingRow {
   const SheetOptions& options_;
   double width_;
   MergedPairs bit_;
-  std::vector<bool> on_line_;  // points before the cut; every edge that is cut has its ends among them
-  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours on the pinch-out line
+  std::vector<bool> on_line_;  // for points before the cut; both ends of every edge that is cut are among them
+  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours of each vertex along the pinch-out line
   std::map<Edge, MergedPairs> merged_beside_;
   std::map<Edge, VertexIndex> cuts_;
 };

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How a unit of a settled stack ends: steeply, over one row of triangles along its pinch-out line.
+/// Shapes how a unit of a settled stack ends: steeply, over one row of triangles along its pinch-out line.
 #pragma once
 
 #include "stack/sheets/sheet_approximation.hpp"
 
 namespace geomesh::geomodel {
 
-/// Cuts the triangles outside of each pinch-out line at `width` from it, or half-way where they are shorter. The unit
-/// is there as thick as in the data about the cut, and at least the least thickness (`options.gap`). So it closes at an
-/// angle that elements can have, where grids thin out at a fraction of a degree. One pass a pair of neighbours,
-/// near-linear in the triangles.
+/// Cuts the triangles outside each pinch-out line at the distance `width` from it, or half-way if they are shorter. At
+/// the cut the unit is as thick as the data around it, and at least the least thickness (`options.gap`). It therefore
+/// closes at an angle that elements can have, where grids thin out at a fraction of a degree. One pass for each pair of
+/// neighbours, nearly linear in the triangles.
 void close_units(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width);
 
 }  // namespace geomesh::geomodel

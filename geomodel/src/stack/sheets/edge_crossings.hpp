@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where edges of the data cross those of sheets in the map: between these places and the vertices of both, the
-/// distance along the vertical is linear.
+/// Finds where edges of the data cross those of sheets in the map. Between these points and the vertices of both, the
+/// vertical distance is linear.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace geomesh::geomodel {
 
-/// An edge of a horizon over a side of a triangle of the map.
+/// The crossing of an edge of a horizon's data with a side of a triangle of the map.
 struct EdgeCrossing {
   std::size_t horizon;
-  Index cell;          ///< that the edge leaves
+  Index cell;          ///< the cell that the edge leaves
   VertexIndex a, b;    ///< the side
-  double along;        ///< share of the way from a to b
-  double from_vertex;  ///< distance from the nearer of both, m
+  double along;        ///< position of the crossing as a fraction of the way from a to b
+  double from_vertex;  ///< distance in m from the nearer of the two ends
   Vec2 place;
   double height;  ///< of the data
 };

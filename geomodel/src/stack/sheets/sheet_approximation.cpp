@@ -12,18 +12,21 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double vertex_is_off = 0.5;       // share of a sample's distance that is its triangle's vertices' own
-constexpr double near_vertex = 0.25;        // of the samples' distance: what is off there is the vertex
-constexpr int most_rounds = 4;              // of points added where edges are off
-constexpr double beside_of_spacing = 0.02;  // of the samples' distance: how far a vertex lies beside its sample
+// Share of a sample's distance that must be caused by the vertices of its triangle.
+constexpr double vertex_is_off = 0.5;
+// Share of the spacing of samples: if the error is larger this close to a vertex, the vertex is wrong.
+constexpr double near_vertex = 0.25;
+constexpr int most_rounds = 4;              // rounds in which points are added where edges are too far away
+constexpr double beside_of_spacing = 0.02;  // share of the spacing of samples by which a vertex lies beside its sample
 constexpr double golden_angle = 2.399963229728653;
-constexpr double shortest_of_spacing = 0.7;  // piece of a line that is halved, of the samples' distance
+// Length from which a constraint segment may be halved, as a multiple of the spacing of samples.
+constexpr double shortest_of_spacing = 0.7;
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Which pairs share one surface, by zone: as most of the zone's area is by the thickness averaged there.
+/// For each zone, returns which pairs are merged, as the averaged thickness has it over most of the zone's area.
 std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std::vector<ThinArea>& areas) {
   std::vector<MergedPairs> merged(map.n_zones(), 0);
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -42,7 +45,8 @@ std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std
   return merged;
 }
 
-/// Sheets over a triangulation of the map: the heights of all horizons at its vertices, and how far they may be off.
+/// Sheets over one triangulation of the map: the heights of all horizons at its vertices, and the distances they may
+/// have from the data.
 class Sheets {
  public:
   Sheets(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -56,7 +60,7 @@ class Sheets {
 
   MergedPairs merged(Index cell) const { return zone_merged_[map_.cells()[cell].zone]; }
 
-  /// Heights at a new vertex, of planes fitted to the samples within the radius.
+  /// Computes the heights at a new vertex from planes fitted to the samples within the radius.
   void add_vertex(VertexIndex v, double radius) {
     if (vertex_merged_.size() <= v) {
       vertex_merged_.resize(v + 1);
@@ -68,24 +72,24 @@ class Sheets {
     set_heights(v);
   }
 
-  /// Fits the vertex anew over half of its radius.
+  /// Repeats the fit at the vertex with half of the radius.
   void sharpen(VertexIndex v) {
     radius_[v] *= 0.5;
     set_heights(v);
   }
-  /// What the fit alone puts the vertex off by, on one horizon.
+  /// Returns the distance from the data at the vertex that is due to the fit alone, on one horizon.
   double off_by_fit(VertexIndex v, std::size_t horizon) {
     if (radius_[v] == 0) return 0;
     return std::abs(heights_on_triangles(map_.points()[v], vertex_merged_[v])[horizon] - heights_[v * n_ + horizon]);
   }
-  /// Heights of the given triangles, settled.
+  /// Returns the settled heights of the given triangles.
   std::span<const double> heights_on_triangles(const Vec2& p, MergedPairs merged) {
     samples_.heights_at(p, exact_);
     settle_column(exact_, merged, options_.keepers, options_.gap);
     return exact_;
   }
 
-  /// Barycentric coordinates of p in a cell.
+  /// Returns the barycentric coordinates of p in a cell.
   std::array<double, 3> weights(Index cell, const Vec2& p) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
@@ -100,7 +104,7 @@ class Sheets {
   }
   const std::vector<double>& heights() const { return heights_; }
 
-  /// Horizons that give way at a pinch-out line which the cell touches from outside. Bit k: horizon k.
+  /// Returns the horizons that are moved at a pinch-out line which touches the cell from outside. Bit k: horizon k.
   std::uint64_t giving_way(Index cell) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
@@ -115,9 +119,9 @@ class Sheets {
     return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
-  /// The difference of two surfaces of triangles is greatest at a vertex of one of them or where their edges cross in
-  /// the map. Samples are the given vertices, and the sheets' own lie on the data or near a sample; these are the
-  /// crossings that are further off than allowed.
+  /// The difference of two triangulated surfaces is greatest at a vertex of one of them or where their edges cross in
+  /// the map. The given vertices are samples already, and the sheets' own vertices lie on the data or near a sample;
+  /// this finds the crossings that are farther away than allowed.
   std::vector<Vec2> crossings_off() {
     std::vector<Vec2> off;
     for_each_crossing(map_, samples_, [&](const EdgeCrossing& at) {
@@ -158,14 +162,14 @@ class Sheets {
   std::size_t n_;
   const GrowingTriangulation& map_;
   std::vector<MergedPairs> zone_merged_;
-  std::vector<MergedPairs> vertex_merged_;  ///< any cell about the vertex
-  std::vector<double> radius_;              ///< of the fit, per vertex; 0: on the given triangles
+  std::vector<MergedPairs> vertex_merged_;  ///< for each vertex, the pairs merged in any cell around it
+  std::vector<double> radius_;              ///< radius of the fit for each vertex; 0: the height of the given triangles
   std::vector<double> heights_;             ///< settled; per vertex
   std::vector<Index> star_;
   std::vector<double> exact_;
 };
 
-/// The samples by the cell that holds each, with their settled heights.
+/// The samples with their settled heights, by the cell that contains them.
 class HeldSamples {
  public:
   HeldSamples(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -188,7 +192,7 @@ class HeldSamples {
 
   const std::vector<Index>& of(Index cell) const { return by_cell_[cell]; }
   double target(Index sample, std::size_t k) const { return targets_[sample * n_ + k]; }
-  /// Moves what the emptied cells hold to those made.
+  /// Moves the samples of the removed cells to the new ones.
   void redistribute(const Sheets& sheets, std::size_t n_cells, const GrowingTriangulation::Change& change) {
     std::vector<Index> moving;
     for (const Index cell : change.emptied) {
@@ -217,7 +221,7 @@ class HeldSamples {
   std::vector<double> targets_;  ///< per sample
 };
 
-/// The course of the approximation: the sample that is furthest off is served first.
+/// Runs the approximation: the sample with the largest relative distance is handled first.
 class Approximation {
  public:
   Approximation(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
@@ -249,7 +253,7 @@ class Approximation {
   }
 
   struct Worst {
-    double excess;  ///< distance over what is allowed
+    double excess;  ///< distance divided by the allowed distance
     Index cell, version, sample;
     bool operator<(const Worst& other) const {
       return excess != other.excess ? excess < other.excess : cell > other.cell;
@@ -260,7 +264,7 @@ class Approximation {
     return std::abs(sheets_.height(cell, w, k) - held_.target(sample, k));
   }
 
-  /// Queues the cell where one of its samples is further off than allowed.
+  /// Queues the cell if one of its samples is farther away than allowed.
   void measure(Index cell) {
     Worst worst{1, cell, ++version_[cell], no_index};
     const std::uint64_t givers = sheets_.giving_way(cell);
@@ -281,15 +285,15 @@ class Approximation {
     const Triangle& v = map_.cells()[worst.cell].vertices;
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
     map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
-    if (change_.vertex == no_vertex) return;  // at a vertex, or too narrow for doubles
+    if (change_.vertex == no_vertex) return;  // at a vertex, or in a cell too narrow for doubles
     take_change();
     sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);
-    // A line's piece elsewhere may have been halved instead: the sample is still to be dealt with.
+    // A constraint segment elsewhere may have been split instead, so the sample must be handled again.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
   }
 
-  /// Where a vertex comes for a sample, and the cell there.
+  /// Returns where a vertex is inserted for a sample, and the cell there.
   std::pair<Vec2, Index> place_for(const Worst& worst) const {
     const Vec2 p = samples_.place(worst.sample);
     if (beside_ == 0) return {p, worst.cell};
@@ -299,8 +303,8 @@ class Approximation {
     return at == no_index ? std::pair(p, worst.cell) : std::pair(beside, at);
   }
 
-  /// Fits the vertex anew that has the greatest part in the sample's distance, over half of its radius. False where
-  /// the vertices have little part in it.
+  /// Repeats the fit, with half of the radius, at the vertex that contributes most to the sample's distance. Returns
+  /// false if the vertices contribute little.
   bool sharpen(const Worst& worst) {
     const Triangle v = map_.cells()[worst.cell].vertices;
     const std::array<double, 3> w = sheets_.weights(worst.cell, samples_.place(worst.sample));
@@ -329,7 +333,7 @@ class Approximation {
     version_.resize(map_.cells().size(), 0);
   }
 
-  /// Adds as vertices the crossings of edges that are off. False where there are none.
+  /// Inserts vertices at the crossings of edges that are too far away. Returns false if there are none.
   bool add_where_edges_are_off() {
     const std::vector<Vec2> off = sheets_.crossings_off();
     for (const Vec2& p : off) {
@@ -362,7 +366,7 @@ class Approximation {
   GrowingTriangulation map_;
   Sheets sheets_;
   HeldSamples held_;
-  std::vector<Index> version_;  ///< per cell; older entries of the queue do not count
+  std::vector<Index> version_;  ///< version of each cell; queue entries with an older version are ignored
   std::priority_queue<Worst> queue_;
   GrowingTriangulation::Change change_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// All horizons of a stack over one triangulation of the map, with as few triangles as their tolerance allows.
+/// All horizons of a stack over one triangulation of the map, with as few triangles as the tolerance allows.
 #pragma once
 
 #include <vector>
@@ -12,37 +12,38 @@
 
 namespace geomesh::geomodel {
 
-/// Of the distance that is allowed: what any vertex may move by once the sheets are there
+/// Share of the allowed distance by which any vertex may move after the sheets were approximated
 /// (stack/sheets/sheet_room.hpp).
 inline constexpr double share_for_centring = 0.15;
 
-/// Radius within which heights are averaged at a vertex, as a share of the length of edges there.
+/// Radius within which heights are averaged at a vertex, as a share of the length of its edges.
 inline constexpr double fit_of_edge = 0.35;
 
 struct SheetOptions {
   Keepers keepers;                ///< one a pair
-  double allowed = 0;             ///< largest distance along the vertical from the settled heights of samples, m
-  double gap = 0;                 ///< least thickness at vertices where a pair shares no surface, m
-  double room_at_pinch_outs = 0;  ///< further distance allowed in triangles that touch a pinch-out line, m
-  bool beside_samples = false;    ///< vertices lie a little beside samples: edges of sheets that are drawn apart from
-                                  ///< data on one grid would lie over each other up to rounding
+  double allowed = 0;             ///< largest vertical distance from the settled heights of samples, in m
+  double gap = 0;                 ///< least thickness at vertices where a pair is not merged, in m
+  double room_at_pinch_outs = 0;  ///< additional distance allowed in triangles that touch a pinch-out line, in m
+  /// Whether vertices are placed a little beside samples: otherwise the edges of sheets that are approximated
+  /// separately from data on one grid would nearly coincide.
+  bool beside_samples = false;
 };
 
-/// Sheets over one triangulation: horizons have the same vertices in the map, so that none crosses another.
+/// Sheets over one triangulation: all horizons have the same vertices in the map, so that none crosses another.
 struct MapSheets {
   std::vector<Vec2> points;
-  std::vector<double> heights;  ///< per point one a horizon; NaN where it is not there
+  std::vector<double> heights;  ///< heights of all horizons for each point; NaN where a horizon is absent
   std::vector<Triangle> triangles;
   std::vector<MergedPairs> merged;  ///< per triangle
   std::size_t n_horizons = 0;
   double height(VertexIndex v, std::size_t horizon) const { return heights[v * n_horizons + horizon]; }
 };
 
-/// Greedy insertion (after Garland and Heckbert 1995) of the place where any horizon is furthest off, relative to what
-/// is allowed there. A vertex has the height of a plane fitted to the samples about it. The radius of the fit shrinks
-/// where the fit is what is off; at radius zero it lies on the given triangles. At last the crossings of edges in the
-/// map are looked at, between which and the vertices the difference is linear. Cost: near-linear in the samples.
-/// Distances are at most (1 - `share_for_centring`) of those allowed.
+/// Greedy insertion (after Garland and Heckbert 1995) at the place where any horizon is farthest from its data,
+/// relative to what is allowed there. A vertex has the height of a plane fitted to the samples around it. The radius of
+/// the fit shrinks if the fit itself causes the distance; with radius zero the vertex lies on the given triangles.
+/// Finally the crossings of edges in the map are examined, since the difference is linear between them and the
+/// vertices. Cost: nearly linear in the samples. Distances are at most (1 - `share_for_centring`) of those allowed.
 MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
                              const SheetOptions& options);
 

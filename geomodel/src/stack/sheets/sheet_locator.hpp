@@ -10,15 +10,15 @@ namespace geomesh::geomodel {
 
 class SheetLocator {
  public:
-  /// The sheets outlive it.
+  /// The sheets must outlive this object.
   explicit SheetLocator(const MapSheets& sheets);
 
   struct Place {
-    Index triangle = no_index;  ///< no_index: beside the sheets
+    Index triangle = no_index;  ///< row of the triangle; no_index beside the sheets
     std::array<double, 3> weights{};
   };
   Place find(const Vec2& p) const;
-  /// NaN where the horizon is not there.
+  /// Returns the height of a horizon, or NaN if it is absent there.
   double height(const Place& at, std::size_t horizon) const;
 
  private:

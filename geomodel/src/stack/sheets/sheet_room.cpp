@@ -72,7 +72,7 @@ class RoomFinder {
     }
   }
 
-  /// The data's own height counts where it is near enough, else that by the rules.
+  /// Uses the height of the data itself if it is within the allowed distance, else the height by the rules.
   void look_at(const EdgeCrossing& at) {
     const std::size_t k = at.horizon;
     const double z = (1 - at.along) * sheets_.height(at.a, k) + at.along * sheets_.height(at.b, k);
@@ -87,7 +87,7 @@ class RoomFinder {
     bound(at.b, k, off, most);
   }
 
-  /// As the approximation allows it in the triangle.
+  /// Returns the distance that the approximation allows in the triangle.
   double allowed(Index cell, std::size_t horizon) const {
     const Triangle& v = sheets_.triangles[cell];
     const MergedPairs about = (merged_about_[v[0]] | merged_about_[v[1]] | merged_about_[v[2]]) & ~sheets_.merged[cell];
@@ -118,7 +118,7 @@ class RoomFinder {
   const SheetOptions& options_;
   std::size_t n_;
   GrowingTriangulation map_;
-  std::vector<MergedPairs> merged_about_;  ///< per vertex, of any triangle
+  std::vector<MergedPairs> merged_about_;  ///< for each vertex, the pairs merged in any triangle around it
   std::vector<double> column_;
   SheetRoom room_;
 };

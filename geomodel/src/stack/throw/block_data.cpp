@@ -30,7 +30,7 @@ std::vector<BlockRows> split(const TriangulatedSurface& horizon, const std::vect
   return blocks;
 }
 
-/// Tells whether other blocks lie over or under a triangle.
+/// Decides whether other blocks lie above or below a triangle.
 class Overlaps {
  public:
   Overlaps(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given)
@@ -39,7 +39,7 @@ class Overlaps {
   }
   std::vector<BlockRows>& blocks() { return blocks_; }
 
-  /// Those given count against given ones, all against what was made.
+  /// Compares given triangles only with given ones, and others with triangles made by rules too.
   bool is_under_another(Index t) const {
     const Triangle& v = horizon_.triangles[t];
     std::array<Vec2, 3> p;

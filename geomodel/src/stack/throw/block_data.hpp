@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons with throw as data of the map: their blocks, and where one of these alone is there.
+/// Prepares horizons with throw as data of the map: their blocks, and the areas where only one block is present.
 #pragma once
 
 #include <vector>
@@ -9,20 +9,22 @@
 
 namespace geomesh::geomodel {
 
-/// A horizon of a stack. Without throw it is `single` alone.
+/// A horizon of a stack. A horizon without throw consists of `single` only.
 struct BlockData {
-  TriangulatedSurface single;                 ///< triangles over which no other block lies; given ones may have what
-                                              ///< was made of another block over them
-  std::vector<Index> block_of_single{};       ///< per triangle, as in BuiltRows
-  std::vector<TriangulatedSurface> blocks{};  ///< each with what is of every block, and on through its faults
+  /// Triangles with no other block above or below; given ones may have made triangles of another block above or below.
+  TriangulatedSurface single;
+  std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
+  /// Each block, with the triangles of every block and its extension through its faults.
+  std::vector<TriangulatedSurface> blocks{};
   bool has_throw() const { return !blocks.empty(); }
 };
 
-/// `block_of`: as in BuiltRows; empty: no throw. Triangles from `n_given` on were made by rule. What overlaps is told
-/// by a few places a triangle. Cost: about linear in triangles times blocks.
+/// Collects the data of a horizon. `block_of` is as in BuiltRows; if empty, the horizon has no throw. Triangles from
+/// `n_given` on were made by rules. Overlaps are tested at a few places per triangle. Cost: about linear in triangles
+/// times blocks.
 BlockData block_data(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given);
 
-/// Each block as it was given has one height over each place of the map.
+/// Returns whether each block, as given, has one height over each place of the map.
 bool is_single_valued_by_block(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given);
 
 }  // namespace geomesh::geomodel

@@ -19,11 +19,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double furthest_carried = 40;  // in median edges of a block
+constexpr double furthest_carried = 40;  // largest distance of extrapolation, in median edge lengths of a block
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr Index no_throw = no_index - 2;  // in place of a block
+constexpr Index no_throw = no_index - 2;  // stands for the block of a horizon without throw
 
-/// Heights of the blocks of one horizon: on their triangles, and carried on beyond them.
+/// Heights of the blocks of one horizon: on their triangles, and extrapolated beyond them.
 class BlockHeights {
  public:
   explicit BlockHeights(const BlockData& data) : data_(data), single_(data.single) {
@@ -43,7 +43,7 @@ class BlockHeights {
     if (const auto on = locators_[block]->height(p)) return *on;
     return carried_[block]->at({p.x, p.y, 0}, {0, 0}, furthest_carried * edges_[block]).value_or(nan);
   }
-  /// Of the block that is there alone; no_index: none.
+  /// Returns the only block that is present at a place; no_index if there is none.
   Index single_block(const Vec2& p) const {
     const Index t = single_.find(p).triangle;
     return t == no_index ? no_index : data_.block_of_single[t];
@@ -62,7 +62,7 @@ double area_of(const MapSheets& sheets, const Triangle& t) {
   return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// Which triangles of the sheets lie in strips, and what each is to one horizon with throw.
+/// Determines which triangles of the sheets lie in strips along faults, and how each relates to one horizon with throw.
 class StripTriangles {
  public:
   StripTriangles(const MapSheets& sheets, const StripInput& input) : sheets_(sheets), in_(input) {
@@ -85,7 +85,7 @@ class StripTriangles {
   bool in_strip(std::size_t t) const { return in_strip_[t]; }
   bool has_throw(std::size_t k) const { return heights_[k] != nullptr; }
   bool is_of_every(std::size_t k, std::size_t t) const { return crossing_[k][t] == Crossing::continuation; }
-  /// One where it crosses no fault, else those on both sides; none where it is of every block.
+  /// Returns one block if the triangle crosses no fault, else those on both sides; none if it belongs to every block.
   const std::vector<Index>& blocks(std::size_t k, std::size_t t) const { return blocks_[k][t]; }
   const BlockHeights& heights(std::size_t k) const { return *heights_[k]; }
 
@@ -102,8 +102,8 @@ class StripTriangles {
     return false;
   }
 
-  /// What each triangle crosses at the mean height of its blocks; a fault also at the lowest or the highest. `about`:
-  /// blocks by vertex, where they are known.
+  /// Determines what each triangle crosses at the mean height of its blocks; for faults also at the lowest or highest
+  /// height. `about` lists the blocks by vertex, where they are known.
   void cross(std::size_t k, const std::vector<std::set<Index>>& about) {
     std::array<TriangulatedSurface, 3> surfaces;
     for (TriangulatedSurface& s : surfaces) s.triangles = sheets_.triangles;
@@ -122,8 +122,8 @@ class StripTriangles {
       if (crossing_[k][t] == Crossing::fault) in_strip_[t] = 1;
   }
 
-  /// Of the blocks about the vertex, else of those that reach there, else of all. Where the horizon has one height that
-  /// stands for the mean.
+  /// Returns the mean, lowest and highest height of the blocks around the vertex, else of those that reach it, else of
+  /// all. If the horizon has a single height there, it replaces the mean.
   std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v, const std::set<Index>& about) const {
     const Vec2& p = sheets_.points[v];
     const double settled = sheets_.height(v, k);
@@ -143,7 +143,8 @@ class StripTriangles {
     return n > 0 ? std::array<double, 3>{sum / n, least, most} : std::array<double, 3>{0, 0, 0};
   }
 
-  /// Of triangles at each vertex that crosses a fault, or is next to one that does, where there are several.
+  /// Returns the blocks of the triangles around each vertex of triangles that cross a fault, or are next to one that
+  /// does, if there are several.
   std::vector<std::set<Index>> blocks_about(std::size_t k) const {
     std::vector<std::set<Index>> about(sheets_.points.size());
     for (int ring = 0; ring < 2; ++ring) {
@@ -164,7 +165,7 @@ class StripTriangles {
     share_where_crossed(k);
   }
 
-  /// Triangles that hang together across no fault are of the block that is alone over most of their area.
+  /// Triangles connected without crossing a fault belong to the block that is present alone over most of their area.
   void label_parts(std::size_t k) {
     const std::size_t n = sheets_.triangles.size();
     const auto counts = [&](std::size_t t) { return crossing_[k][t] == Crossing::none; };
@@ -191,8 +192,8 @@ class StripTriangles {
     }
   }
 
-  /// What crosses a fault, or lies enclosed by such triangles, has all blocks that are about it; where faults meet also
-  /// those about its neighbours.
+  /// A triangle that crosses a fault, or is enclosed by such triangles, belongs to all blocks around it; where faults
+  /// meet, also to those around its neighbours.
   void share_where_crossed(std::size_t k) {
     std::vector<std::size_t> crossed;
     for (std::size_t t = 0; t < in_strip_.size(); ++t)
@@ -215,19 +216,21 @@ class StripTriangles {
 
   const MapSheets& sheets_;
   const StripInput& in_;
-  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< per horizon; null without throw
+  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< for each horizon; null if it has no throw
   std::vector<char> in_strip_;                           ///< per triangle
-  std::vector<std::vector<Crossing>> crossing_;          ///< per horizon and triangle
+  std::vector<std::vector<Crossing>> crossing_;          ///< for each horizon and triangle
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
 };
 
-/// A block of each horizon (no_throw for those without), all on the same sides of the faults that they have in common.
+/// One block of each horizon (no_throw for those without), all on the same sides of the faults that they have in
+/// common.
 using Side = std::vector<Index>;
 
 class SideFinder {
  public:
   explicit SideFinder(const std::vector<HorizonFaults>& faults) : faults_(faults) {}
-  /// All sides of which each horizon's block is among those given; horizons with none have no_index.
+  /// Returns all sides for which each horizon's block is among those given; horizons without blocks there have
+  /// no_index.
   std::vector<Side> sides_of(const std::vector<std::vector<Index>>& blocks) const {
     std::vector<Side> sides;
     Side side;
@@ -269,7 +272,7 @@ class SideFinder {
   const std::vector<HorizonFaults>& faults_;
 };
 
-/// The strips of all horizons.
+/// Builds the strips of all horizons.
 class BothSides {
  public:
   BothSides(MapSheets& sheets, const StripInput& input)
@@ -290,10 +293,11 @@ class BothSides {
   using Key = std::tuple<VertexIndex, std::size_t, Index>;  ///< vertex, horizon, block
   struct Copy {
     double height = nan;
-    bool is_fixed = false;  ///< the settled height, which triangles of one height share
+    bool is_fixed = false;  ///< whether this is the settled height, shared with triangles that have one height
   };
 
-  /// Vertices of triangles of one height have it on those triangles' side; beyond the end of a fault on every side.
+  /// Sets vertices of triangles with one height to that height, on the side of these triangles; beyond the end of a
+  /// fault on every side.
   void fix_single() {
     for (std::size_t k = 0; k < n_; ++k) {
       if (!strips_.has_throw(k)) continue;
@@ -306,7 +310,7 @@ class BothSides {
     }
   }
 
-  /// The blocks of all horizons about each vertex of the strips, and their heights there.
+  /// Collects the blocks of all horizons around each vertex of the strips, and their heights there.
   void collect() {
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t) {
       if (!strips_.in_strip(t)) continue;
@@ -335,7 +339,7 @@ class BothSides {
     copy.height = is_own ? sheets_.height(v, k) : strips_.heights(k).height(b, p);
   }
 
-  /// Where a triangle of every block holds the vertex, all of its blocks have one height.
+  /// If a triangle that belongs to every block has the vertex, all of its blocks get the same height.
   void join_beyond_ends(VertexIndex v, std::size_t k, const std::set<Index>& blocks) {
     if (!of_every_.contains({v, k})) return;
     double height = sheets_.height(v, k), sum = 0;
@@ -359,7 +363,7 @@ class BothSides {
     return at != copies_.end() && at->second.is_fixed;
   }
 
-  /// A unit that is too thin in the mean over a triangle is not there on that side.
+  /// A unit whose mean thickness over a triangle is too small is removed on that side.
   void merge_thin() {
     std::vector<std::vector<Index>> blocks(n_);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t) {
@@ -419,7 +423,7 @@ class BothSides {
     }
   }
 
-  /// What stays is where it was, and all else between its neighbours that stay.
+  /// Restores the height of horizons that keep their place, and puts all others between their kept neighbours.
   static void hold(const std::vector<double>& given, const std::vector<char>& stays, std::vector<double>& heights) {
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < heights.size(); ++k) {
@@ -435,7 +439,7 @@ class BothSides {
     }
   }
 
-  /// Vertices that no triangle of one height holds get the mean of their copies.
+  /// Vertices that belong to no triangle with one height get the mean of their copies.
   void fill_means() {
     std::vector<char> is_held(sheets_.points.size(), 0);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t)
@@ -471,7 +475,7 @@ class BothSides {
 
   struct Assembly {
     std::size_t horizon;
-    std::map<VertexIndex, VertexIndex> single;                   ///< rows of vertices of one height
+    std::map<VertexIndex, VertexIndex> single;                   ///< rows of vertices with one height
     std::map<std::pair<VertexIndex, Index>, VertexIndex> sided;  ///< and of copies
   };
 
@@ -513,8 +517,9 @@ class BothSides {
   std::vector<SidedHorizon> made_;
   std::map<Key, Copy> copies_;
   std::set<Key> settled_;
-  std::set<std::pair<VertexIndex, std::size_t>> of_every_;         ///< vertices and horizons
-  std::map<VertexIndex, std::vector<std::set<Index>>> blocks_at_;  ///< of the strips, per horizon
+  std::set<std::pair<VertexIndex, std::size_t>> of_every_;  ///< vertices and horizons
+  /// Blocks at vertices of the strips, for each horizon.
+  std::map<VertexIndex, std::vector<std::set<Index>>> blocks_at_;
   std::set<std::tuple<VertexIndex, std::size_t, Index, Index>> merged_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Whether triangles of the size hold the blocks of a horizon with throw.
+/// Checks whether triangles of the target size can represent the blocks of a horizon with throw.
 #pragma once
 
 #include "stack/map/map_frame.hpp"
@@ -10,16 +10,17 @@
 
 namespace geomesh::geomodel {
 
-/// The faults of the horizon, in the model, and where the map's frame is.
+/// The faults of the horizon, in model coordinates, and the frame of the map.
 struct BlockPlaces {
   const HorizonFaults& faults;
   const MapFrame& frame;
   const MapBounds& bounds;
 };
 
-/// Looks where one block alone was given. The block must be there still, and have triangles that cross no fault. True
-/// where that is not so for more than a fiftieth of the places. Places are on a grid over the bounds, 48 each way. True
-/// as well where a block has no such triangles, and at any place lies on its own side of all faults.
+/// Checks places where only one block was given. The block must still be present and have triangles that cross no
+/// fault. Returns true if that fails for more than a fiftieth of the places, which lie on a grid of 48 by 48 over the
+/// bounds. Also returns true if a block has no such triangles although it lies on its own side of all faults at some
+/// place.
 bool loses_blocks(const BlockData& before, const SidedHorizon& after, const BlockPlaces& places);
 
 }  // namespace geomesh::geomodel
