@@ -98,7 +98,7 @@ bool FlatPatches::faces_cover_the_same(const std::vector<SurfaceFace>& before,
   });
 }
 
-/// Each piece goes on along the line from end to end, so that none of it is passed twice.
+/// The pieces follow one another along the line from end to end, so that no part of it is passed twice.
 bool FlatPatches::are_straight_between_ends(const std::vector<CurvePiece>& before,
                                             const std::vector<CurvePiece>& after) const {
   const auto is_straight = [&](const CurvePiece& c) {
@@ -108,13 +108,13 @@ bool FlatPatches::are_straight_between_ends(const std::vector<CurvePiece>& befor
     const double reach = length(way);
     if (!(reach > 0)) return false;
     const auto is_on_line = [&](const Vec3& p) { return length(cross(p - (*from)[0], way)) <= rounding_ * reach; };
-    const auto goes_on = [&](const std::vector<CurvePiece>& pieces) {
+    const auto follow_the_line = [&](const std::vector<CurvePiece>& pieces) {
       double sum = 0;
       for (const CurvePiece& d : pieces)
         if (d.curve == c.curve) sum += std::abs(dot(d.b - d.a, way));
       return sum <= (reach + rounding_) * reach;
     };
-    return is_on_line(c.a) && is_on_line(c.b) && goes_on(before) && goes_on(after);
+    return is_on_line(c.a) && is_on_line(c.b) && follow_the_line(before) && follow_the_line(after);
   };
   return std::ranges::all_of(before, is_straight) && std::ranges::all_of(after, is_straight);
 }
