@@ -77,6 +77,8 @@ class TokenStream {
 
 std::string_view trim(std::string_view s);
 std::string to_lower(std::string_view s);
+/// The decimal digits at the end of a name; empty where it ends otherwise.
+std::string_view digits_at_end(std::string_view name);
 /// As `a == b` without regard to case (ASCII).
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view s, std::string_view prefix);
