@@ -12,6 +12,9 @@ endif()
 find_program(GEOMESH_CCACHE ccache)
 if(GEOMESH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${GEOMESH_CCACHE}")
+  if(CMAKE_HOST_UNIX)  # what ccache asks for before it keeps results of compiling with precompiled headers
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${GEOMESH_CCACHE}")
+  endif()
   set(CMAKE_C_COMPILER_LAUNCHER "${GEOMESH_CCACHE}")
 endif()
 find_program(GEOMESH_MOLD mold)
@@ -49,6 +52,27 @@ function(geomesh_target_defaults target)
   endif()
   if(GEOMESH_EXPENSIVE_CHECKS)
     target_compile_definitions(${target} PUBLIC GEOMESH_EXPENSIVE_CHECKS)
+  endif()
+endfunction()
+
+# For code that takes no part of a run's time worth mentioning: compiled at -O1 in a third less time, with the same results.
+function(geomesh_compile_fast target)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
+# Headers that nearly all sources of a target include are compiled once. No header of the project that fewer sources include belongs
+# into the list: its names would be seen by sources that did not ask for them.
+function(geomesh_precompile target)
+  if(NOT GEOMESH_GROUPED)
+    return()
+  endif()
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <atomic> <bit> <charconv> <cmath> <cstdint> <cstdio> <cstring> <deque> <functional> <limits>
+    <map> <memory> <mutex> <numbers> <numeric> <optional> <queue> <set> <span> <string> <string_view> <thread> <tuple> <unordered_map> <utility> <variant>
+    <vector> <tbb/blocked_range.h> <tbb/enumerable_thread_specific.h> <tbb/parallel_for.h> <tbb/task_arena.h> ${ARGN})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
   endif()
 endfunction()
 

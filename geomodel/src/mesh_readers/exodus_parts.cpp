@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <regex>
 #include <string>
 
 #include "geomesh/core/error.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 
@@ -125,15 +125,22 @@ class PartsMerger {
 }  // namespace
 
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
-  static const std::regex pattern(R"((.+\.(?:e|exo|ex2|exii))\.([0-9]+)\.([0-9]+))");
-  std::smatch match;
-  const std::string name = file.filename().string();
+  // NAME.e.COUNT.NUMBER, where both numbers have as many digits.
+  std::string name = file.filename().string();
+  const auto take_number = [&name] {
+    const std::string digits(digits_at_end(name));
+    const std::size_t rest = name.size() - digits.size();
+    const bool is_part = !digits.empty() && rest > 0 && name[rest - 1] == '.';
+    name.resize(is_part ? rest - 1 : 0);
+    return is_part ? digits : std::string();
+  };
+  const std::string part = take_number(), all = take_number();
   constexpr std::size_t most_digits = 6;
-  if (!std::regex_match(name, match, pattern) || match[2].length() != match[3].length() ||
-      static_cast<std::size_t>(match[2].length()) > most_digits)
-    return std::nullopt;
-  const std::string all = match[2].str();
-  ExodusPartFiles files{file.parent_path() / match[1].str(), {}};
+  if (all.empty() || part.size() != all.size() || all.size() > most_digits) return std::nullopt;
+  const std::filesystem::path whole = name;
+  const std::string ending = whole.extension().string();
+  if (ending != ".e" && ending != ".exo" && ending != ".ex2" && ending != ".exii") return std::nullopt;
+  ExodusPartFiles files{file.parent_path() / whole, {}};
   for (int k = 0; k < std::stoi(all); ++k) {
     const std::string own = std::to_string(k);
     files.parts.push_back(files.whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own);

@@ -3,13 +3,13 @@
 #include <cstdlib>
 #include <limits>
 #include <optional>
-#include <regex>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "mesh_readers/file_cursor.hpp"
 #include "mesh_readers/mesh_readers.hpp"
+#include "readers/text/text.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -118,17 +118,18 @@ class GmshReader {
   /// Reads NAME_1.msh, NAME_2.msh ... as one mesh if one of them says so. Items that occur again are recognised by
   /// their number.
   void read_other_parts(const std::filesystem::path& file) {
-    static const std::regex pattern(R"((.+)_([0-9]{1,6})\.msh)");
-    std::smatch match;
-    const std::string name = file.filename().string();
-    if (n_parts_ < 2 || !std::regex_match(name, match, pattern)) return;
-    const std::filesystem::path stem = file.parent_path() / match[1].str();
+    const std::string name = file.stem().string();
+    const std::string number(digits_at_end(name));
+    constexpr std::size_t most_digits = 6;
+    if (n_parts_ < 2 || file.extension() != ".msh" || number.empty() || number.size() > most_digits) return;
+    if (name.size() < number.size() + 2 || name[name.size() - number.size() - 1] != '_') return;
+    const std::filesystem::path stem = file.parent_path() / name.substr(0, name.size() - number.size() - 1);
     mesh_.whole = stem.string() + ".msh";
     mesh_.format = "Gmsh in parts";
     known_elements_.insert(element_numbers_.begin(), element_numbers_.end());
     is_later_part_ = true;
     for (std::int32_t k = 1; k <= n_parts_; ++k) {
-      if (k == std::stoi(match[2].str())) continue;
+      if (k == std::stoi(number)) continue;
       in_ = FileCursor(stem.string() + "_" + std::to_string(k) + ".msh");
       budget_.grow(in_.size());
       read_sections();

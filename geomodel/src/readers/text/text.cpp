@@ -127,6 +127,8 @@ std::string to_lower(std::string_view s) {
   return out;
 }
 
+std::string_view digits_at_end(std::string_view name) { return name.substr(name.find_last_not_of("0123456789") + 1); }
+
 bool equals_ignoring_case(std::string_view a, std::string_view b) {
   return a.size() == b.size() && starts_with_ignoring_case(a, b);
 }

@@ -77,6 +77,8 @@ class TokenStream {
 
 std::string_view trim(std::string_view s);
 std::string to_lower(std::string_view s);
+/// Returns the decimal digits at the end of a name; empty if it does not end in digits.
+std::string_view digits_at_end(std::string_view name);
 /// Returns `a == b` without regard to case (ASCII).
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view s, std::string_view prefix);
