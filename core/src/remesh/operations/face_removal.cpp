@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Removal of a face by an edge across it, declared in remesh/operations/improve.hpp.
+// Replaces a face by an edge across it. Declared in remesh/operations/improve.hpp.
 #include <algorithm>
 #include <optional>
 
@@ -23,7 +23,7 @@ class FaceRemoval {
 
   double shape_before(std::size_t k) const { return mesh_.shape_of(removed_[k]); }
 
-  /// Makes the flip if all new shapes are above `least` and their worths sum to more than `needed`.
+  /// Performs the flip if all new shapes are above `least` and the sum of their worths is above `needed`.
   bool attempt(double least, double needed = -std::numeric_limits<double>::infinity()) {
     const auto sum = worth_of_new(least);
     if (!sum || !(*sum > needed)) return false;
@@ -37,7 +37,7 @@ class FaceRemoval {
   }
 
  private:
-  /// Sum of the worths of the three new cells; nothing where one is not above `needed` or not positive.
+  /// The sum of the worths of the three new cells, or nothing if it is not above `needed` or one cell is not positive.
   std::optional<double> worth_of_new(double needed) const {
     const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
     if (needed >= 0 && !may_all_be_positive(p, q)) return std::nullopt;
@@ -51,7 +51,7 @@ class FaceRemoval {
     return sum;
   }
 
-  /// The volumes that shapes are made of, before the first shape: mostly the edge passes beside the face.
+  /// Computes the volumes first, since most of the time the new edge misses the face and no shape is needed.
   bool may_all_be_positive(const Vec3& p, const Vec3& q) const {
     const Vec3 &x = mesh_.point(face_[0]), &y = mesh_.point(face_[1]), &z = mesh_.point(face_[2]);
     const Vec3 a = x - p, b = y - p, c = z - p, d = q - p;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pass that raises the mean shape, declared in remesh/passes/improve_passes.hpp.
+// Raises the mean shape. Declared in remesh/passes/improve_passes.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"
@@ -18,7 +18,7 @@ class MeanRaiser {
         mesh_(tools.mesh),
         goal_{floor, mean_worth()},
         least_gain_(tools_.bad_cells_may_spread ? 0.002
-                                                : 0.02),  // where most cells are poor the mean is worth more time
+                                                : 0.02),  // If most cells are poor, the mean is worth more time.
         before_(before),
         is_left_(find_left(poor)) {}
 
@@ -45,7 +45,7 @@ class MeanRaiser {
   }
 
  private:
-  /// By vertex: whether there is nothing new about it.
+  /// For each vertex, whether nothing around it has changed.
   std::vector<bool> find_left(double poor) const {
     std::vector<bool> left(mesh_.n_vertices(), false);
     if (before_.gains.empty()) return left;
@@ -77,7 +77,7 @@ class MeanRaiser {
     return mesh_.is_live(c) && mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b);
   }
 
-  /// Edges to greater vertices, so that each is looked at once, then the faces opposite v.
+  /// Flips edges from v to vertices of higher index, so that each edge is examined once, then the faces opposite v.
   void flip_about(VertexIndex v, Toolbox& tools) {
     auto& [star, edges] = lists_.local();
     mesh_.star(v, tools.work.marks, star);
@@ -89,7 +89,7 @@ class MeanRaiser {
         remove_face_for_mean(tools, c, mesh_.cells().index_of(c, v), goal_);
   }
 
-  /// From v to greater vertices, each with the first of its cells, in ascending order.
+  /// Lists the edges from v to vertices of higher index, in ascending order, each with the first of its cells.
   void collect_edges(VertexIndex v, const std::vector<CellIndex>& star,
                      std::vector<std::pair<VertexIndex, CellIndex>>& edges) {
     edges.clear();
@@ -119,7 +119,8 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex; each is of one block
+  // For each vertex, accessed by its own block only.
+  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 
 }  // namespace

@@ -61,10 +61,10 @@ struct Tally {
 
 /// Finds the bad cells that the input does not impose. The search for better cells needs them.
 struct FreeCellJudge {
-  /// Among all cells, or those of which a vertex has changed since that time of the mesh.
+  /// Returns them among all cells, or only among those with a vertex that has changed since that time of the mesh.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::optional<std::uint64_t> since)> find;
-  /// Returns those cells, the worst first, decided by their surroundings alone: fast, and in doubt a cell is one of
-  /// them.
+  /// Returns those among the given cells, worst first. The decision is fast because it considers only their
+  /// surroundings; a doubtful cell counts as bad.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;
 };
 
