@@ -126,7 +126,7 @@ void Progress::on_stage(std::string_view name, bool begins) {
   if (verbosity_ == Verbosity::verbose || step_of(name).empty()) finish_line();
 }
 
-/// A stage of the same step continues with its line.
+/// Begins a line of progress, unless the stage belongs to the same step as the one before, whose line it continues.
 void Progress::begin_stage(std::string_view name) {
   const bool goes_on = is_held_ && !step_of(name).empty() && style_ != ProgressStyle::json;
   if (!goes_on) finish_line();

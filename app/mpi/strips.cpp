@@ -240,7 +240,7 @@ class StripImprover {
     return of_cell;
   }
 
-  /// Returns how many tetrahedra the strip of this rank has.
+  /// Exchanges border tetrahedra between ranks and improves them. Returns how many this rank has then.
   std::size_t exchange_and_improve(const std::vector<std::int32_t>& takers, const RefineOptions& options,
                                    const RunContext& context) {
     const auto n_ranks = static_cast<std::size_t>(ranks_.size());

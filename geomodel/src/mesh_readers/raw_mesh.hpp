@@ -62,11 +62,11 @@ struct RawMesh {
   bool second_order = false;
   std::vector<VertexIndex> midpoints;  ///< six for each second-order tetrahedron, for the edges 01 12 20 03 13 23
   bool single_precision = false;       ///< whether the file has 32-bit coordinates
-  std::vector<std::int32_t> point_kind, input_vertex;  ///< in files written by geomesh; else empty
+  std::vector<std::int32_t> point_kind, input_vertex;  ///< only in files written by geomesh, otherwise empty
   std::vector<CellArray> cell_arrays;                  ///< by tetrahedron
   std::vector<PointArray> point_arrays;                ///< by row of `points`
   std::filesystem::path whole;     ///< for a mesh read from parts: the name that a single file would have; else empty
-  std::vector<Vec3> before_zones;  ///< in files written by geomesh; else empty
+  std::vector<Vec3> before_zones;  ///< only in files written by geomesh, otherwise empty
   Vec3 origin{0, 0, 0};
 };
 

@@ -11,7 +11,7 @@ namespace geomesh {
 enum class EdgeCause {
   free,         ///< nothing forces it
   input_angle,  ///< facets or segments of the input meet at less than 20 degrees at one of its ends
-  thin_gap,     ///< it is in a gap thinner than the edges that count as short
+  thin_gap,     ///< the edge lies in a gap between surfaces that is thinner than the limit of short edges
   near_curves,  ///< its ends are on two curves of the input that are so near to each other, or at two ends of curves
   bends,        ///< it is along a curve, which would leave the tolerance without either of its ends
   near_forced,  ///< it is near an edge imposed by the input, from which sizes grow by the gradation

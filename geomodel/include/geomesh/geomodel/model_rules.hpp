@@ -36,7 +36,7 @@ enum class BaseRule {
 
 /// What to do where horizons cross and no rule applies.
 enum class OnCrossing {
-  leave,         ///< both are kept; regions between them get names, with a warning
+  leave,         ///< both horizons are kept; regions between them get names, with a warning
   clip_younger,  ///< parts of the younger horizon below the older one are removed
   clip_older,    ///< parts of the older horizon above the younger one are removed
   error,         ///< throws Error{invalid_input} with both names, the area and the place

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Data on which dividing horizons works, and its messages; all of it must outlive the call.
+/// The input and output data of part_blocks, which divides horizons into blocks. All of it must outlive the call.
 struct Parting {
   WorkingSoup& soup;
   const std::vector<TriangulatedSurface>& surfaces;
