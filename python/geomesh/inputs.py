@@ -99,7 +99,7 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
     if known.all() or triangles.size == 0:
         return points, triangles
     inside = (triangles >= 0) & (triangles < len(points))
-    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # other rows are rejected later
+    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # rows that are out of range are rejected later
     rows = numpy.cumsum(known) - 1
     triangles = triangles[kept].astype(numpy.int64)
     valid = (triangles >= 0) & (triangles < len(points))

@@ -37,7 +37,7 @@ enum class Over : std::uint8_t {
 /// The proof for one triangle F.
 class SheetProof {
  public:
-  /// `limit` is the distance from its plane.
+  /// Triangles of the surface must be within `limit` of the triangle's plane.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
   /// Returns whether the triangle has an area.
   bool is_possible() const { return is_possible_; }

@@ -172,7 +172,8 @@ class MedWriter {
     for (const auto* groups : {&mesh_.groups, &mesh_.region_groups})
       for (const CellGroup& group : *groups) {
         const std::string name = give_name("cell group", group, give);
-        if (groups == &mesh_.region_groups) sidecar_.back().members.clear();  // no region is the union of these
+        if (groups == &mesh_.region_groups)
+          sidecar_.back().members.clear();  // region groups are not unions of other regions
         for (const std::size_t b : group.blocks) groups_of[b].push_back(name);
       }
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)

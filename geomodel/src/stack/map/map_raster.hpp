@@ -42,7 +42,7 @@ void smooth(MapRaster& raster, int passes);
 
 /// Groups of cells, connected across sides, whose value is negative (`below`) or not.
 struct CellGroups {
-  std::vector<Index> group;  ///< group of each cell; no_index for cells on the other side of zero
+  std::vector<Index> group;  ///< group of each cell; no_index for cells whose value has the other sign
   std::vector<std::size_t> n_cells;
   std::vector<double> least, greatest;  ///< least and greatest value of each group
 };
