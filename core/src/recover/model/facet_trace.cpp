@@ -81,9 +81,10 @@ class LeftOfEdge {
              VertexIndex right)
       : mesh_(mesh), sides_(sides), ring_(ring.ring), edge_(edge), right_(right) {}
 
-  /// A face of members on the left is part of the facet. Of consecutive members (with cells that are flat because of
-  /// rounding between them) the first one is used: such cells count as above. Signs do not help here, because rounding
-  /// bends the faces around an added point.
+  /// Finds the vertex of the edge's ring whose face with the edge belongs to the facet and lies clearly to the left of
+  /// the edge. If several consecutive faces do, because the cells between them are flat by rounding, the first one is
+  /// returned, so that these cells count as above the facet. Exact signs do not help here, because rounding bends the
+  /// faces around an added point.
   std::size_t clear_member() const {
     constexpr double clearly_left = 0.5;
     const std::size_t n = ring_.size();
