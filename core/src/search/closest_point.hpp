@@ -56,8 +56,8 @@ class PreparedTriangle {
 
  private:
   Vec3 closest_on_sides(const Vec3& p) const;
-  /// Used if the triangle is so narrow that barycentric coordinates lose their digits: starts along the normal, from
-  /// the side that is near.
+  /// Finds the closest point of a triangle that is so narrow that barycentric coordinates would be inaccurate. It
+  /// starts at the nearest side instead.
   Vec3 closest_in_needle(const Vec3& p) const;
 
   std::array<Vec3, 3> corners_;

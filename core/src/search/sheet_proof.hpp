@@ -29,7 +29,7 @@ std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Ite
 
 /// The result of the proof for one triangle of the surface.
 enum class Over : std::uint8_t {
-  nothing,  ///< it is not over F
+  nothing,  ///< the projection of the triangle does not meet F
   part,     ///< the part over F satisfies all conditions
   border,   ///< it has an open edge, is too steep, or is farther than the limit
 };

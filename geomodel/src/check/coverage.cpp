@@ -183,7 +183,7 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0 &&
-          !is_near(body, centroid(mesh_, t), tolerance_)) {  // rounding may put it on either side
+          !is_near(body, centroid(mesh_, t), tolerance_)) {  // by rounding the centroid may be on either side
         inside.add(f, centroid(mesh_, t));
         break;
       }

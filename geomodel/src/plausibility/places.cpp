@@ -105,7 +105,7 @@ struct Outside {
   Guess guess;
   std::vector<std::string> names;
   Box3 bounds;
-  bool of_map = false;  ///< whether the input is outside in the map; else its heights are outside
+  bool of_map = false;  ///< whether the input lies outside the box on the map; if not, its heights do
 };
 
 std::string range(double from, double to) { return short_words(from) + " to " + short_words(to); }

@@ -74,7 +74,7 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
   for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
-  // A regular slope of the horizon and no ramp.
+  // The steep part is as wide as the segment, so it is the horizon's own slope and no ramp.
   if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
   return found;
