@@ -28,8 +28,8 @@ std::vector<VertexIndex> used_vertices(const PiecewiseLinearComplex& plc) {
   return used;
 }
 
-/// Turns the loop to its least vertex and towards its lesser neighbour; where a vertex stands in it more than once, to
-/// the least of all sequences. True: it runs the other way now.
+/// Rotates the loop to its smallest vertex and directs it towards the smaller neighbour; if a vertex occurs more than
+/// once, chooses the least of all sequences. Returns whether it was reversed.
 bool begin_at_least(std::span<VertexIndex> loop) {
   const auto least = std::min_element(loop.begin(), loop.end());
   if (std::count(least, loop.end(), *least) == 1) {
@@ -51,10 +51,10 @@ bool begin_at_least(std::span<VertexIndex> loop) {
   return is_reversed;
 }
 
-/// The loops of a complex over other vertices, each begun at its least, and the order of facets by them.
+/// The loops of a complex over other vertices, each starting at its smallest, and the order of facets by them.
 class TurnedLoops {
  public:
-  /// `local`: the other vertices by the complex' rows.
+  /// `local` contains the other vertices by the complex' rows.
   TurnedLoops(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& local) : plc_(plc) {
     turned_.reserve(plc.loop_vertices.size());
     for (const VertexIndex v : plc.loop_vertices) turned_.push_back(local[v]);
@@ -69,17 +69,17 @@ class TurnedLoops {
 
   std::size_t n_vertices() const { return turned_.size(); }
   bool is_reversed(Index f) const { return is_reversed_[f]; }
-  /// The least vertex of the facet's outer loop.
+  /// Returns the smallest vertex of the facet's outer loop.
   VertexIndex first(Index f) const { return turned_[plc_.loop_offsets[plc_.facet_loops[f]]]; }
   std::span<const VertexIndex> outer(Index f) const { return loop(plc_.facet_loops[f]); }
-  /// Outer loop, then holes ascending.
+  /// Returns the outer loop, followed by holes in ascending order.
   std::vector<std::span<const VertexIndex>> ordered_loops(Index f) const {
     std::vector<std::span<const VertexIndex>> loops;
     for (Index l = plc_.facet_loops[f]; l < plc_.facet_loops[f + 1]; ++l) loops.push_back(loop(l));
     std::sort(loops.begin() + 1, loops.end(), is_less);
     return loops;
   }
-  /// By outer loop, then by holes, then by the caller's number.
+  /// Orders by outer loop, then by holes, then by the caller's number.
   bool is_before(Index f, Index g) const {
     const auto a = outer(f), b = outer(g);
     if (is_less(a, b)) return true;
@@ -143,7 +143,7 @@ class Builder {
     }
   }
 
-  /// Sorted by first vertex at one go, then within the few that share it.
+  /// Sorts by the first vertex in one pass, then the few that share it.
   void number_facets(const TurnedLoops& loops) {
     std::vector<Index> begin(out_.plc.points.size() + 1, 0);
     for (Index f = 0; f < plc_.n_facets(); ++f) ++begin[loops.first(f) + 1];
@@ -213,8 +213,8 @@ class Builder {
 
   const PiecewiseLinearComplex& plc_;
   CanonicalForm out_;
-  std::vector<VertexIndex> local_;   ///< per row of the caller's points
-  std::vector<Index> row_of_facet_;  ///< per facet of the caller's
+  std::vector<VertexIndex> local_;   ///< for each row of the caller's points
+  std::vector<Index> row_of_facet_;  ///< for each of the caller's facets
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Attempts at recovery, and what each does otherwise than those before it. Nearly all models need the first alone;
-/// others end in a dead end there, where a Steiner point has no double near it that leaves all cells positive.
+/// Attempts at recovery, and how each differs from those before it. Nearly all models need only the first; in others it
+/// reaches a dead end, where a Steiner point has no double near it that leaves all cells positive.
 #pragma once
 
 #include <optional>
@@ -12,29 +12,31 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  rounded,  ///< doubles from the moment they are made, which may end in a dead end: conforming mode, and one attempt
-            ///< alone
-  exact,    ///< exactly on their segments and facets until all is recovered, rounded at the end: recovery always ends
+  rounded,  ///< points are doubles from the start, which may lead to a dead end: conforming mode, or a single attempt
+  /// Points are exactly on their segments and facets until everything is recovered, and are rounded at the end:
+  /// recovery always terminates.
+  exact,
 };
 
 enum class InsertionOrder {
-  all_at_once,       ///< the start triangulation has all vertices
-  hard_parts_first,  ///< what earlier attempts found hard is recovered first, the other vertices are put beside it
+  all_at_once,  ///< the start triangulation has all vertices
+  /// Items that earlier attempts found hard are recovered first, and the other vertices are inserted afterwards.
+  hard_parts_first,
 };
 
 struct Attempt {
-  unsigned number = 0;  ///< from 0; also the seed of what is chosen at random
+  unsigned number = 0;  ///< from 0; also the seed of random choices
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
 
-  /// How it differs from those before it, in a few words.
+  /// Returns in a few words how it differs from those before it.
   const char* difference() const;
 };
 
-/// The attempt of that number, given what those before it have learned.
+/// Returns the attempt with that number, given what those before it have learned.
 Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
-/// The one after `attempt`; nothing after the last.
+/// Returns the next attempt; nothing after the last.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts);
 

@@ -29,9 +29,9 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-/// Steiner points that are left become doubles. Points that no double near them suits are taken off segments and facets
-/// first, where stars are larger; then all doubles of their stars are tried. The attempt ends where that does not help,
-/// because another attempt does all of the model's work again. Returns how many points have no double then.
+/// Rounds the remaining Steiner points to doubles. Points without a suitable double nearby are first moved off segments
+/// and facets, because stars are larger there; then all doubles of their stars are tried. Ends the attempt only if that
+/// does not help, because another attempt repeats all of the work. Returns how many points have no double then.
 std::size_t round_steiner_points(Recovery& recovery) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned run = 0; run < recover::recovery_budget.rounding_runs; ++run) {
@@ -91,7 +91,7 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
   Attempt attempt = attempt_of(0, options_.recover, hard_parts_);
-  std::optional<Error> refusal;  // the last dead end of which the place can be looked at, else the last one
+  std::optional<Error> refusal;  // the last dead end whose place can be viewed, else the last one
   for (unsigned n_made = 1;; ++n_made) {
     StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
     ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());
@@ -117,8 +117,8 @@ RecoveryOutcome RecoveryRun::recover() {
   }
 }
 
-/// Segments (3.1), facets (3.2), what is still missing (3.3), Steiner points taken out again. Ends with the first stage
-/// that sets recovery.dead_end.
+/// Recovers segments (3.1) and facets (3.2), handles what is still missing (3.3), and removes Steiner points. Ends with
+/// the first stage that sets recovery.dead_end.
 void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   const RecoverOptions& options = options_.recover;
   const BoundaryPoints boundary = options.preserve_boundary ? BoundaryPoints::must_go : BoundaryPoints::may_stay;
@@ -135,7 +135,7 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
     if (!recovery.has_exact_points) return;
     n_without_double_ += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
-    recover::remove_added_points(recovery, boundary);  // in places that rounding has moved
+    recover::remove_added_points(recovery, boundary);  // at positions that rounding has moved
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
   };
   const auto check_boundary = [&] {
@@ -155,7 +155,7 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   recover::validate_recovered(recovery);
 }
 
-/// Where the boundary must stay as it is, the message says that the model may be meshed without that.
+/// If the boundary must be preserved, the message says that the model may be meshed otherwise.
 Error RecoveryRun::with_way_out(const Error& dead_end) const {
   const std::string message = dead_end.what();
   if (!options_.recover.preserve_boundary || dead_end.kind() != ErrorKind::cannot_mesh ||
@@ -166,9 +166,9 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
                dead_end.context());
 }
 
-/// What recovery finds wrong with the model is believed where the exact search for crossings agrees, and after the last
-/// attempt. Many points without a double make it the last one, since another would fare no better; so do many
-/// orientations decided, since another would take too long.
+/// Errors of the model that recovery finds are accepted if the exact search for crossings agrees, or after the last
+/// attempt. Many points without a double make the current attempt the last one, since another would hardly succeed; so
+/// do many decided orientations, since another would take too long.
 std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
                                                   const Recovery& recovery) const {
   if (n_without_double_ >= recover::recovery_budget.points_without_double ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// One model, in canonical form, on its way to a mesh: the stages of recovery, in one attempt or several.
+/// Meshes one model in canonical form: runs the stages of recovery, in one attempt or several.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace geomesh {
 
-/// The mesh with all constraints in it, or why there is none.
+/// The mesh with all constraints in it, or the reason why there is none.
 struct RecoveryOutcome {
   std::optional<recover::ConstrainedMesh> mesh;
   std::optional<Error> refusal;
@@ -24,9 +24,9 @@ class RecoveryRun {
   RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names, const TetrahedralizeOptions& options,
               const RunContext& context, const ConformingStep& conform);
 
-  /// Section 2 of the paper: the first triangulation. Throws Error{invalid_input} where the model is not valid.
+  /// Section 2 of the paper: makes the first triangulation. Throws Error{invalid_input} if the model is not valid.
   void triangulate();
-  /// Section 3: attempts until one succeeds.
+  /// Section 3: makes attempts until one succeeds.
   RecoveryOutcome recover();
 
   recover::DeclaredModel& model() { return model_; }
@@ -51,8 +51,8 @@ class RecoveryRun {
   RecoveryStatistics statistics_{};
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
-  std::size_t n_without_double_ = 0;  ///< points that no double of their stars did for, over all attempts
-  std::size_t n_decided_ = 0;         ///< orientations of exact places
+  std::size_t n_without_double_ = 0;  ///< number of points without a double in their stars, over all attempts
+  std::size_t n_decided_ = 0;         ///< number of orientations of exact places
 };
 
 }  // namespace geomesh

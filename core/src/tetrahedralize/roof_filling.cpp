@@ -20,18 +20,19 @@ enum class Side { above, below };
 /// One side of a part. Triangles of the part and of the roof are seen from that side.
 class RoofOnSide {
  public:
-  /// `star`: the cells on this side that have a point of the roof. `flat`: where these points are in the plane.
+  /// `star` contains the cells on this side that have a point of the roof, `flat` the positions of these points in the
+  /// plane.
   RoofOnSide(Mesh& mesh, const RoofedPart& part, Side side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
-  /// Puts new points in the place of those that the other side has.
+  /// Replaces points that the other side uses by new ones.
   void take_own_points() {
     for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] = add_point(flat_[i]);
     for (const Index t : star_)
       for (VertexIndex& v : mesh_.tetrahedra[t]) v = on_this_side(v);
   }
 
-  /// Lifts the deepest point of the roof by half of what the cells about it reach, or by a half of that, and so on.
+  /// Lifts the deepest point of the roof by half of the depth of the cells around it, or by half of that, and so on.
   bool lift() {
     const Vec3 up = (side_ == Side::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());
@@ -50,7 +51,7 @@ class RoofOnSide {
     }
   }
 
-  /// Rows of the new cells at the part's triangles.
+  /// Returns the rows of the new cells at the part's triangles.
   std::vector<Index> fill() {
     std::vector<Index> rows;
     for (const Triangle& t : part_.triangles) {
@@ -62,7 +63,7 @@ class RoofOnSide {
   }
 
  private:
-  static constexpr double least_part = 1e-3;  ///< of the roof's height: a centre lower than that sees no more
+  static constexpr double least_part = 1e-3;  ///< share of the roof's height: a lower centre sees no more
 
   VertexIndex add_point(const Vec3& p) {
     mesh_.points.push_back(p);
@@ -115,10 +116,10 @@ class RoofOnSide {
   std::vector<Index> star_;
   const std::vector<Vec3>& flat_;
   std::vector<VertexIndex> inner_;  ///< the roof's points on this side, as in part_.inner
-  VertexIndex centre_ = no_vertex;  ///< under the roof, joined with all of it
+  VertexIndex centre_ = no_vertex;  ///< a point under the roof, connected with all of it
 };
 
-/// Cells that have a point of the roof, joined through faces that have one and are none of the roof's.
+/// Cells that have a point of the roof, connected through faces that have one and do not belong to the roof.
 class RoofStar {
  public:
   RoofStar(const Mesh& mesh, const RoofedPart& part, const std::vector<Index>& cells) {
@@ -138,7 +139,7 @@ class RoofStar {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  /// Cells on one side, from the cells at the roof there.
+  /// Returns cells on one side, starting from the cells at the roof there.
   std::vector<Index> from(std::vector<Index> out) const {
     std::set<Index> found(out.begin(), out.end());
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -149,7 +150,7 @@ class RoofStar {
   }
 
  private:
-  std::vector<std::array<Index, 2>> pairs_;  ///< cells that share a face, both ways
+  std::vector<std::array<Index, 2>> pairs_;  ///< pairs of cells that share a face, in both orders
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 /// Keeps triangulations of plane patches that are long needles, without an edge of the mesh for each crossing of two
 /// patches' needles. Each convex part of a patch is meshed as a Delaunay triangulation with points inside it
 /// (roof.hpp). On each side, these points are then lifted off the plane a little: cells stay positive, because their
-/// volumes depend on the points continuously. The space under this roof sees one point, which is joined with the roof
-/// and with the given triangles. So a part takes a number of cells linear in its triangles, where flips would take as
-/// many as needles cross.
+/// volumes depend on the points continuously. All faces of the space under this roof are visible from one point, which
+/// is connected with the roof and with the given triangles. A part therefore needs a number of cells linear in its
+/// triangles, instead of as many as there are crossings of needles.
 #pragma once
 
 #include <optional>
@@ -17,29 +17,29 @@
 
 namespace geomesh {
 
-/// A convex part with its roof, which both turn one way.
+/// A convex part with its roof, which have the same orientation.
 struct RoofedPart {
-  std::vector<Index> facets;        ///< of the complex given
+  std::vector<Index> facets;        ///< facets of the given complex
   std::vector<Triangle> as_given;   ///< their corners
   std::vector<Triangle> triangles;  ///< these, turned
-  std::vector<bool> is_turned;      ///< which of them run the other way in the complex
+  std::vector<bool> is_turned;      ///< which of them have the opposite orientation in the complex
   std::vector<VertexIndex> inner;   ///< the roof's points, ascending
-  std::vector<double> rise;         ///< of these points, by which they are lifted, up to a common factor
+  std::vector<double> rise;         ///< by how much each of these points is lifted, up to a common factor
   std::vector<Triangle> roof;
 };
 
 class RoofedParts {
  public:
-  /// Keeps a reference to `plc`, a valid complex. Nothing if its plane patches together are near to Delaunay
+  /// Keeps a reference to `plc`, a valid complex. There are none if its plane patches together are nearly Delaunay
   /// (coplanar_patches.hpp), or if no part of them takes fewer points on both sides than it has inner edges.
   /// `provenance`: by facet. O(n log n).
   static std::optional<RoofedParts> of(const PiecewiseLinearComplex& plc, std::span<const Index> provenance);
 
-  /// The complex given, with roofs that are not lifted yet in place of parts. Their points are its last ones.
+  /// Returns the given complex with roofs, which are not lifted yet, instead of parts. Their points come last.
   const PiecewiseLinearComplex& plc() const { return plc_; }
 
-  /// Makes a mesh of plc() that has no added points on facets one of the complex given. False if a roof cannot be
-  /// lifted in doubles; the mesh is of no use then.
+  /// Converts a mesh of plc() that has no added points on facets to one of the given complex. Returns false if a roof
+  /// cannot be lifted in doubles; the mesh is then invalid.
   bool fill(ConstrainedTetrahedralization& mesh) const;
 
  private:
@@ -50,7 +50,8 @@ class RoofedParts {
   const PiecewiseLinearComplex& given_;
   PiecewiseLinearComplex plc_;
   std::vector<RoofedPart> parts_;
-  std::vector<Index> facet_;  ///< by facet of plc_: the given one, or of a roof the number of given ones and the part
+  /// For each facet of plc_: the given one, or for a roof the number of given ones plus the part.
+  std::vector<Index> facet_;
 };
 
 }  // namespace geomesh

@@ -22,12 +22,12 @@
 
 namespace geomesh::recover {
 
-/// Why conforming mode gives a facet up.
+/// Reasons for which conforming mode gives a facet up.
 enum class GivenUpFor : std::uint8_t {
-  points,     ///< max_steiner_per_facet on it or on one of its segments
+  points,     ///< too many points (max_steiner_per_facet) on it or on one of its segments
   shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
-  place,      ///< the place of a point equals a vertex, or rounding has spoilt the draft
-  budget,     ///< the points of all such facets and segments are spent
+  place,      ///< the place of a point equals a vertex, or rounding has made the draft invalid
+  budget,     ///< the total number of points for such facets and segments is exhausted
 };
 inline constexpr std::size_t n_reasons_given_up = 4;
 
@@ -35,13 +35,14 @@ class ConformingRecovery {
  public:
   ConformingRecovery(Recovery& recovery, const RecoverOptions& options);
 
-  /// Segments, then facets, each with what the other has lost again, until nothing is missing or all that is has been
-  /// given up. False: more points than the budget were needed in all; what is still missing has been given up too.
+  /// Recovers segments, then facets, each including what the other has lost again, until nothing is missing or
+  /// everything missing has been given up. Returns false if more points than the budget were needed in all; what is
+  /// still missing has then been given up too.
   bool run();
-  /// Facets given up, sorted.
+  /// Returns the facets that were given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- protected:  // refinement that keeps Delaunay goes on from here (refine/conforming_refiner.hpp)
+ protected:  // refinement that keeps the mesh Delaunay continues from here (remesh/conforming/conforming_refiner.hpp)
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();
@@ -50,10 +51,10 @@ class ConformingRecovery {
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  /// One of the vertices of the cells that the missing subsegment passes through: that from which it is seen under the
+  /// Returns the vertex, among those of the cells that the missing subsegment crosses, from which it is seen at the
   /// largest angle, if that is obtuse; else no_vertex.
   VertexIndex encroaching_vertex(const Subsegment& s);
-  /// Whether v lies on a model segment that has `end` for an end.
+  /// Returns whether v lies on a model segment that has `end` as an end.
   bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
   double place_on_common_sphere(const Subsegment& s, VertexIndex v) const;
   Vec3 split_place(const Subsegment& s);
@@ -66,17 +67,17 @@ class ConformingRecovery {
   void insert_into_facet(Index f);
   bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
   void give_up_facet(Index f, GivenUpFor why);
-  /// Tells how many, for which reasons, and the sharpest of them.
+  /// Reports how many facets were given up, for which reasons, and the sharpest of them.
   void note_given_up() const;
   void queue_facet(Index f);
 
-  /// Inserts, records what was lost. no_vertex where nothing could be inserted.
+  /// Inserts a point and records what was lost. Returns no_vertex if nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
   bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
   bool is_within_budget() const {
     return !recovery_.has_ended() && n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_;
   }
-  /// The budget of points in all begins anew.
+  /// Restarts the count for the total budget of points.
   void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
   bool too_short(const Vec3& a, const Vec3& b) const;
 
@@ -84,8 +85,8 @@ class ConformingRecovery {
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   RecoverOptions options_;
-  /// Short ones first: their points are the fewest, and what they set off on longer ones is known before these are
-  /// split.
+  /// Short segments come first: they need the fewest points, and these may encroach on longer segments, which are split
+  /// afterwards.
   struct QueuedSegment {
     double squared_length;
     Index segment;
@@ -100,11 +101,12 @@ class ConformingRecovery {
   EdgeMap segment_of_ends_;  ///< model segments
   std::priority_queue<QueuedSegment> missing_segments_;
   std::deque<Index> missing_facets_;
-  FaceMap facet_of_face_;                        ///< faces of facets found present
+  FaceMap facet_of_face_;                        ///< faces that were found to be parts of facets
   std::vector<std::uint8_t> facet_queued_;       ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
-  std::vector<std::uint8_t> vertex_is_sharp_;  ///< per vertex of the model: segments meet there at less than 60 degrees
-  std::vector<std::uint8_t> facet_is_sharp_;   ///< per subfacet: the budget holds for it
+  /// For each vertex of the model: whether segments meet there at less than 60 degrees.
+  std::vector<std::uint8_t> vertex_is_sharp_;
+  std::vector<std::uint8_t> facet_is_sharp_;       ///< for each subfacet: whether the budget applies to it
   std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Facets by comparison with a draft (section 3.2). A facet is present where mesh faces cover it, whichever they are;
-/// so co-circular points, and points that rounding has moved off the plane, need no care. Where it is missing the draft
-/// tells where a point goes.
+/// Recovers facets by comparison with a draft (section 3.2). A facet is present where mesh faces cover it, whichever
+/// they are, so cocircular points, and points that rounding has moved off the plane, need no special treatment. Where
+/// it is missing, the draft determines where a point is inserted.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -29,7 +29,7 @@ class Draft {
     for (VertexIndex v : members_)
       points_.push_back({dot(mesh.point(v) - o, u) / lu, dot(mesh.point(v) - o, w) / lw, 0});
   }
-  /// False where rounding in the frame has made the facet's border cross itself.
+  /// Returns false if rounding in the frame has made the facet's border cross itself.
   bool build() {
     ConstrainedTriangulation plane(points_, {});
     if (!plane.triangulate()) return false;
@@ -55,8 +55,8 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
-/// Of each draft triangle that is no face: its longest edge that is missing, or all three where all are there. The
-/// longest first.
+/// Returns, for each draft triangle that is not a face, its longest missing edge, or all three edges if all are
+/// present; the longest first.
 std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
   const auto squared_length = [&mesh](const DirectedEdge& e) {
     const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);
@@ -117,14 +117,16 @@ bool ConformingRecovery::register_if_present(Index f) {
 void ConformingRecovery::insert_into_facet(Index f) {
   constraints_.make_piece(f);
   for (const DirectedEdge& e : constraints_.piece_of(f).border)
-    if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f, GivenUpFor::points);  // of a segment given up
+    // An edge of a segment that was given up.
+    if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f, GivenUpFor::points);
   if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet)
     return give_up_facet(f, GivenUpFor::points);
   Draft draft(mesh_, constraints_.subfacets[f].vertices, constraints_.piece_of(f));
   if (!draft.build()) return give_up_facet(f, GivenUpFor::place);
   const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
   if (edges.empty()) return give_up_facet(f, GivenUpFor::place);
-  // The draft is not made again after each point, so no other goes where one of this round may have made it needless.
+  // The draft is not updated after each point, so no point is inserted near one of this round that may have made it
+  // unnecessary.
   std::vector<Vec3> added;
   for (const DirectedEdge& e : edges) {
     const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;
@@ -163,7 +165,7 @@ void ConformingRecovery::give_up_facet(Index f, GivenUpFor why) {
 
 namespace {
 
-/// Degrees, of a triangle, and with `where` its corner.
+/// Returns the smallest angle of a triangle in degrees, and its corner in `where`.
 double smallest_angle(const ConstrainedMesh& mesh, const Triangle& t, Vec3& where) {
   double smallest = 180;
   for (unsigned i = 0; i < 3; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Stitching with protecting spheres (section 3.1; Ruppert 1995, section 5; Si and Gaertner 2005, "Meshing piecewise
-/// linear complexes by constrained Delaunay tetrahedralizations", for the choice of the sphere).
+/// Recovers segments by stitching with protecting spheres (section 3.1; Ruppert 1995, section 5; Si and Gaertner 2005,
+/// "Meshing piecewise linear complexes by constrained Delaunay tetrahedralizations", for the choice of the sphere).
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Whether the angle is smaller than that of this cosine, by more than rounding the directions may do.
+/// Returns whether the angle is smaller than that with this cosine, by more than rounding of the directions explains.
 bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
   return dot(a, b) > (cosine + recovery_budget.sharp_rounding) * std::sqrt(dot(a, a) * dot(b, b));
 }
@@ -75,10 +75,10 @@ void ConformingRecovery::mark_sharp_vertices() {
                                        mesh_.point(joined[v][j]) - mesh_.point(v), recovery_budget.sharp_cosine);
 }
 
-/// Those that meet another facet at less than 90 degrees, or have a sharp vertex.
+/// Marks facets that meet another one at less than 90 degrees, or have a sharp vertex.
 void ConformingRecovery::mark_sharp_facets() {
   facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
-  std::vector<Vec3> inner;  // of the facets about a subsegment: into which direction each goes
+  std::vector<Vec3> inner;  // for the facets around a subsegment: the direction into each of them
   for (const Subsegment& s : constraints_.subsegments) {
     inner.clear();
     for (const Index f : s.subfacets) inner.push_back(inwards(s, f));
@@ -97,7 +97,8 @@ bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
          std::any_of(s.subfacets.begin(), s.subfacets.end(), [&](Index f) { return facet_is_sharp_[f] != 0; });
 }
 
-/// From a border edge into the facet, square to the edge; zero where the facet lies on both sides of it.
+/// Returns the direction from a border edge into the facet, perpendicular to the edge; zero if the facet lies on both
+/// sides of it.
 Vec3 ConformingRecovery::inwards(const Subsegment& s, Index f) const {
   const Triangle& t = constraints_.subfacets[f].vertices;
   const Vec3& o = mesh_.point(t[0]);
@@ -133,8 +134,8 @@ VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRe
   return insertion_.vertex;
 }
 
-/// Whether a-b is an edge of the cells that the last insertion made. Of the edges of the cells it removed no others are
-/// left, and the new vertex has no others.
+/// Returns whether a-b is an edge of the cells that the last insertion made. Edges of the removed cells have been
+/// removed unless they are among these, and the new vertex has no others.
 bool ConformingRecovery::is_edge_of_new_star(VertexIndex a, VertexIndex b) const {
   return std::any_of(mesh_.last_created().begin(), mesh_.last_created().end(),
                      [&](CellIndex c) { return mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b); });
@@ -162,7 +163,7 @@ VertexIndex ConformingRecovery::encroaching_vertex(const Subsegment& s) {
   LineCrossings line;
   walk_line(mesh_, s.a, s.b, line);
   VertexIndex best = no_vertex;
-  double smallest = 0;  // of the cosine: what lies outside the sphere over the subsegment does not count
+  double smallest = 0;  // limit on the cosine: vertices outside the diametral sphere of the subsegment are ignored
   for (const CellIndex c : line.cells)
     for (const VertexIndex v : mesh_.cells().vertices(c)) {
       if (v == s.a || v == s.b || v == infinite_vertex || mesh_.is_box_vertex(v)) continue;
@@ -184,9 +185,9 @@ bool ConformingRecovery::is_on_segment_from(VertexIndex v, VertexIndex end) cons
   return r.origin == VertexOrigin::input && segment_of_ends_.find({v, end}) != no_index;
 }
 
-/// On the sphere through the encroaching vertex v about the end of the model's segment at which a segment of v's meets
-/// it sharply: so that points on segments which meet sharply come to lie on common spheres. The distance from s.a, or a
-/// negative one where there is no such sphere or it passes s by.
+/// Returns a point on a sphere through the encroaching vertex v, with its centre at the end of the model's segment at
+/// which it meets a segment of v sharply, so that points on segments which meet sharply lie on common spheres. The
+/// result is the distance from s.a, or negative if there is no such sphere or it does not meet s.
 double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexIndex v) const {
   if (s.segment == no_index) return -1;
   const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b), &p = mesh_.point(v);
@@ -205,9 +206,9 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
   return place < length ? place : -1;
 }
 
-/// On a common sphere; else where the encroaching vertex projects to, so that a point set off by another goes no
-/// further than it has to; else, where that would be nearer to an end than half the vertex's own distance from it, at
-/// that distance (Si and Gaertner 2005).
+/// Returns a point on a common sphere; otherwise the projection of the encroaching vertex, so that points do not cause
+/// more distant ones than necessary; if that is closer to an end than half of the vertex's own distance from the end,
+/// the point at that distance (Si and Gaertner 2005).
 Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
   const VertexIndex v = encroaching_vertex(s);
@@ -224,7 +225,7 @@ Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   return point_on_segment(s, a + place / length * (b - a));
 }
 
-/// The point of the model's segment nearest to p, so that rounding errors do not add up from split to split.
+/// Returns the point of the model's segment nearest to p, so that rounding errors do not accumulate over splits.
 Vec3 ConformingRecovery::point_on_segment(const Subsegment& s, const Vec3& p) const {
   if (s.segment == no_index) return p;
   using exact::TwoDouble;

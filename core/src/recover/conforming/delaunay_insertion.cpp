@@ -7,11 +7,11 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Edges of a tetrahedron, each with the two vertices that it does not have.
+/// Edges of a tetrahedron, each with its two other vertices.
 constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// The edges, but most of those that stay, and the inner faces of the cavity, while its cells are marked.
+/// Lists the edges, except most of those that are kept, and the inner faces of the cavity, whose cells must be marked.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();
@@ -24,14 +24,14 @@ void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, D
       if (n < c && is_inner[f])
         out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
     }
-    // An edge lies in the two faces opposite the other vertices: if one is of the boundary, so is the edge, and it
-    // stays.
+    // An edge lies in the two faces opposite the other vertices: if one of these is on the boundary, so is the edge,
+    // and it is kept.
     for (const auto& [i, j, k, l] : edges_and_others)
       if (is_inner[k] && is_inner[l]) out.edges.push_back({v[i], v[j]});
   }
 }
 
-/// Leaves the cells marked. False: there is no place for p.
+/// Marks the cells in conflict. Returns false if there is no place for p.
 bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::vector<CellIndex>& cavity) {
   const TetMesh& cells = mesh.cells();
   const CellIndex first = mesh.locate(p, start);
@@ -86,7 +86,7 @@ bool is_locally_delaunay(const ConstrainedMesh& mesh) {
     const auto& v = cells.vertices(c);
     for (unsigned f = 0; f < 4; ++f) {
       const FaceRef g = cells.neighbor(c, f);
-      if (g.cell() < c || !counts(g.cell())) continue;  // one side of a face tells
+      if (g.cell() < c || !counts(g.cell())) continue;  // each face is reported from one of its sides
       const VertexIndex d = cells.vertex(g.cell(), g.face());
       if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(d)) ==
           Sign::positive)

@@ -10,21 +10,22 @@
 namespace geomesh::recover {
 
 struct DelaunayInsertion {
-  VertexIndex vertex = no_vertex;  ///< no_vertex where the point equals a vertex or lies outside the box
+  VertexIndex vertex = no_vertex;  ///< no_vertex if the point equals a vertex or lies outside the box
   std::vector<std::array<VertexIndex, 2>>
-      edges;                    ///< all that are gone, and some that are still there; some more than once
-  std::vector<Triangle> faces;  ///< that are gone: between two cells that conflicted
+      edges;                    ///< all edges that were removed, and some that still exist; some occur more than once
+  std::vector<Triangle> faces;  ///< faces that were removed: those between two cells in conflict
 };
 
-/// Inserts into `out`, whose lists are reused.
+/// Inserts a point and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
-/// The cells that p conflicts with, the one that holds p first; none where p equals a vertex or lies outside the box.
+/// Returns the cells in conflict with p, the one that contains p first; none if p equals a vertex or lies outside the
+/// box.
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
-/// Replaces the cells that p conflicts with, all of them and not none, by the star of p.
+/// Replaces the cells in conflict with p, which must be all of them, by the star of p.
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);
 
-/// Whether every finite cell that has no box vertex is Delaunay towards its neighbours: exactly, ties allowed.
+/// Returns whether every finite cell without a box vertex is locally Delaunay: decided exactly, ties allowed.
 bool is_locally_delaunay(const ConstrainedMesh& mesh);
 
 }  // namespace geomesh::recover

@@ -12,7 +12,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Square of the distance of p from the line through a and b.
+/// Returns the squared distance of p from the line through a and b.
 double distance_to_line(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 u = b - a, n = cross(u, p - a);
   return dot(n, n) / dot(u, u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which cells go where a Steiner point is put on a missing segment.
+/// Determines which cells are removed when a Steiner point is added on a missing segment.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace geomesh::recover {
 
-/// The cells of the simplex crossed: two of a face, all of an edge.
+/// Returns the cells of the crossed simplex: two for a face, all around an edge.
 std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing& c);
 
 /// The crossings of a missing subsegment, with their parameters on it.
@@ -20,15 +20,15 @@ struct CrossingsOnLine {
   double length = 0;
 };
 
-/// The cells of crossing i and of what the point x there would have beside it at the distance of a rounding error:
-/// other crossings, and edges of the face crossed. Were they left, the next crossing would be an ulp from x.
+/// Returns the cells of crossing i, and those of items that would be at the distance of a rounding error from a point x
+/// there: other crossings, and edges of the crossed face. If they were kept, the next crossing would be an ulp from x.
 std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const CrossingsOnLine& on, std::size_t i,
                                            const Vec3& x);
 
-/// Square of the distance to the nearest of the segment's ends and of the vertices of the simplex crossed.
+/// Returns the squared distance to the nearest of the segment's ends and of the vertices of the crossed simplex.
 double clearance(const ConstrainedMesh& mesh, const Crossing& c, const Vec3& x, const Vec3& a, const Vec3& b);
 
-/// Ends the attempt where another segment is crossed. True: it has.
+/// Ends the attempt if another segment is crossed; returns whether it has.
 bool ends_at_crossed_segment(Recovery& recovery, Index subsegment, const LineCrossings& line);
 
 }  // namespace geomesh::recover

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Facets, whose segments are all present: the mesh edges that pierce a missing subfacet are removed by flips; where
-/// that fails they are split one after the other where they pierce it. Splits of edges leave tetrahedra alone, so the
-/// prisms and pyramids of the paper's section 3.3 never come up. After as many splits as edges pierce the subfacet it
-/// is a union of faces: this always ends.
+/// Recovers facets, whose segments are all present: the mesh edges that pierce a missing subfacet are removed by flips;
+/// if that fails they are split one after the other where they pierce it. Splits of edges leave only tetrahedra, so the
+/// prisms and pyramids of the paper's section 3.3 never occur. After as many splits as edges pierce the subfacet it is
+/// a union of faces, so this always terminates.
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Forbids edges whose ends lie on different sides of the subfacet: inside the ring of a piercing edge such an edge
+/// Forbids edges whose ends lie on different sides of the subfacet: inside the ring of a piercing edge, such an edge
 /// pierces it too.
 class NoNewPiercing : public EdgeRule {
  public:
@@ -46,7 +46,7 @@ class FacetRecovery {
     is_plain_ = !recovery.constraints.is_piece(subfacet);
   }
 
-  /// Locks a piece that faces cover. False: none do.
+  /// Locks a piece that faces cover. Returns false if none do.
   bool as_it_is() {
     const FacetTrace trace = trace_piece(mesh_, recovery_.constraints, subfacet_);
     if (trace.status != FacetTrace::Status::complete) return false;
@@ -68,7 +68,7 @@ class FacetRecovery {
     return true;
   }
 
-  /// Only while no point has been added: the sheet is the subfacet as a whole.
+  /// Only applies while no point has been added: the sheet is the whole subfacet.
   bool by_cavity(std::size_t max_nodes) {
     const FacetTrace trace = checked_trace();
     if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
@@ -81,9 +81,9 @@ class FacetRecovery {
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
-  /// A trace takes time proportional to the facet's size, and a large polygon may need as many points. So its first
-  /// points are each followed by a trace, which spares some. Then the facet is traced only after the last edge has been
-  /// split: a point leaves the other edges that pierce as they are.
+  /// A trace takes time proportional to the facet's size, and a large polygon may need as many points. Therefore only
+  /// its first points are each followed by a trace, which saves some points. After that the facet is traced only when
+  /// the last edge has been split: a point does not change the other edges that pierce.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
@@ -102,7 +102,7 @@ class FacetRecovery {
  private:
   struct Piercing {
     PiercingEdge edge;
-    /// One more than the mesh's number of changes when flips last failed to remove the edge; 0 where none were tried.
+    /// one more than the mesh's number of changes when flips last failed to remove the edge; 0 if they were not tried
     std::size_t tried;
   };
 
@@ -112,7 +112,7 @@ class FacetRecovery {
     return {t.begin(), t.end()};
   }
 
-  /// Whether flips and points may be ordered by a new trace each time.
+  /// Returns whether flips and points may be ordered by a new trace each time.
   bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
@@ -132,10 +132,11 @@ class FacetRecovery {
     return trace;
   }
 
-  // Where rounding bends a border with added points, the trace may leave the subfacet through cells flat in its plane.
-  // It then meets what lies beside it: nobody is accused without an exact test against the corners.
+  // If rounding bends a border with added points, the trace may leave the subfacet through cells that are flat in its
+  // plane. It then meets other items, so no error is reported without an exact test against the corners.
 
-  /// Whether the edge passes through the triangle of the corners or touches it: it has the corners' edges on one side.
+  /// Returns whether the edge passes through the triangle of the corners or touches it, so that it has the edges
+  /// between the corners on one side.
   bool is_passed_by(PiercingEdge e) const {
     bool left = false, right = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -145,8 +146,8 @@ class FacetRecovery {
     }
     return !(left && right);
   }
-  /// Whether the vertex lies in the triangle of the corners, its border included, or in the polygon where the trace is
-  /// exact: no added point bends it.
+  /// Returns whether the vertex lies in the triangle of the corners, including its border, or in the polygon if the
+  /// trace is exact and no added point bends it.
   bool holds(VertexIndex v) const {
     if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
     const std::vector<VertexIndex> members = members_of(recovery_.constraints, subfacet_);
@@ -166,8 +167,8 @@ class FacetRecovery {
     return true;
   }
 
-  /// In the plane of the input's corners. In twice a double's precision: the plane of a thin triangle is known to fewer
-  /// digits than its corners.
+  /// Computes the point in the plane of the input's corners, with twice a double's precision, because the plane of a
+  /// thin triangle is known to fewer digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
     using exact::TwoDouble;
     const Vec3 &p = mesh_.point(plane_[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
@@ -197,9 +198,9 @@ class FacetRecovery {
     return out;
   }
 
-  /// Removes what flips can from a list of piercing edges. No flip makes another one pierce, so the list needs no
-  /// trace. Up to one level deep, flips look at no cells but those of the edge's ends. Where these have not changed
-  /// since a failure, flips would fail again.
+  /// Removes as many of a list of piercing edges as flips can. No flip makes another one pierce, so the list needs no
+  /// new trace. Up to one level deep, flips examine only the cells at the edge's ends; if these have not changed since
+  /// a failure, flips would fail again.
   void remove_by_flips(std::vector<Piercing>& left, unsigned depth) {
     EdgeRemover remover(mesh_, recovery_.constraints, &work_left_);
     const NoNewPiercing rule(sides_);
@@ -224,7 +225,7 @@ class FacetRecovery {
     }
   }
 
-  /// Puts a point on the first edge that admits one, and takes that edge off the list.
+  /// Adds a point on the first edge that admits one, and removes that edge from the list.
   bool split_one(std::vector<Piercing>& left) {
     for (std::size_t i = 0; i < left.size(); ++i) {
       const PiercingEdge e = left[i].edge;
@@ -256,7 +257,7 @@ class FacetRecovery {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
     if (!is_plain_) {
-      // A face of another facet: rounding has folded two that meet at a very small angle onto each other.
+      // A face of another facet: rounding has folded two facets that meet at a very small angle onto each other.
       for (const Triangle& t : trace.faces)
         if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index)
           return recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
@@ -276,17 +277,17 @@ class FacetRecovery {
   Triangle plane_;
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
-  bool is_plain_ = true;         ///< a triangle to which no point has been added
-  bool has_been_split_ = false;  ///< got a point here
-  std::size_t n_traced_ = 0;     ///< for the budget's traced_of_facet
-  std::size_t work_left_ = 0;    ///< of flips, from the budget's flips_tried
+  bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
+  bool has_been_split_ = false;  ///< whether a point was added here
+  std::size_t n_traced_ = 0;     ///< counted against traced_of_facet in the budget
+  std::size_t work_left_ = 0;    ///< remaining flips, from flips_tried in the budget
 };
 
 }  // namespace
 
 namespace {
 
-/// Some may come to the mesh later (hard_parts_first.hpp).
+/// Some vertices may be inserted later (hard_parts_first.hpp).
 bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   const auto in_mesh = [&](VertexIndex v) { return recovery.mesh.in_mesh(v); };
   const Constraints& c = recovery.constraints;
@@ -295,7 +296,7 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
 
-/// Across a missing edge a trace of the piece would leave it and follow its plane through the whole mesh.
+/// At a missing edge, a trace of the piece would leave it and follow its plane through the whole mesh.
 bool has_all_edges(Recovery& recovery, Index piece) {
   Constraints& c = recovery.constraints;
   const std::vector<DirectedEdge>& border = c.piece_of(piece).border;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Segments that flips do not recover get points. The stepping insertion always ends: the point stands where the line
-/// first crosses the mesh. So the part before it is an edge, and the part behind it crosses one simplex less.
+/// Adds points to segments that flips do not recover. Stepping insertion always terminates: the point is placed where
+/// the line first crosses the mesh, so the part before it is an edge, and the part behind it crosses one simplex less.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,14 +19,15 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Parameter on a-b where the line meets the plane of p, q, r; floating point is enough, as membership is declared.
+/// Returns the parameter on a-b at which the line meets the plane of p, q, r; floating point is accurate enough, since
+/// membership is declared.
 double plane_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
   const Vec3 n = cross(q - p, r - p);
   const double da = dot(n, a - p), db = dot(n, b - p);
   return da == db ? 0.5 : da / (da - db);
 }
 
-/// Parameter on a-b nearest to the line p-q.
+/// Returns the parameter on a-b nearest to the line p-q.
 double line_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 u = b - a, v = q - p, w = a - p;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), d = uu * vv - uv * uv;
@@ -51,7 +52,7 @@ bool try_point(Recovery& recovery, const Vec3& p, const std::vector<CellIndex>& 
   return false;
 }
 
-/// A point on the missing subsegment where the line crosses the mesh, as far from other vertices as can be.
+/// Adds a point on the missing subsegment where the line crosses the mesh, as far from other vertices as possible.
 VertexIndex insert_on_segment(Recovery& recovery, Index s) {
   ConstrainedMesh& mesh = recovery.mesh;
   const VertexIndex a = recovery.constraints.subsegments[s].a, b = recovery.constraints.subsegments[s].b;
@@ -92,14 +93,14 @@ std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
   return line.crossings.size();
 }
 
-/// More points than this on one subsegment only crowd: each removes a crossing, but flips that gave way to it may have
-/// made others.
+/// Returns the number of points on one subsegment above which more are useless: each removes a crossing, but flips that
+/// were tried before may have made others.
 std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
   return recovery_budget.points_on_subsegment + recovery_budget.points_on_crossing * n_crossings(mesh, s);
 }
 
-/// Flips may bring back what points have removed, so once their work is used up points alone step on, which ends. And
-/// deep flips clear lines that cross much hardly ever, at ten times the cost.
+/// Flips may restore what points have removed, so once their work is used up only points are added, which terminates.
+/// Deep flips hardly ever clear lines with many crossings, at ten times the cost.
 bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, std::size_t& work_left) {
   const unsigned depth = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
   return work_left > 0 && recover_segment_by_flips(recovery, s.a, s.b, depth, work_left);
@@ -111,7 +112,7 @@ class PointsOnSegments {
   explicit PointsOnSegments(Recovery& recovery)
       : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints) {}
 
-  /// The attempt ends where no point can be placed or `most_points` do not suffice.
+  /// Ends the attempt if no point can be placed or `most_points` do not suffice.
   void recover(Index first) {
     std::vector<Index> stack{first};
     std::size_t work_left = recovery_budget.flips_tried;
@@ -155,7 +156,7 @@ class PointsOnSegments {
 
 namespace {
 
-/// Whether the subsegment could be an edge but is none. Its ends may come to the mesh later (hard_parts_first.hpp).
+/// Returns whether the subsegment could be an edge but is none. Its ends may be inserted later (hard_parts_first.hpp).
 bool is_missing(Recovery& recovery, Index subsegment) {
   const Subsegment& s = recovery.constraints.subsegments[subsegment];
   return s.live && recovery.mesh.in_mesh(s.a) && recovery.mesh.in_mesh(s.b) &&

@@ -75,7 +75,7 @@ Number determinant(const std::array<std::array<Number, 3>, 3>& u) {
 
 }  // namespace
 
-/// Whether the frame of a place and what is declared of the others tell that all lie in one plane.
+/// Returns whether the frame of a place and the declared membership of the others imply that all are coplanar.
 bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   for (const VertexIndex x : v) {
     if (!contains(x)) continue;
@@ -89,7 +89,7 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
       const auto& other = of(w).frame;
       return other[1] != no_vertex && in(other[0]) && in(other[1]) && (other[2] == no_vertex || in(other[2]));
     };
-    int may_miss = place.is_on_line() ? 1 : 0;  // three on a line are flat with any fourth
+    int may_miss = place.is_on_line() ? 1 : 0;  // three collinear points are coplanar with any fourth
     for (const VertexIndex w : v)
       if (!is_in_frame(w) && --may_miss < 0) break;
     if (may_miss >= 0) return true;
@@ -97,8 +97,8 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   return false;
 }
 
-/// Whether all have one coordinate in common: the sides of a box, and what lies in them. A rest is zero where the place
-/// is its nearest double.
+/// Returns whether all points have one coordinate in common, as on the sides of a box. The rest is zero if the place is
+/// its nearest double.
 bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   for (std::size_t i = 0; i < 3; ++i)
     if (std::all_of(v.begin(), v.end(),
@@ -107,15 +107,15 @@ bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, cons
   return false;
 }
 
-// The nearest double and the rounded rest give a coordinate within 2^-105 of itself. So a difference of two of them is
-// off by 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that of filters.hpp, trebled
-// for the first, and six products with one factor that wrong for the second. The second filter works with about 2^-104;
-// its bound, 2^-96 of the greatest product, leaves room for 256 roundings.
+// The nearest double and the rounded rest give a coordinate with a relative error of 2^-105. A difference of two of
+// them therefore has an error of 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that
+// of filters.hpp, trebled for the first, and six products with one factor that wrong for the second. The second filter
+// works with about 2^-104; its bound, 2^-96 of the greatest product, leaves room for 256 roundings.
 namespace {
 
 constexpr double widening_of_rests = 3;
 
-/// What offsets that reach so far in each coordinate, each wrong by so much, make wrong in a determinant.
+/// Returns the error of a determinant that offsets with these magnitudes and errors in each coordinate cause.
 double error_by_rests(const Vec3& reach, const Vec3& wrong) {
   return 8 *
          (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
@@ -164,8 +164,8 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
   return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
 }
 
-/// The determinant of the nearest doubles. Each is off by an ulp at most, a difference of two by 2^-51 of the greater,
-/// which is no farther from zero than d and the offset from d together.
+/// Computes the determinant of the nearest doubles. Each has an error of at most an ulp, and a difference of two an
+/// error of 2^-51 of the greater, which is no farther from zero than the sum of d and the offset from d.
 filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const Vec3& d = points[v[3]];
   const Vec3 a = points[v[0]] - d, b = points[v[1]] - d, c = points[v[2]] - d;
@@ -184,8 +184,8 @@ Sign ExactPlaces::side_of_end(const std::vector<Vec3>& points, const std::array<
   return decide(points, v);
 }
 
-/// A place between the ends of its line lies on the side where both ends lie, or one of them if the other is in the
-/// plane. Nothing where the ends lie on either side, or may have moved.
+/// Returns the side of a place between the ends of its line: that of both ends, or of one of them if the other is in
+/// the plane. Returns nothing if the ends lie on different sides, or may have moved.
 std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
                                               const std::array<VertexIndex, 4>& v) const {
   for (std::size_t k = 0; k < 4; ++k) {

@@ -19,15 +19,15 @@ namespace geomesh::recover {
 
 struct ExactPlace {
   std::array<exact::LongExpansion, 3> coordinates;
-  /// Vertices on whose line (two of them) or in whose plane (three) the place lies exactly; no_vertex beyond these.
+  /// Vertices on whose line (two of them) or in whose plane (three) the place lies exactly; the others are no_vertex.
   std::array<VertexIndex, 3> frame{no_vertex, no_vertex, no_vertex};
-  /// On a line: coordinates = (1 - parameter) * frame[0] + parameter * frame[1].
+  /// For a place on a line: coordinates = (1 - parameter) * frame[0] + parameter * frame[1].
   exact::LongExpansion parameter{};
 
   bool is_on_line() const { return frame[1] != no_vertex && frame[2] == no_vertex; }
   bool is_in_plane() const { return frame[2] != no_vertex; }
   Vec3 nearest() const { return {coordinates[0].estimate(), coordinates[1].estimate(), coordinates[2].estimate()}; }
-  /// Whether products of three differences of such coordinates stay exact (long_expansion.hpp).
+  /// Returns whether products of three differences of such coordinates are exact (long_expansion.hpp).
   bool is_safe() const;
 };
 
@@ -42,38 +42,37 @@ class ExactPlaces {
   void set(VertexIndex v, ExactPlace place);
   void erase(VertexIndex v);
 
-  /// As orient3d on exact places; at least one of the vertices is in here. `points`: of all vertices.
+  /// Like orient3d, on exact places; at least one of the vertices must have one. `points` are those of all vertices.
   Sign orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// As orient2d of the coordinates (i, j) of three vertices.
+  /// Like orient2d, of the coordinates (i, j) of three vertices.
   Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
                    std::size_t j) const;
-  /// Six times the signed volume, exactly.
+  /// Returns six times the signed volume, exactly.
   exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// As volume, off by less than 2^-20 of itself.
+  /// Returns six times the signed volume with a relative error of less than 2^-20.
   double rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// What a determinant of three offsets from one vertex is off by: `widening` times what it would be off by for
-  /// doubles, and `slack`.
+  /// Error of a determinant of three offsets from one vertex: `widening` times the error for doubles, plus `slack`.
   struct OffsetError {
     double widening = 1, slack = 0;
   };
   OffsetError offset_error(const std::vector<Vec3>& points, VertexIndex from, std::span<const VertexIndex> to) const;
-  /// to - from, each coordinate with hardly any error.
+  /// Returns to - from, each coordinate with a negligible error.
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
 
-  /// Place - nearest double, rounded.
+  /// Returns the place minus its nearest double, rounded.
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
-  /// How many orientations have been decided: a measure of work that is the same on every machine.
+  /// Returns how many orientations have been decided: a measure of work that is the same on every machine.
   std::size_t n_decided() const { return n_decided_; }
   void count_decided(std::size_t n) const { n_decided_ += n; }
 
  private:
   struct Row {
     ExactPlace place;
-    Vec3 rest;                     ///< place - nearest double, rounded
-    bool is_between_ends = false;  ///< on a line, strictly between the ends of its frame
+    Vec3 rest;                     ///< place minus its nearest double, rounded
+    bool is_between_ends = false;  ///< whether it is on a line, strictly between the ends of its frame
   };
-  /// Six times a volume in doubles, and what the bounds of both filters are made of.
+  /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
   struct Rough {
     filter::Estimate plain;
     double product = 0, by_rests = 0;
@@ -87,8 +86,8 @@ class ExactPlaces {
   bool are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
-  VertexIndex first_ = no_vertex;  ///< the least vertex that was ever in here
-  std::vector<Index> row_of_;      ///< per vertex from the first one
+  VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
+  std::vector<Index> row_of_;      ///< for each vertex from the first one
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

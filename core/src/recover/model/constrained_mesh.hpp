@@ -27,11 +27,11 @@ struct EdgeRing {
   std::vector<VertexIndex> ring;
 };
 
-/// Choices of a walk's direction. They depend on where it starts and ends alone, not on walks before it, so that
-/// looking something up changes nothing.
+/// The random choices of a walk's direction. They depend only on where it starts and ends, and not on earlier walks, so
+/// that queries have no side effects.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
-/// Locks of faces, in the cells' flags.
+/// Locks of faces, stored in the flags of cells.
 struct FaceLocks {
   using FaceMark = bool;
   static constexpr bool is_closed = true;
@@ -50,10 +50,10 @@ struct FaceLocks {
 
 class ConstrainedMesh : public EditableMesh<FaceLocks> {
  public:
-  /// `n_input` vertices of the model come first, then the eight of the box.
+  /// The `n_input` vertices of the model come first, followed by the eight of the box.
   ConstrainedMesh(TetMesh mesh, std::vector<Vec3> points, std::size_t n_input);
 
-  /// Gives the cells and the points back; nothing may be asked of the mesh afterwards.
+  /// Returns the cells and the points; the mesh must not be used afterwards.
   void release(TetMesh& cells, std::vector<Vec3>& points) {
     cells = std::move(mesh_);
     points = std::move(points_);
@@ -61,10 +61,10 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   std::size_t n_input() const { return n_input_; }
   bool is_box_vertex(VertexIndex v) const { return v >= n_input_ && v < n_input_ + 8; }
-  /// A vertex not yet in any cell.
+  /// Adds a vertex that is not yet in any cell.
   VertexIndex add_point(const Vec3& p);
   VertexIndex add_point(ExactPlace place);
-  /// Only for vertices whose star the caller has checked (or that is in no cell).
+  /// Only for vertices whose star the caller has checked (or that are in no cell).
   void move_point(VertexIndex v, const Vec3& p) {
     exact_.erase(v);
     points_[v] = p;
@@ -75,17 +75,17 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   }
   void drop_last_point();
 
-  /// Whether the place of v is no double but an exact sum of doubles (exact_places.hpp).
+  /// Returns whether the place of v is not a double but an exact sum of doubles (exact_places.hpp).
   bool is_exact(VertexIndex v) const { return exact_.contains(v); }
   bool has_exact_places() const { return !exact_.empty(); }
   const ExactPlaces& exact_places() const { return exact_; }
   /// Of any vertex.
   exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
-  /// From one vertex to another: accurate where their nearest doubles are equal.
+  /// Returns the vector from one vertex to another, which is accurate even if their nearest doubles are equal.
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
-  /// Of those offsets, in filters of determinants.
+  /// Returns the error of those offsets, for filters of determinants.
   ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
     return exact_.offset_error(points_, from, to);
   }
@@ -95,7 +95,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
       return exact_.orient(points_, {a, b, c, d});
     return orient3d(points_[a], points_[b], points_[c], points_[d]);
   }
-  /// Of the coordinates i and j.
+  /// Returns the orientation of the coordinates i and j.
   Sign orient_flat(VertexIndex a, VertexIndex b, VertexIndex c, std::size_t i, std::size_t j) const {
     return exact_.orient_flat(points_, {a, b, c}, i, j);
   }
@@ -107,49 +107,49 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_locked(FaceRef f) const { return FaceLocks::mark(mesh_, f); }
   void lock(FaceRef f) { FaceLocks::lock(mesh_, f, mesh_.mirror(f)); }
 
-  /// All cells with v (ghosts too). The order depends on the mesh alone.
+  /// Collects all cells with v (including ghosts). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
-  /// Scratch for marks on cells. A star uses it too.
+  /// Returns temporary marks on cells. A star uses them too.
   EpochMarks& marks() { return marks_; }
-  /// Vertices joined with v by an edge, the infinite one left out, sorted.
+  /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
-  /// A cell with both vertices, or no_cell. Walks about a towards b, so a must be in the mesh; exact.
+  /// Returns a cell with both vertices, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
-  /// Looks into the cell `hint` first, which may be any, a dead one or no_cell too.
+  /// Examines the cell `hint` first, which may be any, including a dead one or no_cell.
   CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
     const bool is_there =
         hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
     return is_there ? hint : find_edge(a, b);
   }
-  /// The cells about edge a-b, `cell` being one. False where a ghost is among them.
+  /// Collects the cells around edge a-b, of which `cell` is one. Returns false if a ghost is among them.
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
-  /// The face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
+  /// Returns the face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
-  /// As find_face, where `cell` has a and b. O(cells about a-b).
+  /// Like find_face, for a `cell` that has a and b. O(cells around a-b).
   FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
-  /// As find_face, for one given cell with all three.
+  /// Like find_face, for one given cell with all three vertices.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// For a walk in the star of a towards b: a face of cell c, which has a, beyond whose plane b lies; of several one by
-  /// `random`. 4 where c's cone about a has b.
+  /// For a walk in the star of a towards b: returns a face of cell c, which has a, beyond whose plane b lies; one of
+  /// several is chosen by `random`. 4 if c's cone at a contains b.
   unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
-  /// A finite cell that has p inside or on its boundary, walking from `start` (of a ghost: from beside it); no_cell
-  /// where p is outside the box. Exact.
+  /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from beside it if it is a
+  /// ghost); no_cell if p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
 
-  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks are kept
-  /// where the face is there afterwards, inside too. The caller answers for positivity. Indices of the new cells:
+  /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks of faces that
+  /// still exist afterwards are kept, also inside. The caller must ensure positivity. Indices of the new cells:
   /// last_created(). O(k log k).
   void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
   const std::vector<CellIndex>& last_created() const { return created_; }
 
-  /// The cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)` accepts,
-  /// searched from `first`, which is one of them, through faces. They stay marked until replace_by_star. O(cells
-  /// tested).
+  /// Finds the cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)`
+  /// accepts, searched from `first`, which is one of them, through faces. They remain marked until replace_by_star.
+  /// O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Puts these marks on the same cells again, or takes them off.
+  /// Sets these marks on the same cells again, or removes them.
   void mark_cavity(std::span<const CellIndex> cavity) {
     for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
   }
@@ -157,35 +157,37 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
     for (const CellIndex c : cavity) mesh_.flags(c) &= static_cast<std::uint8_t>(~region_flag);
   }
   bool is_in_cavity(CellIndex c) const { return mesh_.flags(c) & region_flag; }
-  /// Replaces a cavity from find_cavity by the cells that join its boundary with x. Cells are linked by turning about
-  /// the edges of the boundary inside the cavity, so that no table of faces is needed. The caller answers for
+  /// Replaces a cavity from find_cavity by the cells that connect its boundary with x. Cells are linked by turning
+  /// around the edges of the boundary inside the cavity, so that no table of faces is needed. The caller must ensure
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
-  /// Number of changes so far, and its value after the last one of a cell with v. What has been rolled back is none.
+  /// Returns the number of changes so far, and its value after the last change of a cell with v. Changes that were
+  /// rolled back do not count.
   std::size_t n_changes() const { return n_changes_; }
   std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
 
-  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers). Why it
-  /// is not remeshing's journal: docs/decisions/house.md.
+  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
+  /// docs/decisions/house.md explains why it is not the journal of remeshing.
   std::size_t mark();
   void roll_back(std::size_t mark);
-  /// Ends what mark() began, keeping the changes.
+  /// Ends what mark() began and keeps the changes.
   void keep();
 
-  /// Another seed, other choices.
+  /// Sets another seed, which leads to other random choices.
   void reseed(std::uint32_t seed) { random_ = Random(seed); }
-  /// Deterministic source of choices.
+  /// Returns deterministic pseudo-random numbers.
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
-  static constexpr std::uint8_t tested_flag = 0x40;  ///< set while a cavity is searched: found to lie outside it
+  /// Set during the search for a cavity: the cell was found to lie outside it.
+  static constexpr std::uint8_t tested_flag = 0x40;
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< that it had then
+    CellIndex slot;  ///< the slot that it had then
   };
-  /// What each replacement removed and created begins at these rows.
+  /// Rows at which the lists of removed and created cells of each replacement begin.
   struct JournalEntry {
     std::size_t removed, created;
   };
@@ -209,8 +211,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes_ = 0;
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;  ///< per created cell of a star: the old cell's face under it
-  std::vector<CellIndex> tested_;    ///< of a search for a cavity: cells outside it
+  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star: the old cell's face below it
+  std::vector<CellIndex> tested_;    ///< cells found to be outside during the search for a cavity
   EpochMarks marks_;
   Random random_;
 };

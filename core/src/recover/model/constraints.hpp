@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The declared constraints: which vertex pairs are subsegments and which triples are subfacets, and what they stand
-/// for. Membership is declared when something is split and never tested again by coordinates.
+/// The declared constraints: which vertex pairs are subsegments and which triples are subfacets, and to which segments
+/// and facets they belong. Membership is declared when something is split and never tested again by coordinates.
 ///
 /// Invariants:
-///   1. live subsegments, and live subfacets that are no pieces, are found by their vertices, in any order;
+///   1. live subsegments, and live subfacets that are not pieces, are found by their vertices, in any order;
 ///   2. each border edge of a live subfacet is a live subsegment, which lists that subfacet;
 ///   3. the live subfacets of a facet, projected on it, cover it once.
 #pragma once
@@ -24,42 +24,42 @@ struct Subsegment {
   Index facet = no_index;    ///< for an edge inside a facet: that facet
   bool live = true;
   std::vector<Index> subfacets;
-  CellIndex seen_in = no_cell;  ///< a cell that once had it (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that contained it when it was last found (presence.hpp)
 };
 
 using DirectedEdge = std::array<VertexIndex, 2>;
 
-/// A triangle that is a face of the mesh or is to become one. With `piece`, it is a part of a facet that any faces may
-/// cover.
+/// A triangle that is a face of the mesh or should become one. If it is a `piece`, it is a part of a facet that any
+/// faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< in the orientation of the facet; of a piece: three of its vertices, that span its plane
+  Triangle vertices{};  ///< in the orientation of the facet; for a piece: three of its vertices, which span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
-  CellIndex seen_in = no_cell;  ///< a cell that once had it for a face (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had it as a face when it was last found (presence.hpp)
 };
 
-/// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle
-/// whose border has got points. Any mesh faces between its vertices that cover it will do, so inner edges cost no
-/// points.
+/// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle on
+/// whose border points were added. Any mesh faces between its vertices that cover it are accepted, so inner edges
+/// require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
-      border;  ///< the facet lies on the left, seen from above; an inner segment stands in both directions
-  std::vector<VertexIndex> members;  ///< all vertices, border and inside
-  std::vector<Triangle> seen{};      ///< faces that once covered it (presence.hpp)
-  std::vector<CellIndex> seen_in{};  ///< cells that had them
+      border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions
+  std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
+  std::vector<Triangle> seen{};      ///< faces that covered it when it was last found (presence.hpp)
+  std::vector<CellIndex> seen_in{};  ///< cells that contained these faces
 };
 
-/// A segment of the model: a facet border or one that the caller lists.
+/// A segment of the model: a facet's border or one that the caller lists.
 struct ModelSegment {
   VertexIndex a = no_vertex, b = no_vertex;
   Index row = no_index;  ///< in PiecewiseLinearComplex::segments
 };
 
-/// What a vertex is: declared, not measured.
+/// Role of a vertex, which is declared and not measured.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
-  Index owner = no_index;  ///< model segment or facet
+  Index owner = no_index;  ///< row of the model segment or facet
 };
 
 class Constraints {
@@ -75,8 +75,8 @@ class Constraints {
   Index subfacet_of(VertexIndex a, VertexIndex b, VertexIndex c) const { return subfacet_map_.find({a, b, c}); }
   bool is_subsegment(VertexIndex a, VertexIndex b) const { return subsegment_of(a, b) != no_index; }
 
-  /// Whether a and b lie on one model segment with added points between them: such an edge would run beside these
-  /// points at the distance of a rounding error, so recovery never makes one.
+  /// Returns whether a and b lie on one model segment with added points between them: such an edge would run beside
+  /// these points at the distance of a rounding error, so recovery never makes it.
   bool skips_added_points(VertexIndex a, VertexIndex b) const {
     const bool a_added = vertices[a].origin != VertexOrigin::input, b_added = vertices[b].origin != VertexOrigin::input;
     if (!a_added && !b_added) return split_map_.find({a, b}) != no_index;
@@ -84,13 +84,13 @@ class Constraints {
   }
 
   Index add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet);
-  /// Edges that are no subsegments yet become edges inside the facet.
+  /// Adds a subfacet. Edges that are not subsegments yet become edges inside the facet.
   Index add_subfacet(const Triangle& t, Index facet);
-  /// Takes a subfacet out; edges inside a facet that bound nothing any more go with it.
+  /// Removes a subfacet, and edges inside a facet that no longer bound anything.
   void remove_subfacet(Index subfacet);
   void remove_subsegment(Index subsegment);
 
-  /// A part of a facet by its border; its edges are subsegments already.
+  /// Adds a part of a facet by its border, whose edges are subsegments already.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
   /// For presence.hpp.
@@ -100,7 +100,7 @@ class Constraints {
   }
   bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
 
-  /// Makes a triangle a piece, as its first added point does.
+  /// Converts a triangle to a piece, which happens when the first point is added to it.
   void make_piece(Index subfacet);
   /// Declares x to lie inside piece f.
   void add_member(Index f, VertexIndex x) {
@@ -108,12 +108,12 @@ class Constraints {
     pieces_[subfacets[f].piece].seen.clear();
   }
 
-  /// Splits subsegment s at vertex x: a-x and x-b. The subfacets about it become pieces with x on their border.
+  /// Splits subsegment s at vertex x into a-x and x-b. The subfacets at it become pieces with x on their border.
   std::array<Index, 2> split_subsegment(Index s, VertexIndex x);
 
  private:
   EdgeMap subsegment_map_;
-  /// a is added on a segment which b is on too, and a-b is no subsegment.
+  /// Returns whether a was added on a segment on which b is too, and a-b is not a subsegment.
   bool lies_on_segment_of(VertexIndex a, VertexIndex b) const {
     const VertexRecord& r = vertices[a];
     if (r.origin != VertexOrigin::on_segment) return false;

@@ -9,13 +9,13 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Whether b is in the closed cone of cell c about its vertex a; if so, what the ray crosses.
+/// Returns whether b is in the closed cone of cell c at its vertex a, and if so, what the ray crosses.
 bool crossing_in_cell(const ConstrainedMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, Crossing& out) {
   const TetMesh& cells = mesh.cells();
   const unsigned i = cells.index_of(c, a);
   const auto& v = cells.vertices(c);
   const auto& local = face_vertices[i];
-  std::array<Sign, 3> side;  // of the plane opposite local[k]
+  std::array<Sign, 3> side;  // sides of the plane opposite local[k]
   for (unsigned k = 0; k < 3; ++k) {
     side[k] = mesh.orient(a, v[local[(k + 1) % 3]], v[local[(k + 2) % 3]], b);
     if (side[k] == Sign::positive) return false;
@@ -147,7 +147,7 @@ class LineWalk {
     }
     return false;
   }
-  /// In the plane of face p,q,u: over p-u or q-u.
+  /// Leaves in the plane of face p,q,u, through p-u or q-u.
   bool leave_in_plane(Crossing& at, CellIndex c, VertexIndex p, VertexIndex q, VertexIndex u, VertexIndex w) const {
     const int sp = static_cast<int>(mesh_.orient(a_, b_, w, p)), su = static_cast<int>(mesh_.orient(a_, b_, w, u));
     if (su == 0) return false;

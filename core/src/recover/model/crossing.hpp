@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Where the straight line from a vertex towards a missing neighbour first leaves the star of that vertex. Exact.
+/// Finds, exactly, where the straight line from a vertex towards a missing neighbour first leaves the star of that
+/// vertex.
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -8,30 +9,30 @@
 namespace geomesh::recover {
 
 enum class CrossingKind {
-  edge_present,  ///< the two are joined
+  edge_present,  ///< the two vertices are connected by an edge
   vertex,        ///< the line runs through `v[0]`, which lies strictly between them
-  edge,          ///< the line crosses the inside of edge v[0]-v[1]
-  face,          ///< the line crosses the inside of `face` = v[0] v[1] v[2]
+  edge,          ///< the line crosses the interior of edge v[0]-v[1]
+  face,          ///< the line crosses the interior of `face` = v[0] v[1] v[2]
 };
 
 struct Crossing {
   CrossingKind kind = CrossingKind::edge_present;
-  CellIndex cell = no_cell;  ///< a cell with the start and the simplex crossed
-  FaceRef face;              ///< of `cell`, opposite the start
+  CellIndex cell = no_cell;  ///< a cell with the start and the crossed simplex
+  FaceRef face;              ///< the face of `cell` opposite the start
   std::array<VertexIndex, 3> v{no_vertex, no_vertex, no_vertex};
 };
 
-/// Both in the mesh. O(degree of a).
+/// Both vertices must be in the mesh. O(degree of a).
 Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b);
 
-/// What the line from a to b crosses, in order, and what has to go for a-b to be an edge.
+/// The simplices that the line from a to b crosses, in order, and the cells that must be removed for a-b to be an edge.
 struct LineCrossings {
   std::vector<Crossing> crossings;  ///< edges and faces
-  std::vector<CellIndex> cells;     ///< cells whose inside the line meets, and all cells about each edge crossed
+  std::vector<CellIndex> cells;     ///< cells whose interior the line meets, and all cells around each crossed edge
 };
 
-/// False where the line runs through a vertex or meets a ghost; what was found before that is in `out`. Both in the
-/// mesh and not joined. O(cells crossed).
+/// Returns false if the line runs through a vertex or meets a ghost; what was found before that is in `out`. Both
+/// vertices must be in the mesh and not connected. O(cells crossed).
 bool walk_line(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, LineCrossings& out);
 
 }  // namespace geomesh::recover

@@ -111,7 +111,8 @@ class Declarer {
     }
     out_.constraints.add_subfacet(v, f);
   }
-  /// The border as directed edges of the draft that are segments, so that the loops' own orientation does not matter.
+  /// Uses the border as directed edges of the draft that are segments, so that the loops' own orientation does not
+  /// matter.
   void add_piece(const FacetTriangulation& draft, const FacetPolygon& polygon, Index f) {
     FacetPiece piece;
     for (const Triangle& t : draft.triangles)
@@ -128,7 +129,7 @@ class Declarer {
     const Triangle& t = draft.triangles.front();
     out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }
-  /// `other`: a facet that the fault is with, no_index: none.
+  /// `other` is a second facet that takes part in the fault, no_index if there is none.
   [[noreturn]] void fail(Index f, const FacetFault& fault, Index other = no_index) const {
     ErrorContext context;
     context.facets = {f};

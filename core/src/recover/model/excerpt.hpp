@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The part of a mesh about the place where recovery ended, for viewing.
+/// Extracts the part of a mesh around the place where recovery ended, for viewing.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,9 @@
 
 namespace geomesh::recover {
 
-/// The finite cells within two steps of these vertices; of more than `max_cells` those nearest by steps. With them the
-/// declared segments and facets whose vertices are all among theirs. O(cells of the excerpt + declared constraints).
+/// Returns the finite cells within two steps of these vertices; if there are more than `max_cells`, those nearest by
+/// steps; with them the declared segments and facets whose vertices are all among theirs. O(cells of the excerpt +
+/// declared constraints).
 std::shared_ptr<const MeshExcerpt> excerpt_about(const Recovery& recovery, std::span<const VertexIndex> vertices,
                                                  std::size_t max_cells = 4000);
 

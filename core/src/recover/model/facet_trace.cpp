@@ -8,15 +8,15 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The trace has come to an end by this; what was touched first stays.
+/// Records why the trace has ended; the first contact found is kept.
 void fail(FacetTrace& out, FacetTrace::Status status, VertexIndex culprit = no_vertex) {
   if (out.status == FacetTrace::Status::touched) return;
   out.status = status;
   out.culprit = culprit;
 }
 
-/// The faces' border is the subfacet's: each directed edge is the border's or cancels with its reverse, and none
-/// stands twice.
+/// Returns whether the border of the faces is that of the subfacet: each directed edge is on the border or cancels with
+/// its reverse, and none occurs twice.
 bool covers_once(const std::vector<Triangle>& faces, const std::vector<DirectedEdge>& border_list,
                  const DirectedEdgeSet& border) {
   DirectedEdgeSet edges;
@@ -31,13 +31,13 @@ bool covers_once(const std::vector<Triangle>& faces, const std::vector<DirectedE
   return true;
 }
 
-/// The edges that pierce a facet, found from one to the next through the cells about them.
+/// Finds the edges that pierce a facet, from one to the next through the cells around them.
 class PiercingSearch {
  public:
   PiercingSearch(ConstrainedMesh& mesh, const FacetSides& sides, FacetTrace& out)
       : mesh_(mesh), sides_(sides), out_(out) {}
 
-  /// Adds to the trace the edge and all that are joined with it.
+  /// Adds to the trace the edge and all that are connected with it.
   void follow(VertexIndex below, VertexIndex above, CellIndex cell) {
     std::vector<PiercingEdge> queue;
     add({below, above, cell}, queue);
@@ -73,17 +73,18 @@ class PiercingSearch {
   DirectedEdgeSet seen_;  ///< from below
 };
 
-/// What the ring about an edge p->q of a facet has on the edge's left, in the facet or cut by it.
-/// Rows of the ring, or its size where there is none.
+/// The vertices of the ring around an edge p->q of a facet that are on the edge's left, in the facet or cut by it, as
+/// rows of the ring; the ring's size if there is none.
 class LeftOfEdge {
  public:
   LeftOfEdge(const ConstrainedMesh& mesh, const FacetSides& sides, const EdgeRing& ring, DirectedEdge edge,
              VertexIndex right)
       : mesh_(mesh), sides_(sides), ring_(ring.ring), edge_(edge), right_(right) {}
 
-  /// A face of members on the left is part of the facet. Of members in a row (cells flat by rounding lie between them)
-  /// the first one is taken: such cells count as above. Signs do not help here, as rounding bends the faces about an
-  /// added point.
+  /// Finds the vertex of the edge's ring whose face with the edge belongs to the facet and lies clearly to the left of
+  /// the edge. If several consecutive faces do, because the cells between them are flat by rounding, the first one is
+  /// returned, so that these cells count as above the facet. Exact signs do not help here, because rounding bends the
+  /// faces around an added point.
   std::size_t clear_member() const {
     constexpr double clearly_left = 0.5;
     const std::size_t n = ring_.size();
@@ -93,8 +94,8 @@ class LeftOfEdge {
     return n;
   }
   /// Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so
-  /// on the left. Where rounding bends the faces about an added point several may do so: the one clearest on the left
-  /// is taken.
+  /// on the left. If rounding bends the faces around an added point, several edges may do so: the one clearest on the
+  /// left is used.
   std::size_t crossing_edge() const {
     const std::size_t n = ring_.size();
     std::size_t best = n;
@@ -109,7 +110,7 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Members on the line of p-q, but for rounding, point nowhere: a face with one of them is a part of no width.
+  /// Members on the line of p-q, up to rounding, have no direction: a face with one of them is a part of zero width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -118,8 +119,8 @@ class LeftOfEdge {
         thin = i;
     return thin;
   }
-  /// A vertex in the plane that is no member: it lies in the facet, for an edge of the mesh would cross the border
-  /// else.
+  /// Returns a vertex in the plane that is not a member: it lies in the facet, because otherwise an edge of the mesh
+  /// would cross the border.
   std::size_t touched() const {
     const std::size_t n = ring_.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -131,14 +132,14 @@ class LeftOfEdge {
 
  private:
   bool may_follow(VertexIndex u) const { return u != right_ && sides_.is_member(u); }
-  /// Cosine of the angle about p-q between the facet's left and the point.
+  /// Returns the cosine of the angle around p-q between the facet's left and the point.
   double leftness(const Vec3& v) const {
     const Vec3 &p = mesh_.point(edge_[0]), &q = mesh_.point(edge_[1]);
     const Vec3 normal = sides_.normal(), turn = cross(q - p, v - p);
     const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
     return length > 0 ? dot(normal, turn) / length : -1;
   }
-  /// Where edge u-v meets the plane.
+  /// Returns where edge u-v crosses the plane.
   Vec3 in_plane(VertexIndex u, VertexIndex v) const {
     const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
     const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
@@ -152,7 +153,7 @@ class LeftOfEdge {
   VertexIndex right_;
 };
 
-/// The faces of a facet from its border inwards, over one edge after the other.
+/// Traces the faces of a facet from its border inwards, edge by edge.
 class Tracer {
  public:
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
@@ -177,16 +178,16 @@ class Tracer {
   }
 
  private:
-  /// An edge whose left side is still to be looked at, a cell that has it (no_cell: not known) and the corner of the
-  /// face on its right (no_vertex: the edge is the border's).
+  /// An edge whose left side has not been examined yet, a cell that contains it (no_cell: not known) and the corner of
+  /// the face on its right (no_vertex: the edge is on the border).
   struct FrontEdge {
     DirectedEdge edge;
     CellIndex cell;
     VertexIndex right;
   };
 
-  /// What lies to the left of p->q, seen from above: a face of the facet, or a cell that the facet cuts.
-  /// The face on the right is none of them, however rounding turns it.
+  /// Finds what lies to the left of p->q, as seen from above: a face of the facet, or a cell that the facet cuts. The
+  /// face on the right is neither, however rounding turns it.
   void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
@@ -202,7 +203,7 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Of the ring about p-q exactly one face, edge or vertex lies on the left in the plane.
+  /// In the ring around p-q exactly one face, edge or vertex lies on the left in the plane.
   void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
     const std::size_t n = ring_.ring.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -215,7 +216,7 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// The face of p, q and vertex i of the ring about them.
+  /// Accepts the face of p, q and vertex i of the ring around them.
   void accept(VertexIndex p, VertexIndex q, std::size_t i) {
     const VertexIndex v = ring_.ring[i];
     const CellIndex cell = ring_.cells[i];

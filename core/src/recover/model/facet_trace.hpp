@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How a subfacet, whose border edges are present, lies in the mesh: which mesh faces are part of it and which mesh
-/// edges pierce it.
-///
-/// As no mesh edge crosses the subfacet's border, the part of the subfacet in a cell is the whole section of that cell
-/// or nothing. So after the first piercing edge, found in the ring of a border edge, the sides of the vertices alone
-/// decide: every edge of a pierced cell whose ends lie on different sides pierces the subfacet too.
+/// Determines how a subfacet, whose border edges are present, lies in the mesh: which mesh faces are part of it and
+/// which mesh edges pierce it. Because no mesh edge crosses the subfacet's border, the part of the subfacet in a cell
+/// is the whole section of that cell or nothing. After the first piercing edge, found in the ring of a border edge, the
+/// sides of the vertices alone therefore decide: every edge of a pierced cell whose ends lie on different sides pierces
+/// the subfacet too.
 #pragma once
 
 #include <algorithm>
@@ -19,20 +18,21 @@ namespace geomesh::recover {
 
 struct PiercingEdge {
   VertexIndex below = no_vertex, above = no_vertex;
-  CellIndex cell = no_cell;  ///< a cell that had it when it was found: stars of needles are too large to be searched
+  /// A cell that contained it when it was found, because stars of needles are too large to be searched.
+  CellIndex cell = no_cell;
 };
 
 struct FacetTrace {
   enum class Status {
     complete,  ///< the faces cover the subfacet
     pierced,   ///< edges pierce it
-    touched,   ///< `culprit` lies in it and is not declared part of it
-    unclear,   ///< the signs about an edge contradict each other, which only rounding to a few ulps can do
+    touched,   ///< `culprit` lies in it and is not declared to be part of it
+    unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;         ///< in the orientation of the subfacet
-  std::vector<CellIndex> cells;        ///< for each of these a cell that has it
-  std::vector<PiercingEdge> piercing;  ///< in the order found, each once
+  std::vector<CellIndex> cells;        ///< for each of these faces a cell that contains it
+  std::vector<PiercingEdge> piercing;  ///< in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };
 
@@ -48,9 +48,10 @@ class FacetSides {
     members_.insert(std::lower_bound(members_.begin(), members_.end(), v), v);
     find_whether_exact();
   }
-  /// Whether all members lie in the plane exactly, so that signs alone tell the left side of an edge.
+  /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Whether v lies to the left of p->q, seen from above; all three are members, and is_exact().
+  /// Returns whether v lies to the left of p->q, as seen from above. Precondition: all three are members, and
+  /// is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;
@@ -66,7 +67,7 @@ class FacetSides {
   }
   bool is_member(VertexIndex v) const { return std::binary_search(members_.begin(), members_.end(), v); }
   const Vec3& origin() const { return mesh_.point(plane_[0]); }
-  /// Rounded; not of unit length.
+  /// Returns the rounded normal, which is not of unit length.
   Vec3 normal() const {
     const Vec3& o = mesh_.point(plane_[0]);
     return cross(mesh_.point(plane_[1]) - o, mesh_.point(plane_[2]) - o);
@@ -88,7 +89,7 @@ class FacetSides {
   bool is_exact_ = false;
 };
 
-/// `border`: directed edges of the mesh with the subfacet on their left.
+/// `border` contains directed edges of the mesh with the subfacet on their left.
 FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -26,7 +26,8 @@ std::string list(const Recovery& recovery, std::vector<Index> facets) {
   return out;
 }
 
-/// A contradiction among input vertices is the input's fault; one that involves added vertices comes of rounding them.
+/// A contradiction among input vertices is an error of the input; one that involves added vertices is caused by
+/// rounding them.
 ErrorKind kind_for(const Recovery& recovery, std::initializer_list<VertexIndex> vertices) {
   return all_input(recovery, vertices) ? ErrorKind::invalid_input : ErrorKind::cannot_mesh;
 }
@@ -148,7 +149,7 @@ Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet) {
 
 namespace {
 
-/// Facets that a vertex lies on, else those whose segments and faces are part of its star's.
+/// Returns facets on which a vertex lies, else those whose segments and faces are in its star.
 std::vector<Index> facets_about(const Recovery& recovery, VertexIndex x) {
   const VertexRecord& record = recovery.constraints.vertices[x];
   if (record.origin == VertexOrigin::on_facet) return {record.owner};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// How recovery speaks of the items of the model in its errors.
+/// Formats messages of recovery about items of the model.
 #pragma once
 
 #include <string>
@@ -17,7 +17,8 @@ std::string describe_subfacet(const Recovery& recovery, Index subfacet);
 /// Facets (PLC rows) that have this subsegment.
 std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegment);
 
-/// All of these vertices are of the input, so that a contradiction among them is the input's.
+/// Returns whether all of these vertices are from the input, so that a contradiction among them is an error of the
+/// input.
 bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vertices);
 
 Error error_of_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment);
@@ -27,7 +28,7 @@ Error error_of_segment_pierces_facet(const Recovery& recovery, Index subsegment,
 Error error_of_segment_not_recovered(const Recovery& recovery, Index subsegment);
 Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet);
 
-/// Steiner points that no double near them does for.
+/// Returns the error for Steiner points that no double near them can replace.
 Error error_of_rounding(const Recovery& recovery, const std::vector<VertexIndex>& points);
 
 }  // namespace geomesh::recover

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Which declared constraints are in the mesh. Each subsegment, subfacet and piece remembers where it was seen last;
-/// the mesh is looked at there before it is searched, so asking again costs next to nothing where nothing has changed.
-/// A memory may be wrong at any time: it is compared with the mesh each time, and so changes no answer.
+/// Determines which declared constraints are in the mesh. Each subsegment, subfacet and piece stores where it was found
+/// last; that place is examined before the mesh is searched, so repeated queries are cheap if nothing has changed. A
+/// stored place may be outdated: it is compared with the mesh each time, so results never depend on it.
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -11,18 +11,17 @@
 
 namespace geomesh::recover {
 
-/// A cell that has the subsegment, or no_cell where it is no edge. Both its ends are in the mesh.
+/// Returns a cell that contains the subsegment, or no_cell if it is not an edge. Both its ends must be in the mesh.
 CellIndex cell_of_subsegment(ConstrainedMesh& mesh, Constraints& constraints, Index subsegment);
 
-/// The face of a subfacet that is no piece, from the cell above it, or an invalid reference where it is none. Its
-/// vertices are in the mesh.
+/// Returns the face of a subfacet that is not a piece, from the cell above it, or an invalid reference if there is
+/// none. Its vertices must be in the mesh.
 FaceRef face_of_subfacet(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
-/// As trace_facet, for a piece as it is declared; where the faces that covered it when it was seen last are all there,
-/// it is not traced again.
+/// Like trace_facet, for a declared piece; if the faces that covered it last still exist, it is not traced again.
 FacetTrace trace_piece(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
-/// Per subsegment a cell that has it, or no_cell, by one pass over the cells. O(cells).
+/// Returns for each subsegment a cell that contains it, or no_cell, in one pass over the cells. O(cells).
 std::vector<CellIndex> cells_of_subsegments(const TetMesh& cells, const Constraints& constraints);
 
 }  // namespace geomesh::recover

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constants of recovery: how long each step is tried before the next one takes over. None decides what is right,
-/// which exact predicates do. `recovery_bench` shows what they reach, in points and time.
+/// The constants of recovery: how long each step is tried before the next one takes over. None affects correctness,
+/// which exact predicates ensure. `recovery_bench` shows what they reach, in points and time.
 #pragma once
 
 #include <array>
@@ -10,126 +10,136 @@
 namespace geomesh::recover {
 
 struct RecoveryBudget {
-  // Attempts.
-  /// Models an ulp thick took up to 7 on what was tried. More would only put off a refusal.
+  // Number of attempts. Models an ulp thick needed up to 7 in tests. More would only delay a refusal.
   unsigned attempts = 12;
-  /// Points that no double did for, over all attempts: from there on the model is refused. As many as attempts: where
-  /// one point is left each time, all of them are made (soup 7944 with its boundary kept is meshed in the ninth). Most
-  /// too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
+  /// Number of points without a suitable double, over all attempts, from which the model is refused. It equals the
+  /// number of attempts: if one point is left each time, all attempts are made (soup 7944 with its boundary kept is
+  /// meshed in the ninth). Most too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
   std::size_t points_without_double = 12;
-  /// Orientations of exact places decided for each facet, over all attempts: from there on the model is refused. Needle
-  /// plates and walls have taken at most 3,600 before their last attempt; eight slits take 115,000 in one.
+  /// Number of orientations of exact places for each facet, over all attempts, from which the model is refused. Needle
+  /// plates and walls needed at most 3,600 before their last attempt; eight slits need 115,000 in one.
   std::size_t decisions_per_facet = 500000;
-  /// Ulps of the largest coordinate. Rounded points of a segment come no nearer to each other, or they crowd.
+  /// Least distance of rounded points on a segment from each other, in ulps of the largest coordinate; closer ones
+  /// would crowd.
   double least_spacing_ulps = 64;
-  /// Points after which a model is searched for crossings: this many, and a share of its vertices. Crossing facets need
-  /// points without end, and a valid model hardly ever so many.
+  /// Number of points after which a model is searched for crossings, plus a share of its vertices. Crossing facets need
+  /// points without end, and a valid model rarely needs so many.
   double doubtful_points = 300;
   double doubtful_points_per_vertex = 0.25;
-  double doubtful_points_per_vertex_conforming = 10;  ///< where points are cheap and many are normal
+  double doubtful_points_per_vertex_conforming = 10;  ///< in conforming mode, where many points are normal
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
-  std::size_t few_missing = 20;   ///< segments missing up to which no axis is stretched
-  std::size_t stretch_from = 10;  ///< one missing of so many segments, and more, and axes are stretched
-  std::size_t stretch_gain = 20;  ///< a step of an axis has to save one of so many missing ones
-  int stretch_steps = 12;         ///< powers of two of an axis at most
-  /// Crossings of missing segments for each cell, from which axes are stretched to reduce them. A crossing costs some
-  /// 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of what
-  /// they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models and
-  /// corpus models of recovery_bench have up to 3.7 (chazelle_16).
+  std::size_t few_missing = 20;   ///< number of missing segments up to which no axis is stretched
+  std::size_t stretch_from = 10;  ///< axes are stretched if at least one of this many segments is missing
+  std::size_t stretch_gain = 20;  ///< stretching an axis by one step must save one of this many missing segments
+  int stretch_steps = 12;         ///< largest power of two by which an axis is stretched
+  /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
+  /// about 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of
+  /// what they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models
+  /// and corpus models of recovery_bench have up to 3.7 (chazelle_16).
   double crossings_per_cell = 4;
-  /// A step that reduces crossings may miss one more of so many segments. Fans miss up to 8 percent more, plates of
-  /// turned needles, which then get more points, 63.
+  /// A step that reduces crossings may miss one more of this many segments. Fans miss up to 8 percent more, plates of
+  /// rotated needles, which then get more points, 63.
   std::size_t crossings_loss = 4;
-  double slope_step = 0x1p-10;        ///< of a shear: plates of the tilted families have whole slopes
-  std::size_t forecast_sample = 300;  ///< segments of each kind that a forecast looks at
-  double forecast_reach = 1e6;        ///< half lengths of a segment: empty spheres beyond are no hope
+  /// Step of the slope of a shear, since plates of the tilted families have simple slopes.
+  double slope_step = 0x1p-10;
+  std::size_t forecast_sample = 300;  ///< number of segments of each kind that a forecast examines
+  double forecast_reach = 1e6;        ///< in half lengths of a segment: larger empty spheres are not considered
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
-  std::size_t ring = 24;  ///< cells about an edge that is removed: O(n^3) each
-  /// Edges and faces that flips try for one segment and all its parts, or for each edge that pierces a facet: what
-  /// takes more gets points. Segments that flips recovered at last took up to 16,000; 4,000 double the time of
+  std::size_t ring = 24;  ///< largest number of cells around an edge that is removed: O(n^3) each
+  /// Number of edges and faces that flips try for one segment and all its parts, or for each edge that pierces a facet;
+  /// beyond it, points are added. Segments that flips finally recovered took up to 16,000; 4,000 doubles the time of
   /// chazelle_slits_8.
   std::size_t flips_tried = 16000;
-  std::array<unsigned, 4> edges_by_depth{1, 40, 160, 600};  ///< edges of one removal: those that succeed do so early
-  unsigned flips_of_segment = 200;                          ///< for one segment, from both ends
-  unsigned sideways_flips = 3;                              ///< that leave as many crossings as before
+  /// Number of edges tried in one removal, by depth: removals that succeed do so early.
+  std::array<unsigned, 4> edges_by_depth{1, 40, 160, 600};
+  unsigned flips_of_segment = 200;  ///< number of flips for one segment, from both ends
+  unsigned sideways_flips = 3;      ///< number of flips that leave as many crossings as before
 
   // Walks.
-  unsigned star_walk = 24;      ///< steps towards a neighbour until the whole star is searched: stars are small
-  std::size_t line_walk = 400;  ///< cells along a segment
+  /// Number of steps towards a neighbour before the whole star is searched, since stars are small.
+  unsigned star_walk = 24;
+  std::size_t line_walk = 400;  ///< number of cells along a segment
 
   // Cavities (cavity_retriangulation.hpp, polyhedron_filling.hpp, star_insertion.cpp).
-  std::size_t star_cells = 400;     ///< of the cavity of an insertion
-  std::size_t filling_nodes = 200;  ///< tetrahedra tried in a search for each level of flips; deeper finds little
-  std::size_t filling_nodes_sector = 100;  ///< the same beside a point that goes: regions take what it leaves
-  std::size_t filling_faces = 90;          ///< of a cavity that is searched
-  unsigned filling_looks = 4;              ///< faces of which the hardest is filled first
+  std::size_t star_cells = 400;  ///< number of cells in the cavity of an insertion
+  /// Number of tetrahedra tried in a search at each level of flips; deeper searches find little.
+  std::size_t filling_nodes = 200;
+  /// The same number beside a point that is removed, since regions handle the rest.
+  std::size_t filling_nodes_sector = 100;
+  std::size_t filling_faces = 90;  ///< number of faces of a cavity that is searched
+  unsigned filling_looks = 4;      ///< number of faces among which the hardest is filled first
 
   // Points on segments (segments_by_points.cpp, crossed_cells.cpp).
-  double least_part = 1e-6;                ///< of a subsegment, next to its ends: rounded points there would crowd
-  double near_crossing = 1e-7;             ///< of a subsegment: what is so near to a new point goes with it
-  std::size_t crossings_flipped = 20;      ///< crossings up to which flips two levels deep are tried again
-  std::size_t points_on_subsegment = 100;  ///< more points only crowd; and for each crossing
-  std::size_t points_on_crossing = 4;      ///< so many more
-  /// Parts of itself by which an exact parameter may be off, one after the other. The first is nearly always enough.
+  /// Share of a subsegment next to its ends in which no point is added, because rounded points would crowd there.
+  double least_part = 1e-6;
+  double near_crossing = 1e-7;         ///< share of a subsegment: items this close to a new point are removed with it
+  std::size_t crossings_flipped = 20;  ///< number of crossings up to which flips two levels deep are tried again
+  /// Number of points on a subsegment, plus the number of crossings, beyond which more points only crowd.
+  std::size_t points_on_subsegment = 100;
+  std::size_t points_on_crossing = 4;  ///< so many more
+  /// Relative errors allowed for an exact parameter, tried one after the other. The first is nearly always sufficient.
   std::array<double, 4> parameter_errors{0x1p-50, 0x1p-75, 0x1p-100, 0x1p-150};
 
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
-  unsigned facet_depth_first = 2;  ///< before its first point; one level between points
-  /// Faces and piercing edges found by the traces of a facet that order its flips and points. With no such trace
-  /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU seconds.
+  unsigned facet_depth_first = 2;  ///< levels of flips before its first point; one level between points
+  /// Number of faces and piercing edges found by the traces of a facet that order its flips and points. Without such
+  /// traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU
+  /// seconds.
   std::size_t traced_of_facet = 20000;
 
   // Steiner points taken out (steiner_removal/).
-  unsigned removal_passes = 8;        ///< of all points, while any goes
-  unsigned removal_effort = 2;        ///< passes after which the greatest effort is made
-  unsigned star_rounds = 8;           ///< of flips at an inner point, each with a try at its star
-  unsigned star_edges = 60;           ///< edges tried to lower a point's degree by one
-  unsigned link_edges = 200;          ///< of a point's link, each removed before a try
-  unsigned link_edge_effort = 40;     ///< edges tried for the removal of one of them
-  unsigned link_edge_depth = 1;       ///< levels of flips for that, 0 to 3: each costs ten times the one before
-  unsigned chord_effort = 200;        ///< edges tried for the removal of a segment's own chord
-  unsigned chord_depth = 2;           ///< levels of flips for that: one chord, which blocks all else
-  unsigned sheets = 3;                ///< triangles that part a sector which goes all the way round
-  std::size_t sheet_apexes = 6;       ///< vertices tried for each of them
-  unsigned moved_growths = 12;        ///< cells that a sector grows over for a point moved inside
-  double least_move = 1e-15;          ///< of the sector's reach: a point moved less is where it was
-  double least_move_exact = 1e-30;    ///< the same for exact points
-  unsigned sheet_point_growths = 60;  ///< cells that give way to a point beside a segment
-  double sheet_point_reach = 0.25;    ///< of the shorter half of the segment: where such a point is tried first
+  unsigned removal_passes = 8;        ///< number of passes over all points, as long as any is removed
+  unsigned removal_effort = 2;        ///< number of passes after which the greatest effort is made
+  unsigned star_rounds = 8;           ///< rounds of flips at an inner point, each with an attempt at its star
+  unsigned star_edges = 60;           ///< number of edges tried to reduce a point's degree by one
+  unsigned link_edges = 200;          ///< number of edges of a point's link, each removed before an attempt
+  unsigned link_edge_effort = 40;     ///< number of edges tried for the removal of one of them
+  unsigned link_edge_depth = 1;       ///< levels of flips for that, 0 to 3: each costs ten times the previous one
+  unsigned chord_effort = 200;        ///< number of edges tried for the removal of a segment's own chord
+  unsigned chord_depth = 2;           ///< levels of flips for that: a single chord blocks everything else
+  unsigned sheets = 3;                ///< number of triangles that divide a sector which surrounds the segment
+  std::size_t sheet_apexes = 6;       ///< number of vertices tried for each of them
+  unsigned moved_growths = 12;        ///< number of cells by which a sector grows for a point moved inside
+  double least_move = 1e-15;          ///< share of the sector's extent: a point moved less has not moved effectively
+  double least_move_exact = 1e-30;    ///< the same share for exact points
+  unsigned sheet_point_growths = 60;  ///< number of cells removed for a point beside a segment
+  double sheet_point_reach = 0.25;    ///< share of the shorter half of the segment at which such a point is tried first
   double sheet_point_least = 1e-12;   ///< and last
-  double sheet_point_part = 0.25;     ///< of the distance before, each time: what is seen changes slowly
-  /// Sixths of a turn about a segment, from a facet that hangs on it, in which such points are put. The first leaves a
-  /// sector of 240 degrees, so no try follows it; those after it halve what is left.
+  double sheet_point_part = 0.25;     ///< factor from each distance to the next one, since visibility changes slowly
+  /// Sixths of a turn around a segment, from a facet attached to it, at which such points are placed. The first leaves
+  /// a sector of 240 degrees, so no attempt follows it; the following ones halve the rest.
   std::array<double, 5> sheet_turns{2, 4, 3, 1, 5};
-  std::array<std::size_t, 3> region_vertices{20, 28, 40};  ///< sizes of regions filled as formulas; 52 costs a quarter
-  std::size_t region_conflicts = 2000;                     ///< of the solver: most are decided by a handful
+  /// Sizes of regions that are filled by formulas; 52 would cost a quarter more.
+  std::array<std::size_t, 3> region_vertices{20, 28, 40};
+  std::size_t region_conflicts = 2000;  ///< number of conflicts of the solver: most formulas are decided by a few
 
   // Rounding (rounding.cpp).
-  unsigned rounding_runs = 3;        ///< each after points have been taken off segments and facets
-  unsigned rounding_rounds = 8;      ///< over the points of a run: neighbours that have moved leave more room
+  unsigned rounding_runs = 3;        ///< number of runs, each after points have been removed from segments and facets
+  unsigned rounding_rounds = 8;      ///< passes over the points of a run: neighbours that have moved leave more room
   unsigned centring_sweeps = 10;     ///< in each round
-  unsigned centring_steps = 100;     ///< from vertex to vertex of a linear program: some ten are taken
-  double centring_gain = 1.01;       ///< of the least height, below which a point stays
-  double least_centring_part = 0.1;  ///< of a step: below, the height has been misjudged
-  int ulps = 2;                      ///< from the nearest double
-  unsigned rounding_growths = 30;    ///< cells that give way to a double beside a star
+  unsigned centring_steps = 100;     ///< steps from vertex to vertex of a linear program: about ten are needed
+  double centring_gain = 1.01;       ///< factor on the least height below which a point is not moved
+  double least_centring_part = 0.1;  ///< least part of a step: if less is possible, the height was misjudged
+  int ulps = 2;                      ///< distance from the nearest double in ulps
+  unsigned rounding_growths = 30;    ///< number of cells removed for a double beside a star
   // Doubles in thin stars (wide_polyhedron.cpp).
-  unsigned analytic_steps = 200;   ///< of Newton's method: some twenty are taken
-  unsigned lattice_steps = 2000;   ///< of a basis' reduction: some hundred where a star is 1e15 times longer than thick
-  double lattice_layers = 20;      ///< looked through on each side of the centre
+  unsigned analytic_steps = 200;  ///< steps of Newton's method: about twenty are needed
+  /// Steps of a basis reduction: about a hundred are needed if a star is 1e15 times longer than thick.
+  unsigned lattice_steps = 2000;
+  double lattice_layers = 20;      ///< number of layers searched on each side of the centre
   std::size_t lattice_lines = 9;   ///< in each layer
   std::size_t lattice_points = 3;  ///< on each line
 
   // Conforming mode (conforming.hpp).
-  double sharp_cosine = 0.5;           ///< segments that meet at less than 60 degrees meet sharply
-  double sharp_rounding = 1e-9;        ///< of a cosine: what rounding the directions may do
-  int least_edge = -40;                ///< power of two of the largest coordinate: 4096 ulps of it
-  std::size_t points_per_vertex = 30;  ///< in all, where angles are sharp, and elsewhere
-  std::size_t sharp_points = 3000;     ///< and so many more where angles are sharp
-  std::size_t other_points = 100000;   ///< elsewhere, where refinement ends by itself
+  double sharp_cosine = 0.5;           ///< cosine of 60 degrees: segments at a smaller angle meet sharply
+  double sharp_rounding = 1e-9;        ///< error of a cosine that rounding of the directions may cause
+  int least_edge = -40;                ///< power of two relative to the largest coordinate: 4096 ulps of it
+  std::size_t points_per_vertex = 30;  ///< for all points at sharp angles, and for all elsewhere
+  std::size_t sharp_points = 3000;     ///< additional points at sharp angles
+  std::size_t other_points = 100000;   ///< additional points elsewhere, where refinement terminates by itself
 };
 inline constexpr RecoveryBudget recovery_budget{};
 

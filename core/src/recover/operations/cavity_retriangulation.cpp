@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The same for both directions of an edge.
+/// Returns the same key for both directions of an edge.
 std::uint64_t edge_key(VertexIndex a, VertexIndex b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 }  // namespace
@@ -29,7 +29,7 @@ Cavity::Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexInd
     }
 }
 
-/// Of a cell that has the vertex that is to go.
+/// Returns whether the face belongs to a cell with the vertex that is removed.
 bool Cavity::is_of_dropped(FaceRef face) const {
   const TetMesh& cells = recovery_.mesh.cells();
   return dropped_ != no_vertex && cells.vertex(face.cell(), face.face()) != dropped_ &&
@@ -112,7 +112,7 @@ bool Cavity::may_grow_over(const Side& side) const {
   return !mesh.cells().is_ghost(n) && !std::binary_search(forbidden_.begin(), forbidden_.end(), n);
 }
 
-/// False, with the cavity as before, where that would swallow a constraint.
+/// Returns false, with the cavity unchanged, if growing would enclose a constraint.
 bool Cavity::grow_over(FaceRef face) {
   const std::vector<Side> before = boundary_;
   add_cell(recovery_.mesh.cells().mirror(face).cell());
@@ -122,8 +122,8 @@ bool Cavity::grow_over(FaceRef face) {
   return false;
 }
 
-/// Whether the last cell took a vertex or a subsegment of the boundary as it was before inside. Only what it took of
-/// that can be.
+/// Returns whether the last cell moved a vertex or a subsegment of the previous boundary inside. Only parts of the cell
+/// can be affected.
 bool Cavity::swallows_constraint(const std::vector<Side>& before) const {
   const CellIndex last = cells_.back();
   for (const Side& side : before) {

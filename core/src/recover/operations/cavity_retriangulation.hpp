@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Recovery without points by emptying a cavity and filling it again, with the constraint as a sheet in it (the
-/// cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift wrapping, as the mesh is
-/// not Delaunay any more).
+/// Recovers constraints without points by emptying a cavity and refilling it, with the constraint as a sheet in it (the
+/// cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift wrapping, because the
+/// mesh is no longer Delaunay).
 #pragma once
 
 #include "recover/model/recover.hpp"
@@ -11,40 +11,41 @@
 
 namespace geomesh::recover {
 
-/// How hard a cavity is tried.
+/// Effort spent on a cavity.
 struct CavityEffort {
   std::size_t max_nodes = recovery_budget.filling_nodes;
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// Cells to be emptied, with their boundary. No vertex but those dropped, no subsegment and no locked face lies inside.
+/// Cells to be emptied, with their boundary. No vertex except those dropped, no subsegment and no locked face may lie
+/// inside.
 class Cavity {
  public:
-  /// `cells`: none twice. `dropped`: a vertex that is to go (no_vertex: none); faces with it are no boundary, so the
-  /// caller closes what they leave open by sheets. `is_valid()` tells whether what is inside may be emptied. O(n log n)
-  /// for n cells.
+  /// `cells` contains none twice. `dropped` is a vertex to be removed (no_vertex: none); faces with it are not part of
+  /// the boundary, so the caller closes the gaps by sheets. `is_valid()` returns whether the inside may be emptied. O(n
+  /// log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// A triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  /// Adds a triangle that is a face of every filling, on the side from which it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
-  /// Cells into which the cavity must not grow; sorted.
+  /// Sets cells into which the cavity must not grow; sorted.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
 
   bool is_valid() const;
   std::vector<Triangle> boundary() const;
   const std::vector<CellIndex>& cells() const { return cells_; }
   bool has_edge(VertexIndex a, VertexIndex b) const;
-  /// Vertices joined with v by an edge of the boundary, sorted.
+  /// Returns the vertices connected with v by an edge of the boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
-  /// All of the boundary joined with y, a point that no cell has yet. The cavity, which is valid then, grows over
-  /// faces that y does not see.
+  /// Returns cells that connect all of the boundary with y, a point that no cell has yet. The cavity, which must be
+  /// valid, grows across faces that y does not see.
   std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
   std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
 
  private:
   struct Side {
-    Triangle triangle;  ///< counter-clockwise seen from inside
+    Triangle triangle;  ///< counter-clockwise as seen from inside
     FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
   };
 
@@ -63,10 +64,10 @@ class Cavity {
   VertexIndex dropped_;
 };
 
-/// Makes a-b an edge as the border of a triangle a,b,c over a vertex c that is joined with both already.
+/// Makes a-b an edge as the border of a triangle a,b,c with a vertex c that is connected with both already.
 bool recover_segment_by_cavity(Recovery& recovery, VertexIndex a, VertexIndex b, const CavityEffort& effort);
 
-/// Makes the triangle a face, given the cells that edges piercing it have. Its edges are present.
+/// Makes the triangle a face, given the cells around the edges that pierce it. Its edges must be present.
 bool recover_face_by_cavity(Recovery& recovery, const Triangle& t, std::vector<CellIndex> pierced,
                             const CavityEffort& effort);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Removal of a mesh edge by flips, without a point: the n cells about it are replaced by 2(n-2) (3-2 and 4-4 flips are
-/// n = 3 and 4). Which triangulation of the ring gives positive cells, EdgeShell finds; where there is none, edges of
-/// the ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips of Si 2015, "TetGen",
+/// n = 3 and 4). EdgeShell finds a triangulation of the ring that gives positive cells; if there is none, edges of the
+/// ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips of Si 2015, "TetGen",
 /// section 4.2; own design).
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace geomesh::recover {
 
-/// Which new edges a removal must not make.
+/// Rule for new edges that a removal must not make.
 class EdgeRule {
  public:
   virtual ~EdgeRule() = default;
@@ -21,21 +21,22 @@ class EdgeRule {
 
 class EdgeRemover {
  public:
-  /// `work_left`: edges and faces that may still be tried, in all calls and by others who count there; null: no bound.
+  /// `work_left` is the number of edges and faces that may still be tried, in all calls and by other users of the same
+  /// counter; null: unlimited.
   EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints, std::size_t* work_left = nullptr)
       : mesh_(mesh), constraints_(constraints), work_left_(work_left) {}
 
-  /// Removes edge p-q, with `depth` levels of recursion. Refuses subsegments and edges of locked faces. False: the mesh
-  /// is as before (up to slot numbers). `rule` may be null. `budget` bounds the edges tried in this call. `hint`: see
-  /// ConstrainedMesh::find_edge.
+  /// Removes edge p-q, with `depth` levels of recursion. Rejects subsegments and edges of locked faces. Returns false
+  /// if the mesh is unchanged (up to slot numbers). `rule` may be null. `budget` limits the edges tried in this call.
+  /// `hint`: see ConstrainedMesh::find_edge.
   bool remove(VertexIndex p, VertexIndex q, unsigned depth, const EdgeRule* rule = nullptr,
               unsigned budget = most_edges, CellIndex hint = no_cell);
 
-  /// 2-3 flip of a face: false where it is locked, a new cell would not be positive or no work is left.
+  /// Applies a 2-3 flip to a face; returns false if it is locked, a new cell would not be positive, or no work is left.
   bool flip_face(FaceRef f);
 
   static constexpr std::size_t max_ring = recovery_budget.ring;
-  static constexpr unsigned most_edges = 2000;  ///< tried in one call
+  static constexpr unsigned most_edges = 2000;  ///< number of edges tried in one call
 
  private:
   bool spend();
@@ -49,7 +50,7 @@ class EdgeRemover {
   std::size_t* work_left_;
   const EdgeRule* rule_ = nullptr;
   unsigned budget_ = 0;
-  std::vector<EdgeRing> rings_;  ///< of the edge in work at each depth
+  std::vector<EdgeRing> rings_;  ///< ring of the current edge at each depth
   std::vector<Tetrahedron> filling_;
 };
 

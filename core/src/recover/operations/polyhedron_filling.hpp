@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Tetrahedra without added points for a small polyhedron given by its triangulated boundary: first a fan from one
+/// Fills a small polyhedron without added points, given by its triangulated boundary: first a fan from one
 /// vertex, then a search with backtracking (after Liu, Chen and Sun 2009, "Small polyhedron reconnection"; the order of
-/// the search is that of gift wrapping of the Delaunay tetrahedra, so that where the constrained Delaunay filling
-/// exists it is mostly found at once).
+/// the search is that of gift wrapping of the Delaunay tetrahedra, so that the constrained Delaunay filling, if it
+/// exists, is usually found at once).
 ///
-/// No intersection test is needed for the answer to be right: positive tetrahedra whose faces cancel in pairs but for
-/// the boundary cover each point as often as the boundary winds about it. That is once inside. Crossings are tested
-/// only to end hopeless branches early.
+/// No intersection test is needed for the answer to be right: positive tetrahedra whose faces cancel in pairs except
+/// for the boundary cover each point as often as the boundary winds around it, which is once inside. Crossings are
+/// tested only to end hopeless branches early.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@
 
 namespace geomesh::recover {
 
-/// The vertices of the triangles, sorted.
+/// Returns the vertices of the triangles, sorted.
 std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary);
 
 struct FillingLimits {
@@ -27,13 +27,14 @@ struct FillingLimits {
   std::size_t max_nodes = 400;  ///< tetrahedra tried
 };
 
-/// `boundary`: triangles counter-clockwise seen from inside. A triangle may stand in it in both orientations (a sheet
-/// that hangs inside); it is a face of the filling then. Polyhedra of more than 64 vertices are refused.
+/// `boundary` contains triangles that are counter-clockwise as seen from inside. A triangle may occur in both
+/// orientations (a sheet attached inside) and is then a face of the filling. Polyhedra of more than 64 vertices are
+/// rejected.
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                         std::span<const Triangle> boundary,
                                                         const FillingLimits& limits = {});
 
-/// All of `boundary` joined with v, where every triangle without v is seen from it exactly.
+/// Returns all of `boundary` connected with v if every triangle without v is exactly visible from it.
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                  std::span<const Triangle> boundary, VertexIndex v);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// On which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is decided
-/// once, exactly, when it is asked for or all together.
+/// Determines on which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is
+/// decided once and exactly, when needed or all together.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
-/// Places of the vertices of one polyhedron: offsets between them, and how wrong determinants of these may be.
+/// Positions of the vertices of one polyhedron: offsets between them, and error bounds of determinants of these.
 class LocalPlaces {
  public:
   LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {
@@ -41,27 +41,27 @@ class LocalPlaces {
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Offsets from one vertex, for loops that write to memory.
+  /// Returns offsets from one vertex, for loops that write to memory.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
     Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
   };
   From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
-  /// How wrong an estimate of a determinant of these offsets may be.
+  /// Error bound of an estimated determinant of these offsets.
   struct ErrorBound {
     double widening = 1, slack = 0;
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Orientations of a triangle with one other vertex each that have an exact place.
+  /// Returns the number of orientations of a triangle with one other vertex that has an exact place.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
 
  private:
-  std::vector<Vec3> near_, rest_;  ///< the nearest double, and what it lacks
-  VertexMask exact_ = 0;           ///< vertices whose places are no doubles
+  std::vector<Vec3> near_, rest_;  ///< the nearest double, and the rest
+  VertexMask exact_ = 0;           ///< vertices whose places are not doubles
   ErrorBound error_bound_;
 };
 
@@ -76,7 +76,7 @@ class SideMasks {
   static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) {
     return n_triples(k) + j * (j - 1) / 2 + i;
   }
-  /// Puts the vertices in increasing order; whether that is an odd permutation.
+  /// Sorts the vertices in increasing order; returns whether that is an odd permutation.
   static bool sort(LocalTriangle& t) {
     bool odd = false;
     for (const auto& [i, j] : {std::pair{0u, 1u}, std::pair{1u, 2u}, std::pair{0u, 1u}})
@@ -87,12 +87,12 @@ class SideMasks {
     return odd;
   }
 
-  /// `vertices`: at most max_vertices, in the mesh's numbering.
+  /// `vertices` has at most max_vertices, in the mesh's numbering.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
-  /// For those who will ask for most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with what they share
-  /// taken out of the loops.
+  /// For callers that need most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with common parts computed
+  /// outside the loops.
   void decide_all() {
     const std::size_t n = vertices_.size();
     known_.assign(n_triples(n), {0, 0});
@@ -106,8 +106,7 @@ class SideMasks {
     }
   }
 
-  /// @name Of increasing triples, after decide_all
-  /// @{
+  /// @name For increasing triples, after decide_all @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
   /// Returns what sides({i, j, k}) does, for i < j and any other vertex k, without sorting the three.
@@ -130,19 +129,19 @@ class SideMasks {
     const Masks& m = known_[row - 1];
     return odd ? Masks{m.second, m.first} : m;
   }
-  /// Vertices v for which (t, v) is positive.
+  /// Returns the vertices v for which (t, v) is positive.
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
-  /// Vertices v for which (t, v) is negative.
+  /// Returns the vertices v for which (t, v) is negative.
   VertexMask below(const LocalTriangle& t) { return sides(t).second; }
-  /// Sign of (a, b, c, d), as -1, 0, 1.
+  /// Returns the sign of (a, b, c, d), as -1, 0, 1.
   int sign(LocalVertex a, LocalVertex b, LocalVertex c, LocalVertex d) {
     const auto [above, below] = sides({a, b, c});
     return above & bit(d) ? 1 : below & bit(d) ? -1 : 0;
   }
 
  private:
-  /// Signs of a polyhedron are as good as random, so all vertices are estimated without a branch. What is not certain
-  /// is decided afterwards.
+  /// Signs in a polyhedron are unpredictable, so all vertices are estimated without a branch. Uncertain ones are
+  /// decided afterwards.
   Masks decide(const LocalTriangle& t) const {
     if (mesh_.has_exact_places()) mesh_.exact_places().count_decided(places_.n_exact_about(mask_of(t)));
     const LocalPlaces::From offset_to = places_.offsets_from(t[2]);
@@ -168,8 +167,8 @@ class SideMasks {
     return vertices_.size() == max_vertices ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1;
   }
 
-  /// All (i, j, k, l) with i < j, without a branch: signs of a region are as good as random. What is not certain is
-  /// decided afterwards.
+  /// Decides all (i, j, k, l) with i < j without a branch, since signs in a region are unpredictable. Uncertain ones
+  /// are decided afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
     const LocalPlaces::ErrorBound error_of = places_.error_bound();
@@ -193,7 +192,7 @@ class SideMasks {
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
-  /// (i, j, k, l) is positive or negative: so is each other order of the four, by its permutation.
+  /// Stores the sign of (i, j, k, l) for each order of the four, by the sign of its permutation.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
     const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
       (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
@@ -207,9 +206,9 @@ class SideMasks {
   const ConstrainedMesh& mesh_;
   const std::vector<VertexIndex>& vertices_;
   const LocalPlaces places_;
-  std::vector<std::uint32_t> row_;  ///< of each sorted triple in known_, plus 1; 0 where not decided yet
+  std::vector<std::uint32_t> row_;  ///< row of each sorted triple in known_, plus 1; 0 if it is not decided yet
   std::vector<Masks> known_;
-  std::vector<Vec3> offsets_;  ///< of decide_all, from one vertex
+  std::vector<Vec3> offsets_;  ///< offsets from one vertex, for decide_all
 };
 
 }  // namespace geomesh::recover

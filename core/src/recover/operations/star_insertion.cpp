@@ -14,8 +14,7 @@ bool contains(std::span<const CellIndex> cells, CellIndex c) {
   return std::find(cells.begin(), cells.end(), c) != cells.end();
 }
 
-/// Boundary faces as (f0, f1, f2, x), or false where the cavity has to grow over `grow` (no_cell:
-/// it cannot).
+/// Returns boundary faces as (f0, f1, f2, x); returns false if the cavity must grow across `grow` (no_cell: it cannot).
 bool stellate(const ConstrainedMesh& mesh, const Cavity& cavity, VertexIndex x, std::vector<Tetrahedron>& out,
               CellIndex& grow) {
   const TetMesh& cells = mesh.cells();
@@ -42,7 +41,7 @@ bool stellate(const ConstrainedMesh& mesh, const Cavity& cavity, VertexIndex x, 
   return true;
 }
 
-/// Whether every vertex and subsegment of the cavity (but `split`) is on its boundary.
+/// Returns whether every vertex and subsegment of the cavity (except `split`) is on its boundary.
 bool keeps_constraints(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const CellIndex> cavity,
                        std::span<const Tetrahedron> star, Index split) {
   std::vector<std::array<VertexIndex, 2>> kept;
@@ -86,7 +85,7 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
 
 namespace {
 
-/// Whether a face of the cavity's cell c is hidden from x, or locked with the cavity on both sides.
+/// Returns whether a face of the cavity's cell c is hidden from x, or is locked with the cavity on both sides.
 bool spoils_star(const ConstrainedMesh& mesh, const Cavity& cavity, CellIndex c, VertexIndex x) {
   const auto& v = mesh.cells().vertices(c);
   for (unsigned f = 0; f < 4; ++f) {
@@ -126,7 +125,7 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
 
 namespace {
 
-/// `side(face)`: of the place, from the face of a cell whose vertices it is given.
+/// `side(face)` returns the side of the place relative to the face of a cell, whose vertices it receives.
 template <class Side>
 std::vector<CellIndex> cells_touching(const ConstrainedMesh& mesh, CellIndex cell, const Side& side) {
   const TetMesh& cells = mesh.cells();

@@ -10,10 +10,10 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A displacement and the least height, the unknowns of the program. The last one is the height.
+/// The unknowns of the program: a displacement and, last, the least height.
 using Unknowns = std::array<double, 4>;
 
-constexpr double no_length = 1e-12;  ///< of a projected unit vector: rounding left it
+constexpr double no_length = 1e-12;  ///< length of a projected unit vector that is due to rounding
 
 double dot(const Unknowns& u, const Unknowns& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]; }
 
@@ -36,7 +36,7 @@ class ActiveSetWalk {
   }
 
  private:
-  /// False at the optimum.
+  /// Returns false at the optimum.
   bool step() {
     find_orthonormal_base();
     Unknowns way = upwards;
@@ -44,7 +44,7 @@ class ActiveSetWalk {
     if (dot(way, way) > no_length * no_length) return go(way);
     return drop_what_holds_back();
   }
-  /// As far as the first height that is in the way.
+  /// Moves up to the first height that limits the step.
   bool go(const Unknowns& way) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t blocking = heights_.size();
@@ -61,7 +61,8 @@ class ActiveSetWalk {
     active_.push_back(blocking);
     return true;
   }
-  /// Upwards is a sum of the active rows: one with a positive factor can be left behind. False: there is none.
+  /// The upward direction is a sum of the active rows: one with a positive factor can be dropped. Returns false if
+  /// there is none.
   bool drop_what_holds_back() {
     std::vector<double> factors(active_.size());
     Unknowns rest = upwards;
@@ -96,7 +97,7 @@ class ActiveSetWalk {
   unsigned n_directions_;
   Unknowns place_{};
   std::vector<std::size_t> active_;  ///< heights that equal the least one, with independent rows
-  std::vector<Unknowns> base_;       ///< of the active rows
+  std::vector<Unknowns> base_;       ///< orthonormal base of the active rows
 };
 
 }  // namespace

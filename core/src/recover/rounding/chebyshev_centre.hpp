@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The Chebyshev centre of a small polyhedron: where the least distance to its planes is greatest.
+/// The Chebyshev centre of a small polyhedron: the point with the greatest least distance to its planes.
 #pragma once
 
 #include <array>
@@ -8,20 +8,20 @@
 
 namespace geomesh::recover {
 
-/// A height as a linear function of a displacement: `at` where nothing is displaced, and its slope in each direction.
+/// A height as a linear function of a displacement: `at` without displacement, and its slope in each direction.
 struct LinearHeight {
   double at;
   std::array<double, 3> slope;
 };
 
-/// The displacement in the first `n_directions` directions (1 to 3) for which the least of `heights` is greatest.
-/// A linear program in the displacement and that height, walked from vertex to vertex by active sets. All heights must
-/// be positive at 0. The least height never falls on the way, so any end of the walk serves.
-/// Complexity: O(heights) for each of at most `most_steps` steps; some ten on stars.
+/// Returns the displacement in the first `n_directions` directions (1 to 3) for which the least of `heights` is
+/// greatest. This is a linear program in the displacement and that height, solved from vertex to vertex by active sets.
+/// All heights must be positive at 0. The least height never decreases, so any end of the walk is valid. Complexity:
+/// O(heights) for each of at most `most_steps` steps; some ten on stars.
 std::array<double, 3> chebyshev_centre(std::span<const LinearHeight> heights, unsigned n_directions,
                                        unsigned most_steps);
 
-/// The least of the heights at a displacement.
+/// Returns the least of the heights at a displacement.
 double least_height(std::span<const LinearHeight> heights, const std::array<double, 3>& displacement);
 
 }  // namespace geomesh::recover

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The places that see all of a vertex' star: where it may be for all of its cells to be positive.
+/// The kernel of a vertex' star: the places from which all of its faces are visible, so that all of its cells are
+/// positive.
 #pragma once
 
 #include <optional>
@@ -10,8 +11,8 @@
 
 namespace geomesh::recover {
 
-/// Of a star without ghosts whose cells are positive. Its lattice is that of the doubles with an ulp of the star's
-/// largest coordinate. nothing: a coordinate is zero all over. O(cells).
+/// Returns the kernel of a star without ghosts whose cells are positive. Its lattice is that of the doubles with an ulp
+/// of the star's largest coordinate. Returns nothing if a coordinate is zero everywhere. O(cells).
 std::optional<WidePolyhedron> kernel_of_star(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star,
                                              VertexIndex x);
 

@@ -19,12 +19,12 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A direction in which an exact point may move, and the step of place_moved that goes its length.
+/// A direction in which an exact point may move, and the argument of place_moved that moves it by unit length.
 struct Freedom {
   Vec3 direction, step;
 };
 
-/// The star of one exact vertex, as heights of its faces over the vertex.
+/// The star of one exact vertex, as heights of the vertex over its faces.
 class Star {
  public:
   Star(ConstrainedMesh& mesh, VertexIndex x) : mesh_(mesh), x_(x) { mesh.star(x, cells_); }
@@ -35,8 +35,8 @@ class Star {
     });
   }
 
-  /// How far to go in each direction so that the least height over the star's faces is greatest. Nothing where there
-  /// is no gain.
+  /// Returns how far to move in each direction so that the least height over the star's faces is greatest; nothing if
+  /// there is no gain.
   std::optional<std::array<double, 3>> best_steps(std::span<const Freedom> freedoms) const {
     std::vector<LinearHeight> heights;
     for (const CellIndex c : cells_) {
@@ -102,7 +102,7 @@ void centre(ConstrainedMesh& mesh, VertexIndex x) {
   }
 }
 
-/// The nearest double, else one an ulp or two beside it.
+/// Rounds to the nearest double, otherwise to one that is an ulp or two away.
 bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
   const Star star(mesh, x);
   const ExactPlace exact = mesh.exact_places().of(x);
@@ -125,7 +125,7 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
 
 namespace {
 
-/// Rounded Steiner points beside x are centred again, each to another double: that can leave x more room.
+/// Rounded Steiner points beside x are centred again, each at another double, which can give x more room.
 void make_room(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   for (const VertexIndex y : mesh.neighbors(x)) {
@@ -139,7 +139,8 @@ void make_room(Recovery& recovery, VertexIndex x) {
   }
 }
 
-/// Exact vertices that the result will have. What is in no cell, or inside the part that is left out, stays as it is.
+/// Returns exact vertices that will be part of the result. Vertices in no cell, or inside the part that is left out,
+/// are not changed.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;
@@ -151,7 +152,8 @@ std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   return out;
 }
 
-/// Any double that the whole star sees, however thin the star. Points of segments and facets stay near these.
+/// Tries any double from which the whole star is visible, however thin the star. Points of segments and facets stay
+/// near these.
 bool round_anywhere_in_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;
@@ -170,8 +172,8 @@ bool round_anywhere_in_star(Recovery& recovery, VertexIndex x) {
   return false;
 }
 
-/// Places near a star where there may be more room than in it: the middles of the cells about it that nothing locked
-/// parts from it.
+/// Returns places near a star where there may be more room than in it: the centres of the cells around it that nothing
+/// locked separates from it.
 std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star, VertexIndex x) {
   std::vector<CellIndex> cells;
   for (const CellIndex c : star) {
@@ -189,7 +191,7 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
   return out;
 }
 
-/// Puts a double near the star of an inner point in its place; the star grows over what that does not see.
+/// Replaces an inner point by a double near its star; the star grows across faces that are not visible from it.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;

@@ -29,7 +29,7 @@ WidePoint scaled(double factor, const WidePoint& a) {
 }
 WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// A matrix of three columns as one with orthonormal columns, in place, times an upper triangle.
+/// Decomposes a matrix of three columns, in place, into one with orthonormal columns times an upper triangle.
 struct Triangular {
   std::array<Row, 3> at{};  ///< at[j][k] is zero for j > k
 
@@ -54,7 +54,7 @@ struct Triangular {
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
     return true;
   }
-  /// The x for which the triangle times x is b.
+  /// Returns the x for which the triangle times x is b.
   Row solve(const Row& b) const {
     Row x{};
     x[2] = b[2] / at[2][2];
@@ -64,8 +64,8 @@ struct Triangular {
   }
 };
 
-/// The analytic centre: where the product of the heights over all planes is greatest. An ellipsoid about it lies
-/// inside, and the same one as many times larger as there are planes outside.
+/// The analytic centre: the point with the greatest product of the heights over all planes. An ellipsoid around it lies
+/// inside the polyhedron, which lies inside the same ellipsoid scaled by the number of planes.
 class AnalyticCentre {
  public:
   explicit AnalyticCentre(const WidePolyhedron& polyhedron) : planes_(polyhedron.planes), place_(polyhedron.inside) {
@@ -73,7 +73,7 @@ class AnalyticCentre {
     heights_ = heights_at(place_);
   }
 
-  /// By Newton's method. False where rounding leaves no way.
+  /// Uses Newton's method. Returns false if rounding prevents progress.
   bool find() {
     for (unsigned i = 0; i < recovery_budget.analytic_steps; ++i) {
       const auto rows = rows_in_round_frame();
@@ -99,8 +99,8 @@ class AnalyticCentre {
     for (const WidePlane& plane : planes_) out.push_back((plane.at + dot(plane.normal, p)).hi);
     return out;
   }
-  /// Normals over heights in a frame in which the ellipsoid is a ball. Two-doubles keep what doubles lose in a frame
-  /// that is not near that yet, so that each round gains the digits of a double.
+  /// Returns normals divided by heights, in a frame in which the ellipsoid is a ball. Two-doubles preserve the digits
+  /// that doubles lose in a frame that is not close to that yet, so that each round gains the digits of a double.
   std::optional<std::vector<Row>> rows_in_round_frame() {
     constexpr unsigned most_rounds = 8;
     constexpr double nearly = 1e-3;
@@ -126,7 +126,7 @@ class AnalyticCentre {
     frame_[1] = scaled(1 / r[1][1], sum(frame_[1], scaled(-r[0][1], frame_[0])));
     frame_[2] = scaled(1 / r[2][2], sum(frame_[2], sum(scaled(-r[0][2], frame_[0]), scaled(-r[1][2], frame_[1]))));
   }
-  /// How far along a step the product of the heights is greatest.
+  /// Returns how far along a step the product of the heights is greatest.
   static double length_along(const std::vector<Row>& rows, const Row& step) {
     constexpr unsigned halvings = 40;
     constexpr double most = 0x1p20;
@@ -169,13 +169,13 @@ class ShapedLattice {
     for (std::size_t k = 0; k < 3; ++k) basis_[k][k] = 1;
   }
 
-  /// Reduces the basis (Lenstra, Lenstra and Lovasz 1982) and goes to a lattice point near the centre. False where the
-  /// numbers are beyond doubles.
+  /// Reduces the basis (Lenstra, Lenstra and Lovasz 1982) and moves to a lattice point near the centre. Returns false
+  /// if numbers exceed the range of doubles.
   bool prepare() { return reduce() && go_near_centre(); }
 
-  /// By how much going `k` steps along each vector of the basis changes the rows.
+  /// Returns by how much a step of `k` along each vector of the basis changes the rows.
   const std::vector<Row>& rows() const { return rows_; }
-  /// The rows at the lattice point near the centre: positive inside.
+  /// Returns the rows at the lattice point near the centre: positive inside.
   std::vector<double> rows_near_centre() const {
     std::vector<double> out;
     const WidePoint y = place_of(near_);
@@ -185,10 +185,10 @@ class ShapedLattice {
     }
     return out;
   }
-  /// The length of the shortest step out of the plane of the first two vectors.
+  /// Returns the length of the shortest step out of the plane of the first two vectors.
   double third_height() const { return third_height_; }
 
-  /// The point so many vectors of the basis from that one.
+  /// Returns the point that many vectors of the basis from that point.
   Vec3 point(const Row& steps) const {
     Steps there = near_;
     for (std::size_t j = 0; j < 3; ++j)
@@ -218,7 +218,7 @@ class ShapedLattice {
         rows_[i][k] = dot(polyhedron_.planes[i].normal, step).hi / heights_[i];
     }
   }
-  /// steps += factor * vector; false where that is too far.
+  /// Computes steps += factor * vector; returns false if that is too far.
   static bool add(Steps& steps, double factor, const Steps& vector) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double product = factor * static_cast<double>(vector[i]);
@@ -290,7 +290,7 @@ class ShapedLattice {
   double third_height_ = 0;
 };
 
-/// The numbers x with at + slope x > 0 for all lines given to it.
+/// The numbers x with at + slope x > 0 for all given lines.
 struct Interval {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   void cut(double at, double slope) {
@@ -299,7 +299,7 @@ struct Interval {
     if (slope == 0 && !(at > 0)) high = -std::numeric_limits<double>::infinity();
   }
   bool is_bounded() const { return std::isfinite(low) && std::isfinite(high) && low < high; }
-  /// The integers in it from the middle outwards, so many at most.
+  /// Returns the integers in the interval from the middle outwards, at most the given number.
   std::vector<double> integers(std::size_t most) const {
     std::vector<double> out;
     if (!is_bounded()) return out;
@@ -328,7 +328,7 @@ bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bo
   for (const double z : layers.integers(std::numeric_limits<std::size_t>::max())) {
     std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) at[i] = near[i] + z * slopes[i][2];
-    Interval lines;  // in this layer: where some x is above all planes
+    Interval lines;  // in this layer: the lines for which some x is above all planes
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double p = slopes[i][0], q = slopes[j][0];

@@ -18,23 +18,23 @@ namespace geomesh::recover {
 
 using WidePoint = std::array<exact::TwoDouble, 3>;
 
-/// at + normal . y > 0
+/// The half-space at + normal . y > 0.
 struct WidePlane {
   WidePoint normal;
   exact::TwoDouble at;
 };
 
-/// Bounded, with all planes positive at `inside`. Places are relative to `origin`.
+/// A bounded polyhedron with all planes positive at `inside`. Places are relative to `origin`.
 struct WidePolyhedron {
   Vec3 origin;   ///< a multiple of the spacing
-  Vec3 spacing;  ///< powers of two: multiples of them are doubles wherever the polyhedron is
+  Vec3 spacing;  ///< powers of two: multiples of them are doubles everywhere in the polyhedron
   std::vector<WidePlane> planes;
   WidePoint inside;
 };
 
-/// Hands points of the lattice that lie in the polyhedron, but for rounding, to `accept` until that returns true. Those
-/// far from all planes come first, on the whole. False: none was accepted. Bounded work: O(planes^2) for each of at
-/// most a thousand points.
+/// Passes points of the lattice that lie in the polyhedron, up to rounding, to `accept` until it returns true. Those
+/// far from all planes come first on the whole. Returns false if none was accepted. Bounded work: O(planes^2) for each
+/// of at most a thousand points.
 bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bool(const Vec3&)>& accept);
 
 }  // namespace geomesh::recover

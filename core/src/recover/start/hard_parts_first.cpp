@@ -12,7 +12,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Marks the vertices of hard segments and of hard facets, those about hard segments among them.
+/// Marks the vertices of hard segments and of hard facets, including facets around hard segments.
 class HardVertices {
  public:
   HardVertices(const Recovery& recovery, const DeclaredModel& model)

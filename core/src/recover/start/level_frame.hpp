@@ -12,16 +12,16 @@
 
 namespace geomesh::recover {
 
-/// The points, sheared along an axis so that the plane of the largest facet runs along the other two axes. Returns
-/// nothing where it does so already, where most of all facets' area is not parallel to it, and where a sum would be
-/// rounded. So the shear is exact: orientations are the same as before, and a triangulation of the sheared points is
-/// one of the given points. O(n).
+/// Returns the points, sheared along an axis so that the plane of the largest facet is parallel to the other two axes.
+/// Returns nothing if it already is, if most of the facets' area is not parallel to it, or if a sum would be rounded.
+/// The shear is therefore exact: orientations are the same as before, and a triangulation of the sheared points is one
+/// of the given points. O(n).
 std::optional<std::vector<Vec3>> with_level_facets(const std::vector<Vec3>& points, const Constraints& constraints);
 
-/// The axis of that shear for a plane through three points that are not on one line, in a model of these extents; the
-/// axis nearest to the plane's normal if none makes it level. Where two axes are equally near, it is the one along
-/// which the model extends farther, because that says the same of every facet and in every frame: roofs (plc/roof.hpp)
-/// are Delaunay as seen along this axis before the model is started from its level frame.
+/// Returns the axis of that shear for a plane through three points that are not collinear, in a model of these extents;
+/// the axis nearest to the plane's normal if none makes it level. If two axes are equally near, it is the one along
+/// which the model extends farther, because that gives the same result for every facet and in every frame: roofs
+/// (plc/roof.hpp) are Delaunay in projection along this axis before the model is started from its level frame.
 std::size_t level_axis(const std::array<Vec3, 3>& corners, const Vec3& extents);
 
 }  // namespace geomesh::recover

@@ -13,14 +13,14 @@ namespace geomesh::recover {
 
 namespace {
 
-/// x * s + y * t <= limit
+/// The half-plane x * s + y * t <= limit.
 struct HalfPlane {
   double x, y, limit;
 };
 
-/// Whether the half-planes have a point in common, by going through them one by one (Seidel 1991): the point at hand
-/// is the best one in a fixed direction. Where it falls out of the next half-plane, the best one on its border takes
-/// its place. O(n^2), in practice less.
+/// Returns whether the half-planes have a point in common, by processing them one by one (Seidel 1991): the current
+/// point is the best one in a fixed direction. If it is outside the next half-plane, it is replaced by the best one on
+/// that border. O(n^2), in practice less.
 bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   double s = far, t = far;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -29,7 +29,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
     const double squared = h.x * h.x + h.y * h.y;
     if (squared == 0) return false;
     const double os = h.x * h.limit / squared,
-                 ot = h.y * h.limit / squared;  // a point of the border, which runs along (-y, x)
+                 ot = h.y * h.limit / squared;  // a point of the border, which has the direction (-y, x)
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     const auto cut = [&](double slope, double room) {
       if (slope > 0) high = std::min(high, room / slope);
@@ -50,7 +50,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   return true;
 }
 
-/// Vertices of the cells that the missing subsegment passes through, or of those about the present one and their
+/// Collects the vertices of the cells that the missing subsegment crosses, or of those around a present one and their
 /// neighbours beyond.
 void gather_about(ConstrainedMesh& mesh, const Subsegment& s, CellIndex cell, std::vector<VertexIndex>& out) {
   const TetMesh& cells = mesh.cells();

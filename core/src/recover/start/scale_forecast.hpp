@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A forecast of how many subsegments the Delaunay triangulation of a stretched frame would miss, at a small part of
-/// its cost. An edge is in a Delaunay triangulation where some sphere through its ends has no vertex inside; for the
-/// centre of that sphere each vertex is a linear constraint (the lifting of Edelsbrunner and Seidel 1986, restricted to
-/// the plane between the ends). Of a sample of subsegments, those vertices are asked that the triangulation at hand has
-/// about them. In floating point: it decides what is tried, never what is taken.
+/// Forecasts how many subsegments the Delaunay triangulation of a stretched frame would miss, at a small part of its
+/// cost. An edge is in a Delaunay triangulation if some sphere through its ends has no vertex inside; for the centre of
+/// that sphere each vertex is a linear constraint (the lifting of Edelsbrunner and Seidel 1986, restricted to the plane
+/// between the ends). For a sample of subsegments, the vertices that the current triangulation has around them are
+/// tested. Floating point suffices, since this decides only what is tried, never what is accepted.
 #pragma once
 
 #include <array>
@@ -17,18 +17,19 @@ namespace geomesh::recover {
 
 class ScaleForecast {
  public:
-  /// A sample of some hundred subsegments with their neighbourhoods. `seen_in`: of each subsegment a cell that has it,
-  /// no_cell where it is missing.
+  /// Uses a sample of some hundred subsegments with their neighbourhoods. `seen_in` contains for each subsegment a cell
+  /// that has it, no_cell if it is missing.
   ScaleForecast(ConstrainedMesh& mesh, const Constraints& constraints, const std::vector<CellIndex>& seen_in);
 
-  /// Subsegments that are missing where axis i is scaled by 2^exponents[i], after the neighbourhoods in the sample.
+  /// Returns the number of subsegments that are missing if axis i is scaled by 2^exponents[i], estimated from the
+  /// neighbourhoods in the sample.
   double n_missing(const std::array<int, 3>& exponents) const;
 
  private:
   struct Sample {
     Vec3 a, b;
     std::vector<Vec3> about;  ///< vertices that may lie in a sphere through a and b
-    double weight;            ///< subsegments for which it stands
+    double weight;            ///< number of subsegments that it represents
   };
 
   static bool is_delaunay(const Sample& sample, const Vec3& scale);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t n_box_corners = 8;
 
-/// The model's vertices and the eight corners of a box that encloses them at a distance. So recovery never touches the
-/// hull of the mesh, and the box disturbs the model's Delaunay cells little.
+/// Returns the model's vertices and the eight corners of a box that encloses them at a distance. Recovery therefore
+/// never touches the hull of the mesh, and the box hardly disturbs the model's Delaunay cells.
 std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const DeclaredModel& model) {
   std::vector<Vec3> points;
   Box3 box;
@@ -37,7 +37,7 @@ std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const Dec
   return points;
 }
 
-/// Cells of input vertices alone; ghosts and free slots have a vertex that is none.
+/// Counts cells of input vertices only; ghosts and free slots have other vertices.
 std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   std::size_t n = 0;
   for (CellIndex c = 0; c < cells.n_slots(); ++c) {
@@ -47,10 +47,10 @@ std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   return n;
 }
 
-/// A triangulation of all vertices, and where the subsegments are in it.
+/// A triangulation of all vertices, and the positions of the subsegments in it.
 struct Candidate {
   TetMesh cells;
-  std::vector<CellIndex> subsegments;  ///< of each one a cell, no_cell where it is missing
+  std::vector<CellIndex> subsegments;  ///< for each one a cell, no_cell if it is missing
   DelaunayStatistics statistics;
 
   std::size_t n_missing() const {
@@ -74,8 +74,8 @@ class StartSearch {
     return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
-  /// Improves `best` while a step of one axis saves a twentieth of what is missing, if anything is. What the forecast
-  /// gives no hope for is not triangulated. Returns the exponents of the scales.
+  /// Improves `best` as long as a step of one axis saves a twentieth of the missing subsegments. Frames without hope
+  /// according to the forecast are not triangulated. Returns the exponents of the scales.
   std::array<int, 3> climb(Candidate& best) const {
     std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);
@@ -94,9 +94,9 @@ class StartSearch {
     return exponents;
   }
 
-  /// Scales each axis while that reduces the crossings, and takes a triangulation that misses few more segments. The
-  /// needles of fans stay missing until the last of several steps, while each step lets them cross fewer cells. Nothing
-  /// is tried unless flips would take much longer than all these triangulations.
+  /// Scales each axis as long as that reduces the crossings, and accepts a triangulation that misses few more segments.
+  /// The needles of fans are missing until the last of several steps, while each step lets them cross fewer cells.
+  /// Nothing is tried unless flips would take much longer than all these triangulations.
   void reduce_crossings(Candidate& best, std::array<int, 3> exponents) const {
     constexpr std::size_t share = recovery_budget.crossings_loss;
     double least = n_crossings(best);
@@ -121,7 +121,7 @@ class StartSearch {
  private:
   static constexpr std::size_t whole = recovery_budget.stretch_gain, rest = whole - 1;
 
-  /// Simplices that the missing subsegments cross, estimated from a sample of these.
+  /// Returns the number of simplices that the missing subsegments cross, estimated from a sample of these.
   double n_crossings(Candidate& candidate) const {
     std::vector<Index> missing;
     for (Index s = 0; s < candidate.subsegments.size(); ++s)
@@ -147,7 +147,7 @@ class StartSearch {
     mesh.release(candidate.cells, points);
     return out;
   }
-  /// The two axes along which segments extend least, the least first.
+  /// Returns the two axes along which segments extend least, the least first.
   std::array<std::size_t, 2> axes_by_extent() const {
     Vec3 sum;
     for (const Subsegment& s : constraints_.subsegments)
@@ -169,8 +169,8 @@ bool is_many(std::size_t n_missing, const Constraints& constraints) {
          recovery_budget.stretch_from * n_missing > constraints.subsegments.size();
 }
 
-/// Searches with the facets level, if they can be made so, and in the frame as given unless fewer segments are missing
-/// then. A level frame is tried as well where polygons lack inner edges, which the scales of axes do not count.
+/// Searches with the facets level, if possible, and in the given frame unless fewer segments are missing with level
+/// facets. A level frame is also tried if polygons lack inner edges, which the scales of axes do not count.
 void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& points, const Constraints& constraints,
              const DelaunayOptions& options, const RunContext& context) {
   if (!is_many(best.n_missing() + inner_edges, constraints)) return;
@@ -193,7 +193,7 @@ void remember(const Candidate& candidate, Constraints& constraints) {
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
-/// `points` as they were afterwards.
+/// `points` contains the current positions.
 MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
                                       const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                       const RunContext& context) {

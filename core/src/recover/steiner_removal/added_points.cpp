@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Added points are taken away again where the mesh can do without: those on segments and facets first
-/// (boundary_points_inward.cpp, which may leave points inside regions), then those inside (inner_points.cpp). Once all
-/// constraints are there the sides of a facet no longer hinder each other. So much of what flips could not do before
-/// can be done now.
+/// Removes added points that the mesh does not need: first those on segments and facets (boundary_points_inward.cpp,
+/// which may leave points inside regions), then those inside (inner_points.cpp). When all constraints are present, the
+/// two sides of a facet no longer interact, so flips can achieve much that they could not before.
 #include <algorithm>
 
 #include "common/sort_unique.hpp"
@@ -16,7 +15,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Edges of the link of x that may go, sorted.
+/// Returns edges of the link of x that may be removed, sorted.
 std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   std::vector<DirectedEdge> out;
   std::vector<CellIndex> star;
@@ -31,7 +30,7 @@ std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   return out;
 }
 
-/// Tries `attempt` after the removal of each edge of the link of x; what fails is taken back.
+/// Calls `attempt` after the removal of each edge of the link of x; failed attempts are undone.
 template <class Attempt>
 bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt) {
   ConstrainedMesh& mesh = recovery.mesh;
@@ -53,7 +52,7 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
   return false;
 }
 
-/// Removes an edge that joins the neighbours of x on its segment and so runs beside x.
+/// Removes an edge that connects the neighbours of x on its segment and therefore runs beside x.
 void clear_chord(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() == 2 && recovery.mesh.find_edge(ends[0], ends[1]) != no_cell)
@@ -61,7 +60,7 @@ void clear_chord(Recovery& recovery, VertexIndex x) {
         .remove(ends[0], ends[1], recovery_budget.chord_depth, nullptr, recovery_budget.chord_effort);
 }
 
-/// `effort`: 0 the star alone; 1 after flips at the point; 2 with the cells about the star and flips of its link.
+/// `effort`: 0 the star only; 1 after flips at the point; 2 with the cells around the star and flips of its link.
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   if (take_point_off_boundary(recovery, x)) return true;
   if (effort == 0) return false;
@@ -72,7 +71,8 @@ bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
                         after_link_flips(recovery, x, [&] { return take_point_off_boundary(recovery, x); }));
 }
 
-/// The last point first: it hangs on those before it. Sets `changed` where any went, and returns how many are left.
+/// Starts with the last point, which depends on those before it. Sets `changed` if any was removed, and returns how
+/// many are left.
 template <class TakeOff>
 std::size_t take_points_off_boundary(Recovery& recovery, bool& changed, const TakeOff& take_off) {
   std::size_t left = 0;

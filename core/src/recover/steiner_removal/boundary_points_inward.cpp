@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-/// Takes an added point off its segment or facet. The facets about it are triangulated again without it; each sector of
-/// its star between the facets is filled again: without a point where that can be, else with a point moved from the old
+/// Removes an added point from its segment or facet. The facets around it are triangulated again without it; each
+/// sector of its star between the facets is refilled: without a point if possible, else with a point moved from the old
 /// place into the sector.
 ///
 /// For a facet's inner point the two sectors are the halves of its star. A moved point sees the sector's part of the
-/// link if it moves little. It sees the facets' new triangles if it moves to the inner side of their planes; which step
-/// is small enough is decided by exact tests, and what it does not see of the link the sector grows over. A sector that
-/// goes all the way round (the border of a facet that hangs in a region, a well) has no such side: it is parted by
-/// sheets, triangles over the segment that become faces of the mesh.
+/// link if it moves little. It sees the facets' new triangles if it moves to the inner side of their planes; exact
+/// tests decide which step is small enough, and the sector grows across parts of the link that are not visible from it.
+/// A sector that surrounds the segment (the border of a facet that ends inside a region, a well) has no such side: it
+/// is divided by sheets, triangles at the segment that become faces of the mesh.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Cells for the sectors of an added point's star, one sector after the other.
+/// Cells for the sectors of an added point's star, sector by sector.
 class SectorFilling {
  public:
   SectorFilling(Recovery& recovery, VertexIndex x, const StarFans& around, RefilledCells refilled,
@@ -37,7 +37,7 @@ class SectorFilling {
         refilled_(refilled),
         grown_(star) {}
 
-  /// Without a point, else with one. The cells taken are the sector's afterwards.
+  /// Fills without a point, else with one. The removed cells then belong to the sector.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
     const std::vector<Triangle> boundary = cavity.boundary();
@@ -60,7 +60,7 @@ class SectorFilling {
     out.forbid(grown_);
     return out;
   }
-  /// Without a point, with cells about the sector.
+  /// Fills without a point, including cells around the sector.
   bool fill_by_region(Sector& s) {
     std::optional<Region> region =
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
@@ -77,7 +77,7 @@ class SectorFilling {
     sort_unique(grown_);
     return true;
   }
-  /// A well has no facet that would bring its segment along.
+  /// A well has no facet that would contain its segment.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
     if (around_.halves.empty() || !around_.fans.empty()) return true;
     return std::any_of(filling.begin(), filling.end(), [&](const Tetrahedron& t) {
@@ -109,7 +109,7 @@ class SectorFilling {
     return false;
   }
 
-  /// Beside the point that goes.
+  /// Moves a point beside the one that is removed.
   void move_beside(VertexIndex moved, const Vec3& step) {
     if (mesh_.is_exact(x_)) {
       mesh_.move_point(moved, place_beside(mesh_, x_, step));
@@ -124,10 +124,10 @@ class SectorFilling {
   VertexIndex x_;
   const StarFans& around_;
   RefilledCells refilled_;
-  std::vector<CellIndex> grown_;  ///< the star and the cells that sectors have grown over, sorted
+  std::vector<CellIndex> grown_;  ///< the star and the cells into which sectors have grown, sorted
 };
 
-/// The change of facets, segment and cells that takes the point off.
+/// The change of facets, segment and cells that removes the point.
 class PointRemoval {
  public:
   PointRemoval(Recovery& recovery, VertexIndex x, RefilledCells refilled)
@@ -153,7 +153,8 @@ class PointRemoval {
   }
 
  private:
-  /// Fills all sectors, parting those that cannot be filled by up to `n_sheets` sheets. False: no point is left added.
+  /// Fills all sectors, dividing those that cannot be filled by up to `n_sheets` sheets. Returns false if that fails;
+  /// otherwise no point is left on the boundary.
   bool fill_sectors(unsigned n_sheets) {
     std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
     SectorFilling filling(recovery_, x_, around_, refilled_, star_);
@@ -173,13 +174,14 @@ class PointRemoval {
     }
     return false;
   }
-  /// The edge that is to take the place of the segment's two parts is there already. It is not the border of a thin
+  /// Returns whether the edge that would replace the segment's two parts already exists and is not the border of a thin
   /// part of a facet.
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
   }
-  /// A triangle that a facet would get is there already: another facet's, or the thin rest of the same.
+  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the thin rest of the
+  /// same one.
   bool repeats_subfacet() const {
     return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
       return std::any_of(f.triangles.begin(), f.triangles.end(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Removal of added points inside regions: from their star by a fan, by search or after flips at the point. At last
-/// they go from a region about it whose filling is decided as a formula (region_filling.hpp).
+/// Removes added points inside regions: from their star by a fan, by search or after flips at the point, and finally
+/// from a region around it whose filling is decided by a formula (region_filling.hpp).
 #include <algorithm>
 
 #include "common/flood.hpp"
@@ -14,7 +14,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// By a fan from a neighbour, or by search.
+/// Tries a fan from a neighbour, then a search.
 bool empty_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<CellIndex> star;
@@ -51,7 +51,7 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   return true;
 }
 
-/// Added points inside regions; what is outside of all is not written, so nothing is done about it.
+/// Returns the added points inside regions; the outside is not written, so points there are ignored.
 std::vector<VertexIndex> inner_points(const Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;
@@ -67,7 +67,7 @@ template <class Remove>
 void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
   std::erase_if(points, [&](VertexIndex x) {
     recovery.context.check_cancelled();
-    return !recovery.mesh.in_mesh(x) || remove(x);  // it may have gone with another one
+    return !recovery.mesh.in_mesh(x) || remove(x);  // it may have been removed together with another one
   });
 }
 

@@ -27,7 +27,7 @@ std::vector<VertexIndex> vertices_of_cells(const TetMesh& cells, const std::vect
   return out;
 }
 
-/// Of the vertices (sorted), those that no tetrahedron has.
+/// Returns those of the (sorted) vertices that no tetrahedron has.
 std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
                                        const std::vector<Tetrahedron>& tetrahedra) {
   std::vector<VertexIndex> used, lost;
@@ -37,7 +37,7 @@ std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
   return lost;
 }
 
-/// Adds neighbours to the cells, and their vertices to `vertices`, while there is room.
+/// Adds neighbours to the cells, and their vertices to `vertices`, as long as there is room.
 void spread(const ConstrainedMesh& mesh, std::span<const CellIndex> forbidden, std::vector<CellIndex>& cells,
             std::vector<VertexIndex>& vertices, std::size_t max_vertices) {
   std::vector<CellIndex> in = cells;
@@ -95,7 +95,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 
 namespace {
 
-/// The formula. Its first variables are the candidates, in their order.
+/// States the formula, whose first variables are the candidates in their order.
 class RegionFiller {
  public:
   RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}
@@ -109,7 +109,7 @@ class RegionFiller {
   }
 
  private:
-  /// False where that shows already that there is no filling.
+  /// Returns false if it is already evident that there is no filling.
   bool state() {
     const std::size_t n_cells = candidates_.cells().size(),
                       n_faces = std::min(2 * n_cells, candidates_.n_faces());  // a face has two cells or more
@@ -125,7 +125,7 @@ class RegionFiller {
     }
     return state_segments();
   }
-  /// Each segment is an edge of some cell.
+  /// States that each segment is an edge of some cell.
   bool state_segments() {
     for (const auto& s : region_.segments) {
       const VertexMask ends = bit(candidates_.local(s[0])) | bit(candidates_.local(s[1]));
@@ -154,7 +154,7 @@ class RegionFiller {
     solver_.add_clause(clause_);
     solver_.add_choice(candidates_.beside(side));
   }
-  /// A cell on one side makes the triangle a face, and a face has a cell on each side.
+  /// States that a cell on one side makes the triangle a face, and that a face has a cell on each side.
   void state_inner(std::uint32_t face) {
     const std::uint32_t is_face = solver_.new_variable();
     for (const std::uint32_t side : {2 * face, 2 * face + 1}) {
@@ -193,7 +193,8 @@ void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const st
 
 namespace {
 
-/// Of all that a filling hangs on: vertices with their places, boundary, segments, and the cells that are preferred.
+/// Returns a hash of everything that determines a filling: vertices with their places, boundary, segments, and the
+/// preferred cells.
 std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
   std::uint64_t key = 0;
   const auto add = [&key](std::uint64_t word) { key = mixed(key ^ word) + word; };
@@ -217,7 +218,7 @@ std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
 
 }  // namespace
 
-// Two regions with one key, one of them fillable, would leave a point that could go, and nothing worse.
+// If two regions had the same key and one of them could be filled, a removable point would be kept, and nothing worse.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region) {
   const std::uint64_t key = key_of(recovery.mesh, region);
   if (recovery.refuted_regions.count(key) > 0) return std::nullopt;

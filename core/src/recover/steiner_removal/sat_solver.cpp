@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t no_occurrence = 0xFFFFFFFFu, no_watch = 0xFFFFFFFFu;
 
-/// 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
+/// Returns the sequence 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
 std::size_t luby(std::size_t i) {
   std::size_t size = 1, power = 0;
   while (size < i + 1) {
@@ -109,7 +109,7 @@ void SatSolver::assign(Literal l, std::uint32_t reason) {
   trail_.push_back(l);
 }
 
-/// False: conflict_ holds literals that are all false though one must be true.
+/// Returns false on a conflict: conflict_ then contains literals that are all false though one must be true.
 bool SatSolver::propagate() {
   while (propagated_ < trail_.size()) {
     const Literal l = trail_[propagated_++];
@@ -119,7 +119,7 @@ bool SatSolver::propagate() {
   return true;
 }
 
-/// The one makes the other true. False: it is false.
+/// Makes the effect true because of the cause. Returns false if it is false.
 bool SatSolver::imply(Literal cause, Literal effect) {
   const int v = value(effect);
   if (v == 0) conflict_ = {~cause, effect};
@@ -127,7 +127,7 @@ bool SatSolver::imply(Literal cause, Literal effect) {
   return v != 0;
 }
 
-/// The variable has become true: all others of its choices are false, their flags true.
+/// A variable has become true: all others of its choices become false, their flags true.
 bool SatSolver::propagate_choices(std::uint32_t variable) {
   const Literal cause = Literal::yes(variable);
   for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
@@ -139,7 +139,7 @@ bool SatSolver::propagate_choices(std::uint32_t variable) {
   return true;
 }
 
-/// The flag has become false: so are its choices.
+/// A flag has become false: its choices become false too.
 bool SatSolver::propagate_flag(std::uint32_t flag) {
   for (std::uint32_t o = first_flag_[flag]; o != no_occurrence; o = occurrences_[o].next) {
     const Choice& choice = choices_[occurrences_[o].choice];
@@ -149,7 +149,7 @@ bool SatSolver::propagate_flag(std::uint32_t flag) {
   return true;
 }
 
-/// Clauses in which ~made_true is watched.
+/// Visits the clauses in which ~made_true is watched.
 bool SatSolver::propagate_clauses(Literal made_true) {
   const Literal falsified = ~made_true;
   std::uint32_t* link = &first_watch_[made_true.code()];
@@ -178,7 +178,7 @@ bool SatSolver::propagate_clauses(Literal made_true) {
   return true;
 }
 
-/// Exchanges the second literal for one behind it that is not false. False: there is none.
+/// Exchanges the second literal for a later one that is not false. Returns false if there is none.
 bool SatSolver::find_other_watch(std::uint32_t clause) {
   Literal* l = literals_.data() + clauses_[clause].begin;
   for (std::uint32_t k = 2; k < clauses_[clause].size; ++k) {
@@ -189,7 +189,7 @@ bool SatSolver::find_other_watch(std::uint32_t clause) {
   return false;
 }
 
-/// Marks the literals that made `implied` true; those of the level in work are counted by the caller through seen_.
+/// Marks the literals that made `implied` true; the caller counts those of the current level through seen_.
 void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
   conflict_.clear();
   if (reason & by_literal) {
@@ -201,8 +201,8 @@ void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
     if (literals_[c.begin + k] != implied) conflict_.push_back(literals_[c.begin + k]);
 }
 
-/// The clause of the first unique implication point, with the literal to be asserted in front; goes back to the level
-/// where it asserts.
+/// Learns the clause of the first unique implication point, with the asserted literal in front, and returns to the
+/// level where it asserts.
 void SatSolver::learn() {
   learned_.assign(1, Literal());
   std::size_t open = 0, place = trail_.size();
@@ -261,7 +261,7 @@ void SatSolver::bump(std::uint32_t variable) {
   if (heap_place_[variable] >= 0) heap_up(static_cast<std::size_t>(heap_place_[variable]));
 }
 
-/// False: all variables are assigned.
+/// Returns false if all variables are assigned.
 bool SatSolver::decide() {
   while (!heap_.empty()) {
     const std::uint32_t v = heap_[0];

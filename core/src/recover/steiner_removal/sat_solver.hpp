@@ -2,9 +2,9 @@
 /// @file
 /// A small solver for propositional formulas in conjunctive normal form: conflict-driven clause learning with two
 /// watched literals, activities and restarts (Marques-Silva and Sakallah 1999, "GRASP"; Moskewicz et al. 2001, "Chaff";
-/// Een and Sorensson 2003, "An extensible SAT-solver"). "At most one of these" is a constraint of its own, as nearly
-/// all of a filling's clauses would otherwise stem from it. Deterministic; made for some thousand variables and as many
-/// conflicts, so learned clauses are never thrown away.
+/// Een and Sorensson 2003, "An extensible SAT-solver"). "At most one of these" is a separate kind of constraint,
+/// because it would otherwise cause nearly all clauses of a filling. Deterministic; designed for some thousand
+/// variables and as many conflicts, so learned clauses are never deleted.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace geomesh::recover {
 
-/// Variable v as it is (2v) or negated (2v + 1).
+/// Variable v itself (2v) or negated (2v + 1).
 class Literal {
  public:
   Literal() = default;
@@ -36,27 +36,27 @@ class Literal {
 
 enum class Satisfiability { satisfiable, unsatisfiable, unknown };
 
-/// Invariants between calls of solve(): nothing is assigned but what follows from the clauses alone; each clause of two
-/// or more literals is watched by its first two.
+/// Invariants between calls of solve(): only consequences of the clauses alone are assigned; each clause of two or more
+/// literals is watched by its first two.
 class SatSolver {
  public:
   static constexpr std::uint32_t no_variable = 0xFFFFFFFFu;
 
-  /// Tried as no first (prefer_yes). Variables are decided in the order of their making until conflicts say
-  /// otherwise.
+  /// The variable is first tried as false (prefer_yes changes this). Variables are decided in the order of their
+  /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Makes room: for clauses and choices with that many literals in all each.
+  /// Reserves memory for clauses and choices with that many literals in all.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
 
-  /// At least one of `literals`. To be called before solve().
+  /// Adds: at least one of `literals`. Must be called before solve().
   void add_clause(std::span<const Literal> literals);
-  /// At most one of `variables`, and where one is true so is `flag` (another variable; none: no_variable). To be called
-  /// before solve().
+  /// Adds: at most one of `variables`, and if one is true so is `flag` (another variable; none: no_variable). Must be
+  /// called before solve().
   void add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag = no_variable);
 
-  /// unknown: not decided after `max_conflicts`.
+  /// Returns unknown if it is not decided after `max_conflicts`.
   Satisfiability solve(std::size_t max_conflicts);
   /// After satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
@@ -66,10 +66,10 @@ class SatSolver {
   static constexpr std::uint32_t by_literal =
       0x80000000u;  ///< reason: the literal with the code in the lower bits is true
 
-  /// Of the two watches of clause c, 2c and 2c + 1. Lists, as each clause always has two of them and they only change
-  /// places.
+  /// The two watches of clause c are 2c and 2c + 1, stored in linked lists, because each clause always has two of them
+  /// and they only change places.
   struct Watch {
-    Literal blocker;  ///< another literal of the clause: where it is true the clause need not be looked at
+    Literal blocker;  ///< another literal of the clause: if it is true the clause need not be examined
     std::uint32_t next;
   };
   struct Clause {
@@ -79,12 +79,12 @@ class SatSolver {
   struct Choice {
     std::uint32_t begin, end, flag;
   };
-  /// A variable stands in a choice, or is its flag.
+  /// A variable is in a choice, or is its flag.
   struct Occurrence {
     std::uint32_t choice, next;
   };
 
-  /// -1: unassigned, 0 or 1.
+  /// Returns -1 if unassigned, else 0 or 1.
   int value(Literal l) const {
     return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated());
   }
@@ -115,8 +115,8 @@ class SatSolver {
   std::vector<Literal> literals_;
   std::vector<Clause> clauses_;
   std::vector<Watch> watches_;
-  std::vector<std::uint32_t> first_watch_;  ///< of each literal: of the clauses that watch its negation
-  std::vector<std::uint32_t> chosen_;       ///< variables, choice after choice
+  std::vector<std::uint32_t> first_watch_;  ///< for each literal: watches of the clauses that watch its negation
+  std::vector<std::uint32_t> chosen_;       ///< variables, choice by choice
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
   std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// A region may go all the way round an added point of a segment: the border of a facet that hangs in it, a well.
-/// There no point moved off the segment sees both ends. Points beside it become the apexes of sheets that part the
-/// region.
+/// Handles regions that surround an added point of a segment: at the border of a facet that ends inside the region, or
+/// at a well. No point moved off the segment sees both ends there. Points beside it become the apexes of sheets that
+/// divide the region.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A vector across the segment of x: towards a facet that hangs on it where there is one.
+/// Returns a vector across the segment of x: towards a facet attached to it if there is one.
 Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexIndex>& ends, const Vec3& along) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> towards = mesh.neighbors(x);
@@ -30,8 +30,8 @@ Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexI
   return {};
 }
 
-/// Inserts an inner point beside x that is joined with both ends of its segment, across the segment in direction d (of
-/// any length). no_vertex: nothing has changed.
+/// Inserts an inner point beside x that is connected with both ends of its segment, across the segment in direction d
+/// (of any length). Returns no_vertex if nothing has changed.
 VertexIndex insert_sheet_apex(Recovery& recovery, VertexIndex x, const std::array<VertexIndex, 2>& ends,
                               const Vec3& d) {
   ConstrainedMesh& mesh = recovery.mesh;

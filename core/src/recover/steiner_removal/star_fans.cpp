@@ -9,9 +9,9 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A polygon triangulated in a projection, the roundest ear first. An ear is looked at again only when a neighbour has
-/// gone, or the vertex that was found in it. Each look takes O(n) orientations for n vertices, and few ears need more
-/// than one: O(n^2) in practice, O(n^3) at worst.
+/// Triangulates a polygon in a projection, the roundest ear first. An ear is examined again only when a neighbour was
+/// removed, or the vertex that was found in it. Each examination takes O(n) orientations for n vertices, and few ears
+/// need more than one: O(n^2) in practice, O(n^3) at worst.
 class EarClipping {
  public:
   EarClipping(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& rim, std::size_t i, std::size_t j)
@@ -20,7 +20,7 @@ class EarClipping {
     for (std::size_t k = 0; k < corners_.size(); ++k) look_at(k);
   }
 
-  /// None where no ear is left, or the last triangle does not turn the right way.
+  /// Returns nothing if no ear is left, or the last triangle has the wrong orientation.
   std::optional<std::vector<Triangle>> run() {
     std::vector<Triangle> triangles;
     while (corners_.size() > 3) {
@@ -38,8 +38,8 @@ class EarClipping {
  private:
   struct Corner {
     VertexIndex vertex;
-    double shape = -1;                     ///< of its ear; negative: it does not turn the right way
-    VertexIndex found_inside = no_vertex;  ///< a vertex that its ear holds
+    double shape = -1;                     ///< shape of its ear; negative if it has the wrong orientation
+    VertexIndex found_inside = no_vertex;  ///< a vertex that its ear contains
   };
 
   Triangle ear(std::size_t k) const {
@@ -57,7 +57,7 @@ class EarClipping {
     corners_[k].found_inside = no_vertex;
   }
 
-  /// The roundest ear that holds no other vertex; the number of corners where there is none.
+  /// Returns the roundest ear that contains no other vertex; the number of corners if there is none.
   std::size_t find_ear() {
     while (true) {
       std::size_t best = corners_.size();
@@ -118,7 +118,7 @@ class FanSearch {
   }
 
  private:
-  /// The two hard subsegments at x, if any, and what they join.
+  /// Collects the two hard subsegments at x, if any, and what they connect.
   bool gather_segment() {
     for (VertexIndex v : mesh_.neighbors(x_)) {
       const Index s = constraints_.subsegment_of(x_, v);
@@ -132,7 +132,7 @@ class FanSearch {
   }
 
   bool gather_fans() {
-    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // subfacet -> directed edge opposite x
+    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // directed edge opposite x, by subfacet
     for (CellIndex c : star_)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_locked(FaceRef(c, i)) || mesh_.cells().vertex(c, i) == x_) continue;
@@ -177,7 +177,7 @@ class FanSearch {
     return no_index;
   }
 
-  /// The rim polygons by ears that turn the right way in the facet's main projection.
+  /// Triangulates the rim polygons by ears with the right orientation in the facet's main projection.
   bool triangulate_fans() {
     for (Fan& fan : out_.fans) {
       if (fan.is_thin()) continue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constraints that meet in an added point: its segment and the facets about it, and how these are triangulated
-/// without it.
+/// The constraints that meet in an added point, its segment and the facets around it, and their triangulation without
+/// it.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace geomesh::recover {
 
-/// The subfacets of one facet about x between two hard segments, or all round x; or a sheet of mesh faces that parts
-/// the star of x.
+/// The subfacets of one facet around x between two hard segments, or all around x; or a sheet of mesh faces that
+/// divides the star of x.
 struct Fan {
   Index facet = no_index;  ///< no_index for a sheet
   std::vector<VertexIndex>
-      rim;  ///< in the facet's orientation; the last vertex is joined with the first where the fan is closed
+      rim;  ///< in the facet's orientation; the last vertex is connected with the first if the fan is closed
   bool is_closed = false;
   std::vector<Index> subfacets;
   std::vector<Triangle> triangles;  ///< what replaces them
-  /// A part of no width between the segment and its chord, which rounding has left beside x; nothing replaces it.
+  /// A part of zero width between the segment and its chord, which rounding has left beside x; nothing replaces it.
   bool is_thin() const { return rim.size() < 3; }
 };
 
@@ -33,11 +33,11 @@ struct StarFans {
   bool is_end(VertexIndex v) const { return std::find(ends.begin(), ends.end(), v) != ends.end(); }
 };
 
-/// None where x cannot be left out: more than one segment ends there, or a fan has no triangulation in the facet's main
-/// projection.
+/// Returns nothing if x cannot be removed: more than one segment ends there, or a fan has no triangulation in the
+/// facet's main projection.
 std::optional<StarFans> find_star_fans(Recovery& recovery, VertexIndex x, const std::vector<CellIndex>& star);
 
-/// Twice the area vector of the fan about x.
+/// Returns twice the area vector of the fan around x.
 Vec3 fan_normal(const ConstrainedMesh& mesh, VertexIndex x, const Fan& fan);
 
 }  // namespace geomesh::recover

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sectors of an added point's star: what lies between the fans of its facets, and the sheets that may part one.
+/// Sectors of an added point's star: the parts between the fans of its facets, and the sheets that may divide one.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace geomesh::recover {
 
 struct Sector {
   std::vector<CellIndex> cells;
-  std::map<std::size_t, unsigned> fans;  ///< number of the fan -> bit 1: the sector is above it, bit 2: below
+  std::map<std::size_t, unsigned> fans;  ///< bits by number of the fan: bit 1: the sector is above it, bit 2: below
   Vec3 inward;                           ///< sum of the inner unit normals of the fans
   std::vector<Tetrahedron> filling;
 
@@ -22,14 +22,14 @@ struct Sector {
   }
 };
 
-/// The sectors of x's star, whose cells are sorted.
+/// Returns the sectors of x's star, whose cells are sorted.
 std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                    const std::vector<CellIndex>& star);
 
-/// The triangles that take the place of those at x, seen from the sector.
+/// Returns the triangles that replace those at x, as seen from the sector.
 std::vector<Triangle> sheets_of(const Sector& s, const StarFans& around);
 
-/// Vertices joined with both ends inside the sector, those that part it most evenly first.
+/// Returns vertices connected with both ends inside the sector, those that divide it most evenly first.
 std::vector<VertexIndex> sheet_apexes(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                       const Sector& s);
 

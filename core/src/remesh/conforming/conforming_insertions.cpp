@@ -12,7 +12,8 @@ namespace geomesh::remesh {
 using recover::Subsegment;
 using recover::VertexRecord;
 
-/// Finds the cells in conflict with p if none of their vertices is too near; p's nearest vertex is one of them.
+/// Finds the cells whose circumsphere contains p. Returns nothing if a vertex of these cells is too near to p; the
+/// vertex nearest to p is always among them.
 std::optional<ConformingRefiner::Place> ConformingRefiner::find_place(const Vec3& p, CellIndex start, double size) {
   Place place{p, recover::conflict_cells(mesh_, p, start)};
   if (place.cavity.empty()) return std::nullopt;
@@ -23,8 +24,8 @@ std::optional<ConformingRefiner::Place> ConformingRefiner::find_place(const Vec3
   return place;
 }
 
-/// Finds a subsegment whose diametral sphere contains p: the cell at it towards p has p in its circumsphere, so the
-/// edge is in the cavity. Returns no_index if there is none.
+/// Finds a subsegment whose diametral sphere contains p. The cell at this subsegment on p's side has p in its
+/// circumsphere, so the edge is inside the cavity. Returns no_index if there is none.
 Index ConformingRefiner::encroached_subsegment(const Place& place) const {
   Index least = no_index;
   for (const CellIndex c : place.cavity)
@@ -57,7 +58,7 @@ bool ConformingRefiner::insert_in_cell(CellIndex c, const Vec3& centre) {
   if (const auto face = encroached_face(*place)) return insert_in_face(*face);
   for (const CellIndex other : place->cavity)
     if (label_[other] != component && label_[other] != no_index)
-      return false;  // beyond a facet that could not be split
+      return false;  // The place lies beyond a facet that could not be split.
   put(*place, {VertexOrigin::inside, no_index}, [](VertexIndex) {}, {}, {no_vertex, no_vertex});
   for (const CellIndex fresh : mesh_.last_created()) label_[fresh] = component;
   ++counts_.inside;
@@ -110,12 +111,13 @@ bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   return true;
 }
 
-/// Splits the subsegment in its middle, or on a shell around a sharp end.
+/// Splits the subsegment at its middle. At a sharp vertex it is split on a concentric shell around that vertex instead.
 bool ConformingRefiner::split_long(Index si) {
   const Subsegment s = constraints_.subsegments[si];
   const bool is_inner = s.segment == no_index;
   if (!s.live || (!is_inner && segment_is_given_up_[s.segment])) return false;
-  if (mesh_.find_edge(s.a, s.b) == no_cell) return false;  // queued, so recovery will handle it
+  // The subsegment is missing, so it is queued and recovery will split it.
+  if (mesh_.find_edge(s.a, s.b) == no_cell) return false;
   const Vec3 p = split_place(s);
   double size = size_at(p, no_index);
   for (const Index f : s.subfacets) size = std::min(size, size_on_facet(p, constraints_.subfacets[f].facet));
@@ -160,8 +162,8 @@ void ConformingRefiner::put(const Place& place, VertexRecord record, const std::
   }
 }
 
-/// Registers the star of x in the facet: x with each border edge of the lost faces, except for the subsegment that x
-/// splits. Returns false if one of these is no face of the mesh.
+/// Registers the star of x in the facet: triangles from x to each border edge of the lost faces, except for the
+/// subsegment that x splits. Returns false if one of these triangles is no face of the mesh.
 bool ConformingRefiner::renew_faces(VertexIndex x, Index subfacet, const std::vector<Triangle>& lost,
                                     std::array<VertexIndex, 2> split) {
   if (facet_queued_[subfacet]) return false;

@@ -17,11 +17,11 @@ namespace geomesh {
 
 namespace {
 
-/// Most points of recovery on one facet during refinement. Each point divides the facet further, and each part may lose
-/// faces once.
+/// Largest number of points that recovery may add on one facet during refinement. Each point divides the facet further,
+/// and each part may lose faces once, so the limit is high.
 constexpr std::size_t steiner_per_refined_facet = 2000;
 
-/// By facet of the caller's model.
+/// For each facet of the caller's model, the components on its two sides.
 remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh) {
   remesh::FacetComponents components(plc.n_facets(), {no_index, no_index});
   std::vector<std::uint8_t> seen(plc.n_facets(), 0);
@@ -39,7 +39,7 @@ remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, cons
   return components;
 }
 
-/// By facet as recovery has it.
+/// For each facet of the model as recovery numbers them, the components on its two sides.
 remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::FacetComponents& callers) {
   remesh::FacetComponents components;
   for (Index f = 0; f < names.facet.size(); ++f) {
@@ -66,8 +66,8 @@ double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeFi
   return edges.empty() ? 1 : static_cast<double>(n) / static_cast<double>(edges.size());
 }
 
-/// Small angles forbid Delaunay here as in tetrahedralize. The model is then meshed and refined in constrained mode,
-/// and the facets that are not Delaunay are listed.
+/// Small input angles rule out a Delaunay mesh here, as they do in tetrahedralize. The model is then meshed and refined
+/// in constrained mode, and the facets that are not Delaunay are listed.
 RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, TetrahedralizeOptions meshing,
                                         const RefineOptions& options, const RunContext& context) {
   context.note(LogLevel::warning,
@@ -79,7 +79,7 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
   result.mesh.delaunay = false;
   list_facets_off_delaunay(result.mesh);
   std::vector<Index>& off = result.mesh.recovery.facets_not_recovered;
-  if (off.empty())  // the cells between them may have left Delaunay
+  if (off.empty())  // The cells between the facets may no longer be Delaunay.
     for (Index f = 0; f < plc.n_facets(); ++f) off.push_back(f);
   return result;
 }
@@ -120,7 +120,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
     refuse("the sizes ask for about " + estimate + " elements, more", options.max_elements);
   std::optional<StageScope> stage(std::in_place, context, "refine");
   RunContext quiet = context;
-  quiet.stage = {};  // the engine's stages run within this one
+  quiet.stage = {};  // The stages of the inner run are not reported, because they are part of this one.
   remesh::ConformingRefiner::Counts counts;
   bool is_too_large = false;
   const auto step = [&](recover::Recovery& recovery, const RecoverOptions& recover, std::vector<Index>& given_up) {

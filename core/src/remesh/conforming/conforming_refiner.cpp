@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index unlabelled = no_index, outside = no_index - 1;
 
-/// A refused place is tried again only a few times, because its neighbourhood may have changed.
+/// A refused point is tried again only a few times, and only because its neighbourhood may have changed meanwhile.
 constexpr std::size_t max_rounds = 40;
 
 }  // namespace

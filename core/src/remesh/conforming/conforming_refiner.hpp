@@ -21,23 +21,24 @@
 
 namespace geomesh::remesh {
 
-/// The components below and above a facet; no_index outside, or if it varies along the facet.
+/// The components below and above each facet. The value is no_index outside the model, or if the component varies along
+/// the facet.
 using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Shares of the target size: a cell or face with a greater circumradius, or a subsegment with a greater length, is
-  /// split.
+  /// Limits relative to the target size: a cell or face with a larger circumradius is split, and so is a longer
+  /// subsegment.
   static constexpr double max_radius = 0.75, max_length = 1.3;
   /// Cells whose circumradius exceeds their shortest edge by a larger factor are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;
   static constexpr double min_spacing = 0.45;
 
-  /// `components` is by facet of recovery.plc; `size` is in the caller's frame and components.
+  /// `components` is indexed by the facets of recovery.plc; `size` uses the caller's coordinates and components.
   ConformingRefiner(recover::Recovery& recovery, const RecoverOptions& options, const SizeField& size,
                     FacetComponents components, std::size_t max_cells);
 
-  /// Valid after run(). False: stopped at more than max_cells elements.
+  /// Valid after run(). False if refinement stopped because the mesh had more than max_cells elements.
   bool refine();
 
   struct Counts {
@@ -84,7 +85,7 @@ class ConformingRefiner : public recover::ConformingRecovery {
   const SizeField& size_;
   FacetComponents components_;
   std::size_t max_cells_;
-  std::vector<Index> label_;  ///< per cell slot: component; see label_cells()
+  std::vector<Index> label_;  ///< component of each cell slot; see label_cells()
   Counts counts_;
 };
 

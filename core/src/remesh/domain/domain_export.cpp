@@ -47,7 +47,7 @@ class Exporter {
     return std::move(out_);
   }
 
-  /// The seeds first, then ring by ring.
+  /// Numbers the cells of a part: the given cells first, then the cells around them ring by ring.
   ConstrainedTetrahedralization about(std::span<const CellIndex> seeds, unsigned rings) {
     for (const CellIndex c : seeds) add_cell(c);
     std::vector<CellIndex> star;
@@ -71,7 +71,7 @@ class Exporter {
   }
   void add_vertex(VertexIndex v) {
     if (row_[v] != no_vertex) return;
-    row_[v] = 0;  // until they are numbered
+    row_[v] = 0;  // A vertex has no row until it is numbered below.
     vertices_.push_back(v);
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
@@ -114,7 +114,7 @@ class Exporter {
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
-  /// Cells, once vertices have their rows, and constrained faces in the order of the cells.
+  /// Writes the cells once all vertices have rows, then the constrained faces in the order of the cells.
   void fill_cells() {
     constexpr std::size_t chunk = 16384;
     out_.tetrahedra.resize(cells_.size());
@@ -133,7 +133,7 @@ class Exporter {
     for (const std::vector<Face>& of_task : faces) out_.faces.insert(out_.faces.end(), of_task.begin(), of_task.end());
   }
 
-  /// Once: from above, or where the cell there is none of those exported.
+  /// Writes each face once: from the cell above it, or from the cell below if the one above is not exported.
   void add_face(FaceRef face, std::vector<Face>& faces) const {
     const FaceTag tag = domain_.tag(face);
     if (!tag.constrained() || tag.facet() == hull_facet) return;

@@ -15,13 +15,13 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Share of the tolerance. Lower faces have no direction of their own.
+/// A face is narrow if its height is below this share of the tolerance. Its own normal is then unreliable.
 constexpr double narrow_share = 0.5;
 
 using Edge = std::array<VertexIndex, 2>;
 
-/// Vertices of edges with more than two outer faces, and those on the outside that have more cells than a walk
-/// through faces finds.
+/// Finds vertices of edges with more than two outer faces, and outer vertices with more cells than a walk across faces
+/// reaches. At these vertices the surface is not a manifold.
 std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   std::vector<bool> pinched(mesh.n_vertices(), false), is_counted = pinched;
   std::vector<std::uint32_t> n_cells(mesh.n_vertices(), 0);
@@ -50,8 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. Otherwise two sheets touch there, or a curve touches a
-/// sheet.
+/// Returns whether the faces at v are connected across edges. If they are not, two surfaces touch at v, or a curve ends
+/// on a surface there.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -68,7 +68,7 @@ bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vecto
   return left.empty();
 }
 
-/// Returns, for each vertex of the mesh, whether it must be kept whatever is around it.
+/// Returns, for each vertex of the mesh, whether it must be kept regardless of the faces and curves around it.
 std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                                   const RefineOptions& options) {
   std::vector<bool> pinned_input(plc.points.size(), false), pinned(input.points.size(), false);
@@ -117,7 +117,8 @@ class Importer {
  private:
   void add_cells() {
     domain_.reserve(2 * input_.points.size(), 2 * input_.tetrahedra.size());
-    for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);  // curve_of must not filter
+    // All points are added, because curve_of refers to them by their row.
+    for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);
     for (std::size_t t = 0; t < input_.tetrahedra.size(); ++t)
       domain_.add_cell(input_.tetrahedra[t], input_.component[t]);
     domain_.link_cells();
@@ -155,7 +156,7 @@ class Importer {
     return uses;
   }
 
-  /// Returns directions by face; empty if edges are not sharp whatever their faces' directions.
+  /// Returns the direction of each face at the edge. The result is empty if edges are not to be classified by angle.
   std::vector<Vec3> directions(const std::vector<EdgeUse>& uses) const {
     if (exact_) return {};
     std::vector<Index> patches;
@@ -200,7 +201,7 @@ class Importer {
       if (!c.segments.empty() || j - i != 2 || c.patches[0] != c.patches[1] || is_sharp(uses[i], uses[i + 1], looks))
         add_curve(uses[i].edge, std::move(c));
     }
-    for (auto& [edge, rows] : segments) {  // in the inside of regions
+    for (auto& [edge, rows] : segments) {  // curves inside regions, which lie on no face
       std::sort(rows.begin(), rows.end());
       add_curve(edge, {rows, {}});
     }
@@ -212,7 +213,7 @@ class Importer {
     return -dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
 
-  /// Otherwise the vertex remains a corner.
+  /// Finds the kind of the vertex. It remains a corner if it is neither inside a curve nor inside a patch.
   void classify(VertexIndex v, const std::vector<Index>& faces) {
     const auto& curves = curve_ends_[v];
     const bool is_given = input_.input_vertex[v] != no_vertex;
@@ -231,7 +232,7 @@ class Importer {
   const ConstrainedTetrahedralization& input_;
   bool exact_;
   double narrow_, cos_sharp_;
-  std::vector<Index> first_of_curve_;  // per segment: the first of those that are pieces of one curve with it
+  std::vector<Index> first_of_curve_;  // for each segment, the first segment that belongs to the same curve
   DomainMesh domain_;
   std::vector<Triangle> faces_;
   std::vector<Index> facets_;

@@ -10,37 +10,39 @@
 
 namespace geomesh::remesh {
 
-/// Returns the patch of each facet as the options say. Exact: facets that are kept as one are one patch; otherwise
-/// facet_patch, or facets of equal provenance.
+/// Returns the patch of each facet according to the options. If surfaces are kept exactly, the facets that are one
+/// input triangle form a patch; otherwise facet_patch defines the patches, or else facets of equal provenance do.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
-/// The patches that users name (sizes), whatever the honour mode.
+/// The patches as users name them in sizes, whatever the honour mode is.
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);
 
-/// Vertices and cells keep their rows. Curves: edges where not exactly two faces of one patch meet, or two that turn by
-/// more than the sharp angle, and listed segments. O(n log n). Throws InternalError where the mesh breaks its
-/// invariants. `patches`: patches_of_facets(plc, options, merge_pieces(...)), where they are known.
+/// Builds the editable mesh; vertices and cells keep their rows. Curves are the listed segments, the edges at which not
+/// exactly two faces of one patch meet, and the edges at which two faces meet at more than the sharp angle. O(n log n).
+/// Throws InternalError if the mesh violates its invariants. `patches` is the result of patches_of_facets(plc, options,
+/// merge_pieces(...)), if it has been computed already.
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options, std::vector<Index> patches);
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options);
 
-/// Input vertices that are still where they were first, in input order, then the others by row. Cells by row; faces by
-/// facet.
+/// Input vertices that have not moved come first, in input order, then all others by row. Cells are ordered by row,
+/// faces by facet.
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before,
                                             unsigned threads = 1);
 
-/// Row of v in the input PLC where it is still at its place.
+/// The row of v in the input PLC if it has not moved, otherwise no_vertex.
 VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);
 
-/// Rows of vertices and cells in a piece. Of the size of the mesh, so it is kept from call to call.
+/// Rows of vertices and cells in an exported piece. The arrays are as large as the mesh, so they are reused from call
+/// to call.
 struct ExportScratch {
   EpochMarks marks;
   std::vector<VertexIndex> vertex_row;
   std::vector<Index> cell_row;
 };
-/// Exports a part of the mesh: the given cells, in their order, then the cells that share a vertex with them, and so on
-/// by rings, with points, faces and edges of these alone. O(k log k) in its size.
+/// Exports a part of the mesh: the given cells in their order, then the cells that share a vertex with them, and so on
+/// ring by ring, with only their points, faces and edges. O(k log k) for k cells.
 ConstrainedTetrahedralization export_about(const DomainMesh& domain, std::span<const CellIndex> cells, unsigned rings,
                                            const ConstrainedTetrahedralization& before, ExportScratch& scratch);
 

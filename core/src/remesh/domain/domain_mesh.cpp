@@ -58,7 +58,7 @@ void DomainMesh::set_shape(CellIndex c, double shape, std::uint64_t time) {
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
   attributes_.shape[c] = shape;
-  // Lists of vertices that are smoothed at once may share vertices that do not move.
+  // Vertices smoothed concurrently may have fixed neighbours in common, so these writes must be atomic.
   for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(time, std::memory_order_relaxed);
 }
 
@@ -82,7 +82,8 @@ void DomainMesh::link_faces(std::vector<OpenFace> faces) {
 void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const NewCell> added,
                          std::vector<CellIndex>& created) {
   const auto make = [&](std::size_t k) {
-    if (k == 0) created.clear();  // `removed` may be these
+    // The caller may pass `created` as `removed`, so it is cleared only after they are read.
+    if (k == 0) created.clear();
     const CellIndex c = add_cell(added[k].vertices, added[k].component, added[k].shape);
     attributes_.tags[c] = added[k].tags;
     created.push_back(c);
@@ -222,7 +223,7 @@ std::string DomainMesh::validate_domain() const {
       if (!tag(c, i).constrained() && component(c) != component(n.cell()))
         return describe("components leak through a face", c);
     }
-    for (const auto& e : edge_vertices)  // no others can be on curves
+    for (const auto& e : edge_vertices)  // Vertices of any other kind cannot be on curves.
       if (kinds_[t[e[0]]] <= VertexKind::curve && kinds_[t[e[1]]] <= VertexKind::curve)
         edges.push_back(sorted(std::array{t[e[0]], t[e[1]]}));
   }

@@ -27,7 +27,7 @@
 
 namespace geomesh::remesh {
 
-/// Attributes of cells: component, tags of the faces, cached shape.
+/// Data stored for each cell: its component, the tags of its faces, its shape if computed.
 struct DomainAttributes {
   using FaceMark = FaceTag;
   static constexpr bool is_closed = false;
@@ -40,11 +40,11 @@ struct DomainAttributes {
     FaceTag& own = tags[added.cell()][added.face()];
     if (other.mark.constrained())
       own = other.mark;
-    else if (own.constrained())  // a surface that the operation has moved to the border
+    else if (own.constrained())  // A surface that the operation has moved to the border of the region.
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
-  /// Makes room for so many cells, whose attributes have to be set.
+  /// Makes room for n cells. Their attributes must be set afterwards.
   void grow_to(std::size_t n) {
     component.grow_to(n);
     tags.grow_to(n);
@@ -73,11 +73,12 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   // Vertices.
   std::size_t n_vertices() const { return points_.size(); }
   VertexKind kind(VertexIndex v) const { return kinds_[v]; }
-  /// Patch of a surface vertex, curve class of a curve vertex, otherwise no_index.
+  /// The patch of a vertex on a surface, the curve class of a vertex on a curve, otherwise no_index.
   Index support(VertexIndex v) const { return supports_[v]; }
   CellIndex incident_cell(VertexIndex v) const { return cell_of(v); }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
-  /// The caller has checked that the cells about v stay positive. Their cached shapes are forgotten by refresh_shape.
+  /// Moves a vertex. The caller has checked that the cells around it stay positive, and refresh_shape must be called
+  /// for them afterwards.
   void move_vertex(VertexIndex v, const Vec3& p) {
     note_vertex(v);
     points_[v] = p;
@@ -94,11 +95,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   Vec3 middle(const Tetrahedron& t) const {
     return 0.25 * (points_[t[0]] + points_[t[1]] + points_[t[2]] + points_[t[3]]);
   }
-  /// Normal of a face, of length twice its area.
+  /// Normal vector of a face; its length is twice the face's area.
   Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
-  // Cells.
-  /// The measure of shapes. To be set before the first cell.
+  // The quality measure of the cells. It must be set before the first cell is added.
   const CellQuality& measure() const { return measure_; }
   void set_measure(QualityMeasure measure) { measure_ = CellQuality(measure); }
   CellIndex n_slots() const { return mesh_.n_slots(); }
@@ -109,21 +109,22 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   LiveCells<DomainMesh> live_cells() const { return LiveCells<DomainMesh>(*this); }
   FaceTag tag(CellIndex c, unsigned face) const { return attributes_.tags[c][face]; }
   FaceTag tag(FaceRef f) const { return tag(f.cell(), f.face()); }
-  /// Counter-clockwise seen from the cell.
+  /// The vertices of the face, counter-clockwise as seen from the cell.
   Triangle face(FaceRef f) const { return face_of(vertices(f.cell()), f.face()); }
   Triangle face(CellIndex c, unsigned i) const { return face_of(vertices(c), i); }
-  /// Counter-clockwise seen from above the facet.
+  /// The vertices of the face, counter-clockwise as seen from above the facet.
   Triangle facet_face(FaceRef f) const {
     Triangle t = face(f);
     if (!tag(f).above()) std::swap(t[1], t[2]);
     return t;
   }
-  /// Returns whether the face is constrained and seen from the side that represents both sides: above, or the only one.
+  /// Returns whether the face is constrained and represents both of its sides: it is seen from above, or only one side
+  /// has a cell.
   bool is_surface(FaceRef f) const {
     const FaceTag t = tag(f);
     return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
   }
-  /// visit(face) for each face that is part of a facet, once.
+  /// Calls visit(face) once for each face that is part of a facet.
   template <class Visit>
   void for_each_facet_face(const Visit& visit) const {
     for (const CellIndex c : live_cells())
@@ -134,19 +135,20 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     return measure_.shape(points_[f[0]], points_[f[1]], points_[f[2]], apex);
   }
   double shape(const Tetrahedron& t) const { return shape({t[0], t[1], t[2]}, points_[t[3]]); }
-  /// Whether (f, apex) is a positive cell, exactly.
+  /// Returns whether the tetrahedron (f, apex) is positively oriented, decided exactly.
   bool sees(const Vec3& apex, const Triangle& f) const {
     return orient3d(points_[f[0]], points_[f[1]], points_[f[2]], apex) == Sign::positive;
   }
   bool is_positive(const Tetrahedron& t) const { return sees(points_[t[3]], {t[0], t[1], t[2]}); }
-  /// Cached shape of a live cell.
+  /// The stored shape of a live cell.
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
-  /// Sets a shape that is known.
+  /// Stores a shape that has already been computed.
   void set_shape(CellIndex c, double shape);
-  /// The mesh's time when a cell with the vertex was last made, or one of the vertices of such a cell moved.
+  /// The mesh's time at which a cell with this vertex was last created, or a vertex of such a cell was last moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
-  /// Ends a moment and returns it: changes after the call are later than it, those before are not. Above 0.
+  /// Advances the mesh's time and returns its former value, which is above 0. Changes after the call have later times
+  /// than changes before it.
   std::uint64_t tick() { return clock_++; }
   bool has_neighbor(CellIndex c, unsigned face) const { return mesh_.neighbor(c, face).valid(); }
 
@@ -154,38 +156,38 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError where the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
-  /// Replaces cells of a block, concurrently with changes of other blocks. The caller has checked that it may.
+  /// Replaces cells of a block while other threads change other blocks. The caller has checked that the operation is
+  /// permitted.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
                BlockEdit& block);
-  /// Replaces cells of one component without constrained faces inside by the star of `apex`: a cell for each face of
-  /// their border, in this order, with the `shapes`, of which there may be more. O(k).
+  /// Replaces cells of one component, with no constrained face inside, by the star of `apex`: one cell for each face of
+  /// their border, in that order. `shapes` holds the shapes of the new cells and may be longer. O(k).
   void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
                        std::span<const double> shapes, std::vector<CellIndex>& created);
-  /// The vertex must be in no live cell.
+  /// Removes a vertex that no live cell uses.
   void remove_vertex(VertexIndex v);
 
-  /// @name Blocks (mesh_blocks.hpp)
-  /// @{
-  /// A clock and free slots for a block: to be called for all before any is worked on.
+  /// @name Blocks (mesh_blocks.hpp) @{ Gives the block a clock and free slots. Must be called for all blocks before any
+  /// of them is changed.
   void open_block(BlockEdit& block, std::size_t n_slots);
   /// Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);
   /// @}
 
-  /// @name Components on their own
-  /// What changes inside of components alone can so be done in all of them at once.
-  /// @{
-  /// The components that have cells, in ascending order. This mesh is then without cells. O(n).
+  /// @name Separate components: they can be changed concurrently, as long as only their inside changes. @{ Moves the
+  /// cells of each component into a mesh of its own, in ascending order of components. This mesh is then without cells.
+  /// O(n).
   std::vector<MeshPart> take_apart();
-  /// Takes the parts in again, in their order: their cells, and the vertices that they did not begin with. Faces to
-  /// other components must be as they were. O(n), and n log n in such faces.
+  /// Inserts the parts again in the same order, with their cells and any new vertices. Faces shared with other
+  /// components must be unchanged. O(n), plus O(m log m) for m such faces.
   void put_together(std::vector<MeshPart> parts, unsigned threads = 1);
   /// @}
 
-  /// Renumbers the cells along a curve that fills space, so that near ones are near in memory. No slot is free after
-  /// it. O(n log n).
+  /// Renumbers the cells along a space-filling curve, so that neighbouring cells are close in memory. There are no free
+  /// slots afterwards. O(n log n).
   void sort_cells(unsigned threads = 1);
-  /// Vertices in the order of the first cell that has them: near ones one after the other where cells are sorted.
+  /// Returns the vertices in the order of the first cell that has them, so neighbours follow each other if the cells
+  /// are sorted.
   std::vector<VertexIndex> vertices_by_cells() const;
 
   // Patches and curves.
@@ -201,11 +203,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find({a, b}) : no_index;
   }
-  /// @name Where the outside passes through.
-  /// Cells may meet at a vertex, or at an edge, that no sequence of faces at it joins, because the outside is between
-  /// them. `star` and `edge_ring` find only those joined with the cell they start from. So such a vertex, or a vertex
-  /// of such an edge, is a corner; `is_pinched` returns it. A curve's edge between two of them is not split.
-  /// @{
+  /// @name Non-manifold vertices of the outside. Cells may meet at a vertex or an edge without being connected by faces
+  /// there, because the outside lies between them. `star` and `edge_ring` find only the cells connected with the one
+  /// from which they start. Such a vertex, and both ends of such an edge, are therefore corners, for which `is_pinched`
+  /// returns true. A curve edge between two of them is not split. @{
   bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
   bool is_pinched(VertexIndex a, VertexIndex b) const {
     return is_pinched(a) && is_pinched(b) && curve_of(a, b) != no_index;
@@ -223,21 +224,20 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// Curve edges in ascending order of their vertices.
   std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted_keys(); }
 
-  /// @name A trial: changes that can be undone
-  /// One at a time, by one thread; link_cells, reserve and new patches or curve classes are no part of it.
-  /// @{
+  /// @name Trials: changes that can be undone. There is at most one at a time, by one thread. link_cells, reserve and
+  /// new patches or curve classes are not recorded. @{
   void begin_trial();
   void keep_trial() { journal_.is_open = false; }
-  /// Restores the state in which the trial began, including the order of free slots and the mesh's time. O(changes).
+  /// Restores the state at the start of the trial, including the order of free slots and the mesh's time. O(changes).
   void undo_trial();
-  /// Cells that were made, changed or removed since the trial began.
+  /// Calls visit for each cell that was created, changed or removed since the start of the trial.
   template <class Visit>
   void for_each_trial_cell(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells) visit(s.cell);
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c) visit(c);
   }
-  /// Calls visit for the live cells among these that have changed. Cells of which only a neighbour was exchanged have
-  /// not.
+  /// Calls visit for those of these live cells that have changed. A cell of which only a neighbour was replaced does
+  /// not count as changed.
   template <class Visit>
   void for_each_cell_of_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)
@@ -245,7 +245,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
-  /// Vertices that were made, moved, changed or removed, and those of cells that were.
+  /// Calls visit for each vertex that was created, moved, changed or removed, and for each vertex of a cell that was.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
     for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
@@ -259,7 +259,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   }
   /// @}
 
-  // Building (import): cells first, then link_cells, then tags.
+  // Adds a cell during import: first all cells, then link_cells, then the tags.
   CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
   void link_cells();
   void set_tag(CellIndex c, unsigned face, FaceTag t) {
@@ -268,7 +268,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   }
   void reserve(std::size_t n_vertices, std::size_t n_cells);
 
-  /// Checks the invariants; the first violation is described in the string returned, empty where all hold. O(n log n).
+  /// Checks the invariants. Returns a description of the first violation, or an empty string if all hold. O(n log n).
   std::string validate(unsigned threads = 1) const;
 
  private:
@@ -278,7 +278,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   struct CellCopies;
   void copy_cell(const CellCopies& from, CellIndex c, std::vector<OpenFace>& open);
   void append(MeshPart part, unsigned threads, std::vector<OpenFace>& open);
-  /// Links equal faces with each other.
+  /// Makes cells with equal faces neighbours of each other.
   void link_faces(std::vector<OpenFace> faces);
   std::string validate_domain() const;
   void note_vertex(VertexIndex v) {
@@ -299,7 +299,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<VertexKind> kinds_;
   std::vector<Index> supports_;
   std::vector<std::uint64_t> changed_;
-  std::vector<bool> pinched_;  // by vertex, of those there were at first
+  std::vector<bool> pinched_;  // for each vertex of the imported mesh
 
   CellQuality measure_;
   std::uint64_t clock_ = 1;
@@ -313,17 +313,18 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<FaceTag> border_tags_;  // scratch
 };
 
-/// Returns whether a cell at one of the vertices was made, or has moved, since that time of the mesh.
+/// Returns whether a cell at one of the vertices was created, or one of its vertices moved, since that time of the
+/// mesh.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });
 }
 
-/// The cells of one component, with the curves that run along their edges. Faces to other components are constrained
-/// and have no neighbour. Patches and classes of curves are those of the whole, which alone knows them.
+/// The cells of one component and the curves along their edges. Faces shared with other components are constrained and
+/// have no neighbour here. Patches and curve classes remain those of the whole mesh.
 struct MeshPart {
   DomainMesh mesh;
-  std::vector<VertexIndex> vertices;  ///< rows in the whole, of the part's first vertices: those that it began with
+  std::vector<VertexIndex> vertices;  ///< rows in the whole mesh of the vertices that the part was created with
 };
 
 }  // namespace geomesh::remesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orders of a DomainMesh's cells and vertices in which neighbours in space are neighbours in memory.
+// Sorts cells and vertices of a DomainMesh so that neighbours in space are neighbours in memory.
 #include <algorithm>
 
 #include "common/parallel.hpp"
@@ -22,7 +22,7 @@ void permute(PodArray<Value>& values, const std::vector<CellIndex>& old_index, u
   values = std::move(sorted);
 }
 
-/// Live cells by the least place of their vertices in `order`: a counting sort.
+/// Sorts live cells by the lowest position of their vertices in `order`, by counting.
 std::vector<CellIndex> cells_along(const TetMesh& mesh, const std::vector<VertexIndex>& order, unsigned threads) {
   std::vector<Index> place(order.size()), place_of(mesh.n_slots());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<Index>(k);

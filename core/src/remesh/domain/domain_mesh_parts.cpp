@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// DomainMesh taken apart by components and put together again.
+// Divides a DomainMesh into its components and joins them again.
 #include <algorithm>
 #include <atomic>
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace geomesh::remesh {
 
-/// The mesh that cells are copied from, and the rows of its vertices and cells here.
+/// The mesh from which cells are copied, and the rows of its vertices and cells in this mesh.
 struct DomainMesh::CellCopies {
   const DomainMesh& from;
   const std::vector<VertexIndex>& row;
@@ -38,7 +38,7 @@ std::vector<MeshPart> DomainMesh::take_apart() {
   return parts;
 }
 
-/// `row` has no_vertex everywhere, and has it again afterwards.
+/// `row` must hold no_vertex everywhere, and does so again on return.
 void DomainMesh::fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                            std::vector<VertexIndex>& row, MeshPart& part) const {
   DomainMesh& mesh = part.mesh;
@@ -70,7 +70,7 @@ void DomainMesh::put_together(std::vector<MeshPart> parts, unsigned threads) {
   link_faces(std::move(open));
 }
 
-/// `open` gets the faces that are to be linked with other parts.
+/// `open` receives the faces that are to be connected with other parts.
 void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenFace>& open) {
   constexpr std::size_t chunk = 16384;
   const DomainMesh& mesh = part.mesh;
@@ -88,7 +88,7 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
       if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
   });
   for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
-  // The last of its cells, which is of this part where the vertex was in others before.
+  // The last cell at each vertex, which is a cell of this part if other parts have the vertex too.
   for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
     if (row_of_cell[c] == no_cell) return;
     for (const VertexIndex v : mesh.vertices(static_cast<CellIndex>(c))) {
@@ -102,7 +102,8 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
   for (const VertexIndex v : row) changed_[v] = clock_;
 }
 
-/// Into its own slot. Links with cells of its component, whose rows are known; `open` gets the other faces.
+/// Copies the cell into its slot and links it with cells of its component, whose rows are known. `open` receives the
+/// other faces.
 void DomainMesh::copy_cell(const CellCopies& copies, CellIndex c, std::vector<OpenFace>& open) {
   const DomainMesh& from = copies.from;
   const CellIndex own = copies.row_of_cell[c];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Where faces of surfaces look to, those of no width included.
+/// Normal directions of the faces of surfaces, including faces without area.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace geomesh::remesh {
 
-/// One constrained face at one of its edges.
+/// A constrained face at one of its edges.
 struct EdgeUse {
   std::array<VertexIndex, 2> edge;  ///< ascending
   Index face;
 };
 
-/// Whether the face runs along the edge from a to b, and not from b to a.
+/// Returns whether the face passes the edge from a to b, and not from b to a.
 bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
 
 /// Returns unit normals by face. A face lower than `narrow` could be removed by moving a point by less than that, so

@@ -19,13 +19,13 @@ namespace {
 using Edge = std::array<VertexIndex, 2>;
 using Loop = std::vector<VertexIndex>;
 
-/// Rounding moves a point by less than one ulp, and the plane of a group as much. The plane of its largest piece may
-/// lie farther off.
+/// Tolerances in units in the last place of the largest coordinate. Rounding moves a point, and the plane of a group,
+/// by less than one unit; the plane of the group's largest piece may be farther off while the group grows.
 constexpr double plane_ulps = 2, growing_ulps = 16;
 
-/// Border of a set of triangles that is to be one facet.
+/// The border of a set of triangles that will become one facet.
 struct Outline {
-  std::vector<Loop> loops;  ///< the outer one first
+  std::vector<Loop> loops;  ///< outer loop first
   std::vector<Edge> segments;
   std::vector<VertexIndex> points;
 };
@@ -45,7 +45,7 @@ std::vector<EdgeUse> edge_uses(const PiecewiseLinearComplex& plc) {
   return uses;
 }
 
-/// Triangles of one parent that are connected across edges without other facets, grown in one plane.
+/// Coplanar triangles of one parent, connected across edges at which no other facet ends.
 class PlaneGroups {
  public:
   PlaneGroups(const PiecewiseLinearComplex& plc, std::span<const Index> parent, std::span<const EdgeUse> uses)
@@ -56,7 +56,8 @@ class PlaneGroups {
     join_across_edges(uses);
   }
 
-  /// visit(members, normal) for each group of several, from the largest facets on, whose planes are known best.
+  /// Calls visit(members, normal) for each group of at least two triangles, grown from the largest facets, whose planes
+  /// are the most accurate.
   template <class Visit>
   void grow(const Visit& visit) const {
     std::vector<std::pair<double, Index>> order;
@@ -84,7 +85,7 @@ class PlaneGroups {
     return f < parent_.size() && parent_[f] != no_index && plc_.n_loops(f) == 1 && plc_.outer_loop(f).size() == 3;
   }
 
-  /// The place of the edge (a, b) in the loop of a triangle; 3: none.
+  /// The position of the edge (a, b) in the triangle's loop, or 3 if it is not there.
   std::size_t place_of(Index f, VertexIndex a, VertexIndex b) const {
     const auto t = plc_.outer_loop(f);
     std::size_t k = 0;
@@ -92,7 +93,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Joins facets across edges that have exactly two facets, oriented alike, both of which could be of one facet.
+  /// Joins facets across edges with exactly two facets, if these have the same orientation and may belong to one facet.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -138,12 +139,11 @@ class PlaneGroups {
 
   const PiecewiseLinearComplex& plc_;
   std::span<const Index> parent_;
-  double ulp_;                                // of the largest coordinate, at most
-  std::vector<std::array<Index, 3>> joined_;  // by facet, across the edges of its loop
+  double ulp_;                                // rounding unit of the largest coordinate
+  std::vector<std::array<Index, 3>> joined_;  // neighbouring facet across each edge, for each facet
 };
 
-/// Borders of groups, with the data that other groups need of their insides. Groups are identified by their first
-/// facet.
+/// Borders of groups, and what other groups need to know of their insides. A group is identified by its first facet.
 class Outlines {
  public:
   Outlines(const PiecewiseLinearComplex& plc, std::span<const EdgeUse> uses)
@@ -210,7 +210,8 @@ class Outlines {
     return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
   }
 
-  /// Rounding may put a vertex inside on the border, as where a piece was a sliver.
+  /// Returns whether the outline is a valid facet. Rounding may place an inner vertex on the border, for example if a
+  /// piece was a sliver.
   bool is_facet(const Outline& outline) const {
     FacetFault fault;
     return triangulate_facet(plc_.points, {outline.loops, outline.segments, outline.points}, fault).has_value();
@@ -231,7 +232,7 @@ class Outlines {
     return !loops.empty();
   }
 
-  /// The outer loop is the only one that turns left about the normal.
+  /// Puts the outer loop first; it is the only loop with a positive area about the normal.
   void put_outer_first(const Vec3& normal, std::vector<Loop>& loops) const {
     const auto area = [&](const Loop& loop) { return dot(loop_normal(plc_.points, loop), normal); };
     std::iter_swap(loops.begin(), std::max_element(loops.begin(), loops.end(),
@@ -245,13 +246,13 @@ class Outlines {
 
   const PiecewiseLinearComplex& plc_;
   std::span<const EdgeUse> uses_;
-  std::vector<Index> group_;  // by facet: the first facet of its group
+  std::vector<Index> group_;  // for each facet, the first facet of its group
   std::vector<std::vector<Index>> facets_at_;
   std::vector<bool> used_by_others_;
   std::map<Index, Outline> outlines_;
 };
 
-/// The facet f, or the group whose first it is. Returns its row.
+/// Writes the facet f, or the group whose first facet is f. Returns its row.
 Index write_facet(const PiecewiseLinearComplex& plc, Index f, const Outline* outline, PiecewiseLinearComplex& out) {
   if (outline) {
     const Index row = out.add_polygon(outline->loops, plc.facet_provenance[f]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Facets as users gave them: the pieces into which crossings have cut one triangle of theirs count as one facet again.
+/// Joins the pieces into which intersections have cut one input triangle, so that they are one facet again.
 #pragma once
 
 #include <span>
@@ -11,8 +11,8 @@
 namespace geomesh::remesh {
 
 struct MergedFacets {
-  PiecewiseLinearComplex plc;       ///< points, segments and seeds as they were; facets merged
-  std::vector<Index> row_of_facet;  ///< per facet as it was: its row in `plc`
+  PiecewiseLinearComplex plc;       ///< the same points, segments and seeds with merged facets
+  std::vector<Index> row_of_facet;  ///< row in `plc` of each original facet
 };
 
 /// Merges triangles of equal parent (`parent` by facet, no_index: none; empty: nothing is merged) that are connected
@@ -22,14 +22,14 @@ struct MergedFacets {
 /// nothing else uses are in no facet any more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
-/// Takes the parent from each facet that was merged with others to one of `rows`, so that it is not merged again.
-/// Whether there was any. O(n log m) for m rows.
+/// Removes the parent of each merged facet that one of `rows` belongs to, so that it is not merged the next time.
+/// Returns whether there was any. O(n log m) for m rows.
 bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent);
 
 /// Copies the complex without its facets and their contents.
 PiecewiseLinearComplex without_facets(const PiecewiseLinearComplex& plc);
 
-/// visit(facet, a, b) for each side of each loop, in the order of the facets.
+/// Calls visit(facet, a, b) for each edge of each loop, in the order of the facets.
 template <class Visit>
 void for_each_side(const PiecewiseLinearComplex& plc, const Visit& visit) {
   for (Index f = 0; f < plc.n_facets(); ++f)

@@ -13,8 +13,8 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned most_halvings = 6;
-/// Share of a range of vertices at which it is cut, by division. The cuts of the others are not near those of the
-/// first, which are at halves, quarters, eighths.
+/// Positions of the cut within a range of vertices, for each division. Later divisions must not be cut near the cuts of
+/// the first, which are at halves, quarters and eighths.
 constexpr std::array<double, MeshBlocks::n_divisions> cuts{0.5, 0.36, 0.64};
 
 std::size_t widest_axis(const DomainMesh& mesh, std::span<const VertexIndex> vertices) {

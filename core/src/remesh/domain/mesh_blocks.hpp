@@ -41,22 +41,22 @@ inline constexpr bool checks_by_default = true;
 inline constexpr bool checks_by_default = false;
 #endif
 
-/// Which block each vertex is of.
+/// Assigns each vertex of a mesh to a block.
 class MeshBlocks {
  public:
   using Block = std::uint16_t;
   static constexpr unsigned n_divisions = 3;
 
-  /// How a mesh is parted.
+  /// Rules by which a mesh is divided into blocks.
   struct Rules {
-    std::size_t vertices_a_block = 4096;  ///< on average, or more. 64 blocks at most
-    /// Sweeps over fewer vertices are done by one thread, in one order: in small meshes blocks gain little.
+    std::size_t vertices_a_block = 4096;  ///< average number of vertices of a block, if there are at most 64 blocks
+    /// Passes over fewer vertices are done by one thread in one order, because blocks gain little in small meshes.
     std::size_t least_inside = 50'000, least_on_surfaces = 60'000;
-    bool is_checked = checks_by_default;  ///< each face that is written must belong to its block
+    bool is_checked = checks_by_default;  ///< whether each write to a face is checked to come from its own block
   };
 
-  /// Halves the mesh's vertices by the widest coordinate, again and again; not in the middle for divisions above 0, so
-  /// that each has its borders elsewhere. O(n log n / threads).
+  /// Bisects the vertices along the longest side of their box, recursively. Divisions above 0 do not bisect at the
+  /// median, so that their blocks have other borders. O(n log n / threads).
   MeshBlocks(const DomainMesh& mesh, unsigned division, const Rules& rules, unsigned threads);
 
   std::size_t size() const { return n_blocks_; }
@@ -73,30 +73,32 @@ class MeshBlocks {
   std::size_t n_blocks_ = 1;
 };
 
-/// Records which block has written which face of which cell: a check of invariants 1 and 3.
+/// Records which block has written which face of which cell, which checks invariants 1 and 3.
 class FaceClaims {
  public:
   explicit FaceClaims(std::size_t n_slots) : owner_(std::make_unique<std::atomic<std::uint16_t>[]>(4 * n_slots)) {}
-  /// Throws InternalError where another block has written it.
+  /// Records the write. Throws InternalError if another block has written the same face.
   void claim(FaceRef f, MeshBlocks::Block block);
 
  private:
-  std::unique_ptr<std::atomic<std::uint16_t>[]> owner_;  // one more than the block; 0: nobody
+  // One more than the block's number, or 0 if nobody has written the face.
+  std::unique_ptr<std::atomic<std::uint16_t>[]> owner_;
 };
 
-/// The state with which one block changes the mesh.
+/// The state that one block needs to change the mesh.
 struct BlockEdit {
   const MeshBlocks* blocks = nullptr;
   MeshBlocks::Block block = 0;
   std::vector<CellIndex> free;  ///< slots
   std::uint64_t clock = 0;
-  bool was_stopped = false;  ///< something was not done because of cells of others, or for want of slots
+  /// Whether an operation was postponed because it needed cells of other blocks or more slots.
+  bool was_stopped = false;
   FaceClaims* claims = nullptr;
   FacePairing<FaceTag> pairing;
 
-  /// Returns whether so many cells may be made in place of these; notes it if not.
+  /// Returns whether that many cells may be created in place of the given ones, and records if not.
   bool may_exchange(const DomainMesh& mesh, std::span<const CellIndex> removed, std::size_t n_added);
-  /// Returns whether the cells belong to the block; notes it if not.
+  /// Returns whether the cells belong to the block, and records if not.
   bool owns(const DomainMesh& mesh, std::span<const CellIndex> cells);
 };
 

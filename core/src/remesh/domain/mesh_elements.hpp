@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a DomainMesh is made of.
+/// The elements of a DomainMesh: faces, tags, kinds of vertices, curve classes and new cells.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ constexpr Triangle face_of(const Tetrahedron& t, unsigned i) {
   return {t[f[0]], t[f[1]], t[f[2]]};
 }
 
-/// Which facet a mesh face is part of, and on which of the facet's sides the cell lies that the face is seen from.
+/// The facet that a face of the mesh is part of, and the side of the facet on which its cell lies.
 class FaceTag {
  public:
   constexpr FaceTag() = default;
@@ -36,23 +36,24 @@ class FaceTag {
   std::uint32_t code_ = none;
 };
 
-/// Stands for the facet of a boundary face that is part of none. Never moved.
+/// Tag of a boundary face that is part of no facet. Such a face is never moved.
 inline constexpr Index hull_facet = 0x7FFFFFFEu;
 inline constexpr Index hull_patch = 0x7FFFFFFEu;
 
-/// How free a vertex is to move or go.
+/// How freely a vertex may be moved or removed.
 enum class VertexKind : std::uint8_t {
-  corner,   ///< never removed: ends and junctions of curves, isolated points, in `exact` every input vertex
+  /// Never removed: ends and junctions of curves, isolated points, and every input vertex if surfaces are kept exactly.
+  corner,
   curve,    ///< along its curve
   surface,  ///< within its patch
   inside,   ///< freely
   dead,     ///< removed
 };
 
-/// A curve edge's class: edges are of one curve where the same segments and the same patches meet in them.
+/// The class of a curve edge. Edges belong to one class if the same segments and the same patches meet at them.
 struct CurveClass {
-  std::vector<Index> segments;  ///< rows in plc.segments, ascending
-  std::vector<Index> patches;   ///< ascending, a patch twice where it passes through
+  std::vector<Index> segments;  ///< rows in plc.segments, in ascending order
+  std::vector<Index> patches;   ///< in ascending order; a patch that continues across the edge is listed twice
   friend bool operator==(const CurveClass&, const CurveClass&) = default;
 };
 
@@ -60,16 +61,16 @@ struct NewCell {
   Tetrahedron vertices;
   Index component = 0;
   std::array<FaceTag, 4>
-      tags{};                    ///< of faces inside the region that are constrained; those on its border are inherited
-  double shape = unknown_shape;  ///< where it has been computed already, of the vertices in this order
+      tags{};  ///< tags of constrained faces inside the region; faces on its border keep the tags that they have
+  double shape = unknown_shape;  ///< shape for this order of vertices, if it has been computed
   static constexpr double unknown_shape = -1;
 };
 
-/// A face at the border of cells that go: (vertices, apex) is to be a positive cell.
+/// A face on the border of the removed cells. The tetrahedron (vertices, apex) will be a positive cell.
 struct StarFace {
   Triangle vertices;
-  FaceRef inner;  ///< as seen from the removed cell
-  FaceRef outer;  ///< as seen from the kept cell; invalid if there is none
+  FaceRef inner;  ///< the face as part of a removed cell
+  FaceRef outer;  ///< the face as part of a kept cell; invalid if there is none
 };
 
 }  // namespace geomesh::remesh

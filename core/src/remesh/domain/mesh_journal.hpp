@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// What a DomainMesh was before a trial, so that the trial can be undone.
+/// Records the former state of a DomainMesh during a trial, so that the trial can be undone.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct SavedVertex {
   std::uint64_t changed;
 };
 
-/// A cell that was live has vertices; of a free slot nothing else is of interest.
+/// A saved cell. A live cell has vertices; a free slot needs no other data.
 struct SavedCell {
   CellIndex cell;
   TetMesh::Cell links{{no_vertex, no_vertex, no_vertex, no_vertex}, {}};
@@ -30,23 +30,23 @@ struct SavedCell {
   double shape = 0;
 };
 
-/// The class of a curve edge, no_index where it was none.
+/// The class of a curve edge, or no_index if it was not a curve edge.
 struct SavedCurve {
   VertexIndex a, b;
   Index curve;
 };
 
-/// A slot that was taken or freed.
+/// A slot that was used or freed.
 struct SlotEvent {
   enum class What : std::uint8_t { freed, reused, made };
   CellIndex cell;
   What what;
 };
 
-/// Each vertex and each cell is saved before its first change; slots and curve edges at every change, in order.
+/// Vertices and cells are saved before their first change. Slots and curve edges are saved at every change, in order.
 struct MeshJournal {
   bool is_open = false;
-  std::size_t n_vertices = 0;  ///< at the start, as the next two
+  std::size_t n_vertices = 0;  ///< number at the start of the trial, as the next two
   CellIndex n_slots = 0;
   std::uint64_t clock = 0;
   std::vector<SavedVertex> vertices;
@@ -61,7 +61,7 @@ struct MeshJournal {
     vertex_marks_.begin();
     cell_marks_.begin();
   }
-  /// Returns whether the vertex existed at the start and is not saved yet; it counts as saved from now on.
+  /// Returns whether the vertex existed at the start and is not yet saved, and marks it as saved.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
   bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
   void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }

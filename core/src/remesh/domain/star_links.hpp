@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Links of the cells of a star with each other.
+/// Makes the cells of a star neighbours of each other.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 
 namespace geomesh::remesh {
 
-/// The border's vertices are numbered in order of appearance. Cells find each other in a square table by directed edge,
-/// each entry of which is written before it is read, so nothing is hashed, sorted or cleared.
+/// Vertices of the border are numbered as they appear. A square table maps each directed edge to its cell; each entry
+/// is written before it is read, so nothing has to be hashed, sorted or cleared.
 class StarLinks {
  public:
-  static constexpr std::size_t most_faces = 124;  ///< a sphere of so many triangles has 64 vertices
+  static constexpr std::size_t most_faces = 124;  ///< a closed surface of this many triangles has 64 vertices
 
-  /// Links cells[k], which is (face k of the border, apex), about the apex. At most `most_faces`. Throws InternalError
-  /// where the border is not closed.
+  /// Makes cells[k], which is (face k of the border, apex), neighbours of each other around the apex. There are at most
+  /// `most_faces`. Throws InternalError if the border is not closed.
   void link(TetMesh& mesh, std::span<const StarFace> border, std::span<const CellIndex> cells) {
     number(border);
     const std::size_t n = border.size();
@@ -54,7 +54,7 @@ class StarLinks {
   FaceRef& entry(std::size_t k, unsigned from, unsigned to) {
     return table_[of_face_[k][from] * side + of_face_[k][to]];
   }
-  /// Returns whether the entry of the table is a face on the edge (j, j + 1) of the border's face, from this star.
+  /// Returns whether the table's entry is a face of this star at the edge (j, j + 1) of the border face.
   static bool is_across(TetMesh& mesh, const StarFace& f, VertexIndex apex, FaceRef across, unsigned j) {
     if (!across.valid() || across.cell() >= mesh.n_slots()) return false;
     const Tetrahedron& t = mesh.vertices(across.cell());

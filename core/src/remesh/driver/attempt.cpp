@@ -27,7 +27,7 @@ double worst_shape(const DomainMesh& mesh) {
   return worst;
 }
 
-/// `context` receives the number of elements to come.
+/// Builds the size field and estimates the number of elements, which `context` receives.
 void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                 const LocalTolerance& tolerance, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, tolerance);
@@ -39,7 +39,7 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   if (options.sparse_growth > 0) result.size_field = result.size_field.times(options.sparse_surfaces);
 }
 
-/// Passes the stage's counts of elements on as shares of the estimate. `context` must outlive the result.
+/// Reports the numbers of elements of the stage as shares of the estimate. `context` must outlive the result.
 RunContext counting_towards(double estimate, const RunContext& context) {
   RunContext counted = context;
   if (context.progress)
@@ -49,7 +49,8 @@ RunContext counting_towards(double estimate, const RunContext& context) {
   return counted;
 }
 
-/// If surfaces may move, a few points can as well be added one by one, without meshing anew.
+/// The share of new points from which meshing anew is faster than inserting them. If surfaces may move, few points can
+/// be inserted one by one instead.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
 /// Meshes anew with points on edges and facets at the target distances. A constrained Delaunay start is better than
@@ -83,13 +84,13 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
     trouble.facets.insert(trouble.facets.end(), meeting.begin(), meeting.end());
     const bool comes_apart = take_apart(merged, trouble.facets, parent);
     if (!keep_whole(merged, sampled, trouble, whole) && !comes_apart) return false;
-    merged = merge_pieces(plc, parent);  // slivers may have been flipped in it
+    merged = merge_pieces(plc, parent);  // The flips of slivers may have changed facets, so these are merged again.
   }
   return false;
 }
 
-/// Edges of this length remain where the front was stuck. Improvement mends a few of them; if their cells exceed this
-/// share, meshing anew is worthwhile.
+/// Edges this much longer than their size remain if insertion stopped early. Improvement removes a few of them; if more
+/// than this share of the cells has one, the points are meshed anew.
 constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
 bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
@@ -112,7 +113,7 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
   return false;
 }
 
-/// Used once the mesh is imported, because an export needs its points and what they stand for.
+/// Frees the elements after import. Only the points and their provenance are needed later, for export.
 void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.tetrahedra = {};
   mesh.component = {};
@@ -120,9 +121,9 @@ void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.edges = {};
 }
 
-/// If edges that are far too long are left, cells are far from Delaunay, and flips no longer help because points beside
-/// them are too near for more. The same points are meshed anew, and refinement continues from there. Memory that the
-/// engine needs is freed before; if it fails, the mesh is restored from its input.
+/// If edges that are far too long remain, the cells are far from Delaunay, and flips cannot help because the points
+/// beside them are too near for others. The same points are then meshed anew, and refinement continues from there.
+/// Memory that the engine needs is freed before; if it fails, the mesh is restored from its input.
 void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options,
                       const std::vector<Index>& patches, ConstrainedTetrahedralization& input,
                       const RunContext& context) {
@@ -163,7 +164,8 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   result.mesh = export_domain(tools.mesh, input, threads);
 }
 
-/// Factor of the estimate. More elements make the rest of the run as much longer, and are reported before it begins.
+/// If the result is expected to have this many times the estimated elements, the rest of the run takes as much longer.
+/// This is reported before it begins.
 constexpr double far_more = 2, worth_telling = 50000;  // elements
 
 void tell_growth(const DomainMesh& mesh, const RunContext& context, RefineResult& result) {
@@ -190,7 +192,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   find_sizes(plc, mesh, options, tolerance, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  std::optional<DomainMesh> given;  // surfaces as given, for reference
+  std::optional<DomainMesh> given;  // the surfaces of the input, for reference
   if (options.refine && add_surface_points(plc, merged, options, input, context, result))
     given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
   const SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, tolerance, hold);

@@ -17,7 +17,8 @@ Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
-    // Number of moves of a vertex, which would otherwise alternate between two places that it has to cover.
+    // A vertex is moved only a limited number of times, because it would otherwise alternate between two places that it
+    // has to cover.
     const MendBy by = found.breaches.size() < n_before ? MendBy::moves_and_splits : MendBy::splits;
     n_before = found.breaches.size();
     if (mend_surfaces(tools, found.breaches, by) == 0) break;
@@ -61,7 +62,7 @@ std::string breach_words(const Breach& b) {
          " is not proven to be within the tolerance, " + place_words(b.place);
 }
 
-/// Fans of the facets' outer loops, by facet.
+/// Triangulates the outer loops of the facets as fans; groups are the facets.
 search::ClosestPointTrees facet_triangles(const PiecewiseLinearComplex& plc) {
   std::vector<Item> items;
   for (Index f = 0; f < plc.n_facets(); ++f) {
@@ -88,7 +89,7 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance) {
 }
 
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options) {
-  std::vector<Box3> boxes;  // of the places that are not within the tolerance
+  std::vector<Box3> boxes;  // boxes of the places that are not within the tolerance
   for (const Breach& b : attempt.breaches) boxes.push_back(grown({b.place, b.place}, 2 * options.tolerance));
   for (const TightZone& zone : attempt.crossings) boxes.push_back(grown(zone.box, 2 * options.tolerance));
   std::vector<Index> n_of_patch;
@@ -111,7 +112,7 @@ std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attem
     --n_of_patch[before];
     n_of_patch.push_back(1);
     options.facet_patch[k.facet] = own;
-    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // no piece of another
+    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // Each piece becomes its own patch.
     if (before < options.size.patch_size.size()) {
       options.size.patch_size.resize(own + 1);
       options.size.patch_size[own] = options.size.patch_size[before];

@@ -9,7 +9,8 @@
 
 namespace geomesh::remesh {
 
-/// A whole run. A broken promise ends it early: it has to be repeated with smaller tolerances.
+/// One complete run. If a promised tolerance cannot be kept the run ends early, and must be repeated with smaller
+/// tolerances.
 struct Attempt {
   RefineResult result;
   std::vector<Breach> breaches;
@@ -17,25 +18,25 @@ struct Attempt {
   bool holds() const { return breaches.empty() && crossings.empty(); }
 };
 
-/// Refines and improves. Throws as refine_and_improve does, except for faults that the attempt lists.
+/// Refines and improves the mesh. Throws as refine_and_improve does, except for failures that the attempt lists.
 Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
                         const RefineOptions& options, const RunContext& context);
 
-/// Adds points where surfaces are not proven to be within the tolerance both ways. Returns the places that remain in
-/// the end.
+/// Adds points where surfaces are not proven to be within the tolerance in both directions. Returns the places that
+/// remain so.
 Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context);
 
-/// Reduces the tolerances for the next run: everywhere if the tolerance was not proven, or if reducing it at places
-/// twice was not enough; and where surfaces came to cross.
+/// Reduces the tolerances for the next run: everywhere if the tolerance was not proven, or if reducing it locally twice
+/// was not enough; locally where surfaces intersect.
 void tighten(Hold& hold, const Attempt& attempt, double tolerance);
 
-/// Facets that are kept as they are while the rest of their surfaces is remeshed, because nothing else could be proven.
-/// Every facet near a failed place of the attempt becomes a patch of its own, so that its sides are curves and its
-/// corners are kept. Segments there become curves of their own. Returns a place for each that was not so before.
-/// `options` have one patch for each facet.
+/// Facets to be kept unchanged while the rest of their surface is remeshed, because nothing else could be proven. Every
+/// facet near a failed place of the attempt becomes a patch of its own, so its sides are curves and its corners are
+/// kept. Segments there become curves of their own. Returns the place of each facet and segment to which this is new.
+/// `options` must have one patch for each facet.
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options);
 
-/// Logs the places that are not within the tolerance, the first ones in detail (debug).
+/// Logs the places that are not within the tolerance; the first of them in detail (debug level).
 void tell_what_is_off(const Attempt& attempt, const RunContext& context);
 
 }  // namespace geomesh::remesh

@@ -12,8 +12,9 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr unsigned rings = 2;  ///< Layers of cells around those that are checked. They complete the faces at their
-                               ///< vertices, and contain most gaps.
+/// Number of layers of cells around the examined ones. They complete the faces at the vertices, and contain most gaps
+/// between surfaces.
+constexpr unsigned rings = 2;
 
 class Judge {
  public:
@@ -34,7 +35,7 @@ class Judge {
       if (is_bad(mesh, c)) bad.push_back(static_cast<Index>(cells.size()));
       cells.push_back(c);
     }
-    if (bad.empty()) return {};  // most meshes, for which no copy is made
+    if (bad.empty()) return {};  // Most meshes have no bad cells, and no copy is made for them.
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
     for (const Index row : unforced_bad_elements(exported, judging_, creases_, bad)) free.push_back(cells[row]);
     return free;

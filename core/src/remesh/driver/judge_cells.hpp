@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds the bad cells of a mesh in work that the input does not impose, as users will see them in the result
+/// Finds the bad cells of an unfinished mesh that the input does not impose, evaluated as in the result
 /// (unforced_bad_elements).
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace geomesh::remesh {
 
-/// For a mesh imported from `input`, with sizes and patches as in `result`. All of them must outlive the returned
-/// object.
+/// Creates the function for a mesh imported from `input`, with sizes and patches as in `result`. All arguments must
+/// outlive the returned object.
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                               const RefineOptions& options, const RefineResult& result);
 

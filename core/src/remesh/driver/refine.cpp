@@ -18,8 +18,8 @@ namespace geomesh {
 
 namespace {
 
-/// Share of the model's diagonal. With a larger tolerance only the box would be left of most surfaces, and nearly every
-/// place of one would be near to every other.
+/// The largest tolerance, as a share of the model's diagonal. With a larger tolerance nothing but the box would be left
+/// of most surfaces.
 constexpr double greatest_tolerance = 0.1;
 
 std::string rounded(double x) {
@@ -125,8 +125,8 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
 
 namespace {
 
-/// Runs that keep surfaces within smaller and smaller tolerances. From this run on, facets are kept where the previous
-/// run failed.
+/// Runs repeat with smaller tolerances until surfaces are within the requested one. From the first of these runs on,
+/// facets are kept unchanged where the run before failed.
 constexpr unsigned first_run_that_keeps = 3, most_runs = 6;
 
 RefineResult refine_within(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A part of a mesh, all of whose constraints are faces of no facet: declared in geomesh/core/refine_part.hpp.
+// Refines a part of a mesh whose constraints are faces of no facet. Declared in geomesh/core/refine_part.hpp.
 #include "geomesh/core/refine_part.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Corners sorted_corners(const Triangle& t) {
   return c;
 }
 
-/// Faces of the tetrahedra in order, each with its cell.
+/// A face of a tetrahedron with its cell; sorted, equal faces are neighbours.
 struct FaceOfCell {
   Corners corners;
   Index cell;
@@ -44,7 +44,7 @@ std::vector<FaceOfCell> faces_of_cells(const TetrahedraPart& part) {
   return faces;
 }
 
-/// Marks the points of faces without a neighbour, and of everything else that is kept.
+/// Marks the points of faces without a neighbour, and of everything else that is to be kept.
 void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
   for (std::size_t i = 0, j; i < faces.size(); i = j) {
     for (j = i; j < faces.size() && faces[j].corners == faces[i].corners;) ++j;
@@ -58,7 +58,8 @@ void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
     for (const VertexIndex v : e) part.is_kept[v] = 1;
 }
 
-/// Translates to the caller's terms for import_domain: kept parts are input, kept faces belong to no facet.
+/// The part in the terms of import_domain: what is to be kept is given as input, and faces to be kept belong to no
+/// facet.
 struct Imported {
   PiecewiseLinearComplex plc;
   ConstrainedTetrahedralization mesh;
@@ -123,7 +124,7 @@ void export_part(const DomainMesh& mesh, const Imported& in, TetrahedraPart& par
     for (VertexIndex& v : e) v = row[v];
 }
 
-/// Tetrahedra that are not refined keep all of their faces and points until the others are done.
+/// Tetrahedra that are not refined. They keep all faces and points, and are added again at the end.
 class Settled {
  public:
   explicit Settled(TetrahedraPart& part) : n_faces_(part.kept_faces.size()) {
@@ -144,7 +145,7 @@ class Settled {
       if (part.is_kept[v]) is_free_later_.push_back(!was_kept[v]);
     part.is_settled.clear();
   }
-  /// The refined tetrahedra: points that are kept come first, in their order.
+  /// Writes the refined tetrahedra into the part; points that are kept come first, in their order.
   void release(TetrahedraPart& part) const {
     for (std::size_t v = 0; v < is_free_later_.size(); ++v)
       if (is_free_later_[v]) part.is_kept[v] = 0;
@@ -156,7 +157,7 @@ class Settled {
   std::vector<bool> is_free_later_;  // by kept point
 };
 
-/// The constraints of the mesh: faces without neighbour, faces with one, curves; in order.
+/// The constraints of the mesh: faces without neighbour, faces between kept and refined cells, and curves.
 struct Constrained {
   std::vector<Corners> border, faces;
   std::vector<std::array<VertexIndex, 2>> edges;
@@ -177,10 +178,10 @@ Constrained constrained_of(const DomainMesh& mesh) {
   return found;
 }
 
-/// Removes points inside that were made for larger sizes, because they obstruct those for the target sizes. The front
-/// begins at the border, as in a mesh without other points.
+/// Removes inner points that were made for larger sizes, because they obstruct points at the new sizes. Insertion then
+/// starts at the border, as in a mesh without inner points.
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
-  constexpr double far_larger = 4;  // sizes for which nearly every point inside is superfluous
+  constexpr double far_larger = 4;  // Sizes so large that almost every inner point is superfluous.
   constexpr unsigned rounds = 2;
   const SizeField loose = tools.size.times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
@@ -191,7 +192,7 @@ void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
   }
 }
 
-/// Calls `work` for the part, and proves that everything to be kept is kept.
+/// Calls `work` for the part, and checks that everything to be kept is kept.
 template <class Work>
 void run_on_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
                  RefineStatistics& statistics, const Work& work) {
@@ -231,7 +232,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   };
   const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
-    options.size_surfaces = true;  // points may be added inside
+    options.size_surfaces = true;  // Allows points inside, which this option governs.
     remesh::improve_mesh(tools, options, context);
   };
   const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contraction of an edge, declared in remesh/operations/operations.hpp.
+// Contracts an edge. Declared in remesh/operations/operations.hpp.
 #include <algorithm>
 #include <limits>
 
@@ -10,7 +10,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Appends the sides opposite to v of the constrained faces at v, with their ends in ascending order.
+/// Appends the edges opposite v in the constrained faces at v, each with its ends in ascending order.
 void surface_link(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& cells,
                   std::vector<std::array<VertexIndex, 2>>& sides) {
   mesh.star(v, marks, cells);
@@ -29,7 +29,8 @@ class Collapse {
     cells_.clear();
   }
 
-  /// Tries one neighbour. Call it for further neighbours as long as it returns false: the cells at u are gathered once.
+  /// Tries to contract towards one neighbour. It can be called for further neighbours until it returns true; the cells
+  /// at u are gathered only once.
   bool attempt(VertexIndex v, CollapseRule rule, double floor) {
     v_ = v;
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
@@ -44,7 +45,7 @@ class Collapse {
   }
 
  private:
-  /// The edge lies on u's own curve or patch.
+  /// Returns whether the edge lies on u's own curve or patch, so that u may move along it.
   bool support_allows() const {
     switch (mesh_.kind(u_)) {
       case VertexKind::inside:
@@ -59,8 +60,8 @@ class Collapse {
     }
   }
 
-  /// Cells with both u and v vanish: their two other faces become one, which must not be constrained twice nor open to
-  /// the outside.
+  /// Cells with both u and v disappear. Their other two faces become one face, which must not be constrained twice, nor
+  /// lie on the outside.
   bool cells_at_edge_allow() const {
     bool joined = false;
     for (const CellIndex c : star_.cells) {
@@ -74,11 +75,11 @@ class Collapse {
     return joined;
   }
 
-  /// Surfaces must not be pinched: a surface edge of u that becomes one of v must not be one already, except for those
-  /// beside the edge. Nor may the face exist already. (No cell shows two faces with only the outside between them.)
+  /// The surface must stay a manifold: a surface edge that moves from u to v must not exist already, except beside the
+  /// contracted edge, and neither may a surface face. (No cell has two faces with only the outside between them.)
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
-    if (mesh_.is_pinched(v_)) return false;  // its star is not all of its surface
+    if (mesh_.is_pinched(v_)) return false;  // At a non-manifold vertex the star is only a part of its surface.
     std::vector<VertexIndex> beside;
     std::vector<std::array<VertexIndex, 2>> link;
     for (const Spoke& s : star_.spokes)
@@ -99,8 +100,8 @@ class Collapse {
     return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
   }
 
-  /// Decides by the cells at u alone, which is enough for most collapses. The first cell that would be inverted ends
-  /// it, often before all are gathered.
+  /// Examines the cells at u alone, which suffices to refuse most contractions. It ends at the first cell that would be
+  /// inverted, often before all cells are gathered.
   bool shapes_may_allow(CollapseRule rule, double floor) {
     double least = std::numeric_limits<double>::infinity();
     if (cells_.empty()) mesh_.begin_star(u_, tools_.work.marks, cells_);
@@ -155,8 +156,8 @@ class Collapse {
   Toolbox& tools_;
   DomainMesh& mesh_;
   VertexIndex u_, v_ = no_vertex;
-  std::vector<CellIndex>& cells_;  ///< about u, as far as they were gathered
-  std::size_t n_grown_ = 0;        ///< of these, whose neighbours are among them
+  std::vector<CellIndex>& cells_;  ///< cells around u that have been gathered so far
+  std::size_t n_grown_ = 0;        ///< number of these whose neighbours have been gathered too
   StarCavity star_, target_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Flips of surface edges towards Delaunay, declared in remesh/operations/surface_repair.hpp.
+// Flips faces and surface edges towards Delaunay. Declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 #include <optional>
 
@@ -11,7 +11,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Lawson's flips (1986; Joe 1989) at faces that are not locally Delaunay, constrained faces left alone.
+/// Flips faces that are not locally Delaunay (Lawson 1986; Joe 1989). Constrained faces are not changed.
 class DelaunayFlipper {
  public:
   DelaunayFlipper(Toolbox& tools, std::optional<std::uint64_t> since)
@@ -28,7 +28,7 @@ class DelaunayFlipper {
         ++n;
         for (const CellIndex created : tools_.work.created) push(created);
       }
-      if (n > 8 * mesh_.n_cells()) break;  // rounding could in principle make flips undo each other
+      if (n > 8 * mesh_.n_cells()) break;  // Because of rounding, flips could undo each other for ever.
     }
     return n;
   }
@@ -38,7 +38,7 @@ class DelaunayFlipper {
     if (mesh_.is_live(c)) stack_.push_back({c, mesh_.vertices(c)});
   }
 
-  /// Cells with a face that is not locally Delaunay: looked for on all cores, since mostly there are few.
+  /// Collects the cells with a face that is not locally Delaunay, in parallel, because usually there are few.
   void push_all(unsigned threads) {
     constexpr std::size_t chunk = 16384;
     std::vector<std::vector<CellIndex>> asked((mesh_.n_slots() + chunk - 1) / chunk);
@@ -55,7 +55,8 @@ class DelaunayFlipper {
 
   bool may_have_changed(CellIndex c) const { return !since_ || changed_since(mesh_, mesh_.vertices(c), *since_); }
 
-  /// Whether flip(i, neighbour, its apex) holds for a face i that is not locally Delaunay; the first one that it does.
+  /// Calls flip(i, neighbour, its apex) for the faces i that are not locally Delaunay, until one returns true. Returns
+  /// whether one did.
   template <class Flip>
   bool any_face_to_flip(CellIndex c, const Flip& flip) const {
     const Sphere s = circumsphere(mesh_, c);
@@ -87,7 +88,7 @@ class DelaunayFlipper {
     return true;
   }
 
-  /// The edges of the face that has exactly three cells about it, the third between the two apexes.
+  /// Tries the edges of the face for one with exactly three cells, of which the third lies between the two apexes.
   bool flip32(CellIndex c, unsigned i, VertexIndex bottom) {
     const Triangle f = mesh_.face(c, i);
     for (unsigned k = 0; k < 3; ++k) {

@@ -9,11 +9,12 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// By default the worst shape must rise.
+/// By default, an edge is removed if this raises the worst shape.
 struct RemovalRule {
-  double worst_before = 1;         ///< where lower: all new shapes must be above it, whatever they were
-  const MeanGoal* goal = nullptr;  ///< the mean must rise instead
-  bool for_surface = false;        ///< exchange by the surface's Delaunay criterion, with shapes down to `floor`
+  double worst_before = 1;  ///< If lower than the worst shape before, all new shapes need only be above this value.
+  const MeanGoal* goal = nullptr;  ///< if given, the mean shape must rise instead
+  /// The edge is flipped if the surface becomes more nearly Delaunay; shapes may fall to `floor`.
+  bool for_surface = false;
   double floor = 0;
 };
 
@@ -60,7 +61,7 @@ class EdgeRemoval {
 
   double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
-  /// As for stars: see cavity.hpp.
+  /// Returns whether there would be more bad cells than before; see cavity.hpp.
   bool adds_bad_cells() const {
     const double bad = mesh_.measure().bad();
     if (before_ >= bad) return false;
@@ -104,21 +105,21 @@ class EdgeRemoval {
       if (side.size() < 3 && other.size() < 3) return false;
       if (!solve_side(other, mesh_.component(cells[t]))) return false;
     }
-    if (!guard_allows(patch, x, y)) return false;  // the dearest test is the last
+    if (!guard_allows(patch, x, y)) return false;  // The most expensive test comes last.
     const FaceTag tag = faces_.tag[0];
     for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
       tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));
     return true;
   }
 
-  /// Removes a flat cell whose two faces at the edge are both on the outside, without replacement: the faces between it
-  /// and its neighbours become the surface.
+  /// Removes a flat cell that has two outer faces at the edge. No other cell replaces it: its two inner faces become
+  /// the surface.
   bool shell_off(CellIndex c) {
     if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < mesh_.measure().bad())) return false;
     const TetMesh& topology = mesh_.cells();
     const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
     const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),
-                  other = mesh_.tag(c, topology.index_of(c, y));  // of (a, b, y) and (a, b, x)
+                  other = mesh_.tag(c, topology.index_of(c, y));  // the tag of (a, b, y) and (a, b, x)
     const unsigned opposite_a = topology.index_of(c, a_), opposite_b = topology.index_of(c, b_);
     if (!tag.constrained() || !other.constrained() || mesh_.tag(c, opposite_a).constrained() ||
         mesh_.tag(c, opposite_b).constrained())
@@ -162,7 +163,7 @@ class EdgeRemoval {
     });
   }
 
-  /// The faces (x, y, a) and (x, y, b) of a new cell are the surface now.
+  /// Tags the faces (x, y, a) and (x, y, b) of a new cell, which are now on the surface.
   void tag_surface(NewCell& n, VertexIndex x, VertexIndex y, FaceTag tag) const {
     const auto at = n.vertices.begin(), end = at + 3;
     if (std::find(at, end, x) == end || std::find(at, end, y) == end) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Removal of a face by an edge across it, declared in remesh/operations/improve.hpp.
+// Replaces a face by an edge across it. Declared in remesh/operations/improve.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"
@@ -46,7 +46,7 @@ class FaceRemoval {
     return true;
   }
 
-  /// The volumes that shapes are made of, before the first shape: mostly the edge passes beside the face.
+  /// Computes the volumes first, since most of the time the new edge misses the face and no shape is needed.
   bool may_all_be_positive(const Vec3& p, const Vec3& q) const {
     const Vec3 &x = mesh_.point(face_[0]), &y = mesh_.point(face_[1]), &z = mesh_.point(face_[2]);
     const Vec3 a = x - p, b = y - p, c = z - p, d = q - p;

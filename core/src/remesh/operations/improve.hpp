@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Operations that raise the worst shape about a place.
+/// Operations that raise the worst or the mean shape of the cells around a place.
 #pragma once
 
 #include <optional>
@@ -12,37 +12,39 @@
 namespace geomesh::remesh {
 
 enum class SmoothGoal {
-  worst,  ///< the worst shape about the vertex rises
-  mean,   ///< the sum of their worths (MeanGoal) rises, the worst of them does not fall below `floor` and what it was
+  worst,  ///< the worst shape around the vertex must rise
+  /// The sum of the worths (MeanGoal) must rise. The worst of them must not fall below both `floor` and its former
+  /// value.
+  mean,
 };
 
 struct SmoothRule {
   unsigned max_steps = 12;
-  double good_enough = 2;  ///< vertices whose worst shape is above are optimised no further
+  double good_enough = 2;  ///< a vertex whose worst shape is above this is not moved any further
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
-  double least_rise = 1.0005;  ///< of the worst shape, as a factor
-  double least_gain = 0.02;    ///< for the mean: of the sum of worths about the vertex
+  double least_rise = 1.0005;  ///< smallest factor by which the worst shape must rise
+  double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
   bool slides_on_edges =
-      false;  ///< where surfaces are kept: vertices on input edges move along these, and else not at all
+      false;  ///< if surfaces are kept, vertices on input edges move along them, and other surface vertices do not move
 };
 
-/// For flips that raise the mean worth (CellQuality::worth) of the mesh's cells: over the exchanged cells, however many
-/// they become, the sum of their worths above `mean` must rise. No shape may fall below both `floor` and the worst
-/// shape before.
+/// The goal of flips that raise the mean worth (CellQuality::worth) of all cells of the mesh. The sum over the
+/// exchanged cells of their worths above `mean` must rise, whatever their number. No shape may fall below both `floor`
+/// and the worst shape before.
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
   double least_after(double worst_before) const { return worst_before > floor ? floor : (1 - 1e-9) * worst_before; }
 };
 
-/// Moves v (within its patch, along its curve) where that raises the worst shape about it: the paper's smart smoothing,
-/// with the optimal place as well as the centroid. Returns whether it moved.
+/// Moves v, within its patch or along its curve, if this raises the worst shape around it. Both the optimal place and
+/// the centroid are tried (smart smoothing). Returns whether it moved.
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 
-/// Smooths v with scratch of its own, for vertices that are smoothed concurrently: allowed if no two of them share an
-/// edge and none evaluates sizes. The move is not counted in the statistics. Returns how much it raised the sum of
-/// worths, if that is the goal (otherwise 0), or nothing if v was not moved.
+/// Smooths v with its own temporary storage, so that several vertices can be smoothed concurrently, if no two of them
+/// share an edge and none evaluates sizes. The move is not counted in the statistics. Returns by how much it raised the
+/// sum of worths if that is the goal (otherwise 0), or nothing if v was not moved.
 std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980;
@@ -51,13 +53,13 @@ std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const 
 /// if the worst shape rises.
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 
-/// Exchanges an edge inside a patch for the other diagonal of its two faces where the surface is more nearly Delaunay
-/// with it. That is where the opposite angles sum to more than half a turn. Shapes of cells may fall to `floor`: for
-/// surfaces that have just been split and whose neighbourhood is still to be filled.
+/// Flips an edge inside a patch to the other diagonal of its two faces if the surface is more nearly Delaunay with it,
+/// which is so if the opposite angles sum to more than 180 degrees. Shapes of cells may fall to `floor`, because this
+/// is used on surfaces that have just been split and whose neighbourhood is still to be filled.
 bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 
-/// Returns whether that criterion requires a flip: the angles at x and y, opposite the edge in its faces, sum to more
-/// than 180 degrees and a little, so that ties are left alone.
+/// Returns whether the Delaunay criterion requires a flip: the angles at x and y, opposite the edge in its faces, sum
+/// to more than 180 degrees by a margin, so that cocircular points are left alone.
 bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y);
 
 /// Moves a vertex within its patch to the centroid of its faces if their worst shape (4 sqrt 3 area / sum of squared
@@ -65,29 +67,30 @@ bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b,
 /// smooth_beside_others.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
-/// Replaces the face i of c, and faces beside it as far as that helps, by the edge between the two vertices opposite:
-/// the 2-3 flip and multi-face removal (Shewchuk 2002, section 3). Only where the worst shape rises.
+/// Replaces face i of c, and adjacent faces as long as that helps, by the edge between the two opposite vertices: the
+/// 2-3 flip and multi-face removal (Shewchuk 2002, section 3). This is done only if the worst shape rises.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
 
-/// Removes the edge whatever the result, as long as the new shapes are above `floor`: an opening of sequences that look
-/// ahead.
+/// Removes the edge if the new shapes are above `floor`, even if they are worse than before. It is the first step of
+/// sequences that look ahead.
 bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 
-/// A new point keeps this share of the target size from the vertices around it. With less room, points only crowd.
+/// A new point keeps at least this share of the target size from the vertices around it. Nearer points only crowd the
+/// mesh.
 inline constexpr double usual_room = 0.5;
 
-/// Inserts a vertex into the cell so that the worst shape about it rises: the cavity grows over the faces that would
-/// make the worst new cells (Klingner and Shewchuk 2007, section 3.4, greedily), the place is optimised.
+/// Inserts a vertex into the cell if this raises the worst shape around it. The cavity grows greedily across the faces
+/// that would make the worst new cells (Klingner and Shewchuk 2007, section 3.4), and the place of the vertex is
+/// optimised.
 bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
-/// Splits an edge where that, with the new vertex at its best place, raises the worst shape about it.
+/// Splits an edge if this, with the new vertex at its best place, raises the worst shape around it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
-/// @name One operation about a cell, the first of its kind that raises the worst shape there.
-/// Edges in the order of edge_vertices, faces by their index. Each returns whether something changed.
-/// @{
+/// @name Operations around one cell. Each performs the first one of its kind that raises the worst shape there, trying
+/// edges in the order of edge_vertices and faces by their index, and returns whether something changed. @{
 bool flip_about_cell(Toolbox& tools, CellIndex c);
 bool collapse_about_cell(Toolbox& tools, CellIndex c);
 bool add_point_about_cell(Toolbox& tools, CellIndex c, double room);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Insertion of a point by a cavity, declared in remesh/operations/operations.hpp.
+// Inserts a point by a constrained Delaunay cavity. Declared in remesh/operations/operations.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Face of the same patch across the edge (x, y) of a constrained face; invalid where the edge is a curve.
+/// The face of the same patch across the edge (x, y) of a constrained face; invalid if the edge is part of a curve.
 FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
   if (mesh.curve_of(x, y) != no_index) return {};
   std::vector<CellIndex> cells;
@@ -31,7 +31,7 @@ FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, Ve
   return FaceRef(c, mesh.cells().index_of(c, opposite));
 }
 
-/// Walks within the patch to the face that p is over; invalid where a curve is in the way.
+/// Walks within the patch to the face that contains the projection of p; invalid if a curve is in the way.
 FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
   for (unsigned step = 0; step < 300; ++step) {
     const Triangle t = mesh.face(face);
@@ -81,7 +81,8 @@ class SurfaceInsertion {
 
   bool is_opened(FaceRef f) const { return std::find(opened_.begin(), opened_.end(), f) != opened_.end(); }
 
-  /// The faces of the patch whose circumcircle has p, from the one that p is in; each is listed from both sides.
+  /// Collects the faces of the patch whose circumcircle contains p, starting at the face that contains p; each is
+  /// listed from both sides.
   bool grow_on_surface(FaceRef home, double spacing) {
     std::vector<FaceRef> faces{home};
     const auto both = [&](FaceRef f) { return std::array{f, mesh_.cells().mirror(f)}; };
@@ -117,13 +118,15 @@ class SurfaceInsertion {
             [&](FaceRef f) { return mesh_.sees(p_, mesh_.face(f)); }) ||
         !keeps_spacing(spacing))
       return false;
-    tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());  // gather_cells uses the marks anew
+    // Gather_cells reuses the marks, so the cells are copied first.
+    tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());
     gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
     if (!opened_.empty()) drop_opened_hull_faces();
     return true;
   }
 
-  /// Opened faces on the outside of the model are no border to be filled: the new surface replaces them.
+  /// Constrained faces on the outside of the model are not part of the cavity's border, because new surface faces
+  /// replace them.
   void drop_opened_hull_faces() {
     std::vector<Triangle> gone;
     for (const FaceRef f : opened_)
@@ -132,7 +135,7 @@ class SurfaceInsertion {
                   [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
   }
 
-  /// Border edges of the opened faces, in the orientation of their facets.
+  /// Adds the border edges of the removed faces, oriented as their facets are.
   void add_spokes(StarCavity& cavity) const {
     std::vector<Spoke> edges;
     for (const FaceRef f : opened_) {
@@ -152,7 +155,8 @@ class SurfaceInsertion {
     return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
-  /// Examines all vertices of the cells, because those that are not on the cavity's border may disappear.
+  /// Returns whether p keeps its distance to all vertices of the cells, including those that would disappear inside the
+  /// cavity.
   bool keeps_spacing(double spacing) const {
     const double limit = spacing * spacing;
     for (const CellIndex c : tools_.work.cells)
@@ -164,8 +168,8 @@ class SurfaceInsertion {
   Toolbox& tools_;
   DomainMesh& mesh_;
   Vec3 p_;
-  std::vector<CellIndex> bases_;  // cells that the cavity must have
-  std::vector<FaceRef> opened_;   // constrained faces inside the cavity, from each side
+  std::vector<CellIndex> bases_;  // cells that the cavity must contain
+  std::vector<FaceRef> opened_;   // constrained faces inside the cavity, from both sides
 };
 
 }  // namespace

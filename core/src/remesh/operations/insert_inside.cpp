@@ -26,7 +26,7 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 }
 
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
-  unsigned turn = 0;  // of the order of faces, so that the walk cannot cycle for long
+  unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
   const auto end = mesh.walk(
       p, start, 1000, [&] { return turn++ & 3u; }, [&](FaceRef f) { return mesh.tag(f).constrained(); });
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
@@ -34,8 +34,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 
 namespace {
 
-/// A constrained Delaunay cavity without anything on surfaces, and its star. A shape criterion in doubles selects the
-/// cells; visibility is decided exactly.
+/// Inserts a point far from surfaces by a Delaunay cavity without constrained faces. Circumspheres in floating point
+/// select the cells; visibility is decided exactly.
 class InsideInsertion {
  public:
   InsideInsertion(Toolbox& tools, const Vec3& p, const InsertionRule& rule)
@@ -112,7 +112,7 @@ class InsideInsertion {
   Workspace& work_;
   const InsertionRule& rule_;
   Vec3 p_;
-  std::span<const double> shapes_;  // of the new cells, by face of the border
+  std::span<const double> shapes_;  // shapes of the new cells, one for each face of the border
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Insertion of a point for the shapes about it, declared in remesh/operations/improve.hpp.
+// Inserts a point where it raises the shapes around it. Declared in remesh/operations/improve.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"
@@ -11,12 +11,13 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Grows a cavity about a cell, one cell at a time over the border face that makes the worst new cell.
+/// Grows a cavity around a cell. Each step crosses the border face that would make the worst new cell.
 class CavityDigger {
  public:
   CavityDigger(const DomainMesh& mesh, CellIndex seed) : mesh_(mesh), cells_{seed} {}
 
-  /// The prefix of the growth with the best worst shape from p; false where p sees none of them whole.
+  /// Keeps the stage of growth at which the worst new shape with apex p is best. Returns false if no stage is visible
+  /// from p.
   bool dig(const Vec3& p, std::size_t max_cells) {
     cells_.resize(1);
     border_.clear();
@@ -39,12 +40,12 @@ class CavityDigger {
 
  private:
   struct BorderFace {
-    double shape = 1;  ///< of the new cell over it
-    FaceRef neighbor;  ///< from the cell beyond, where there is one
+    double shape = 1;  ///< shape of the new cell at this face
+    FaceRef neighbor;  ///< the face as part of the cell beyond, if there is one
     bool is_constrained = false;
   };
 
-  /// Adds the border faces of the last cell.
+  /// Adds the border faces of the cell added last.
   void add_border(const Vec3& p) {
     const CellIndex c = cells_.back();
     for (unsigned i = 0; i < 4; ++i) {
@@ -54,7 +55,7 @@ class CavityDigger {
     }
   }
 
-  /// The first of the worst.
+  /// The border face with the worst new cell; the first one of equal ones.
   BorderFace worst_border() const {
     BorderFace worst;
     for (const BorderFace& f : border_)
@@ -67,8 +68,8 @@ class CavityDigger {
   std::vector<BorderFace> border_;
 };
 
-/// Returns whether a point on the edge, at any place, leaves a cell hardly better than the worst removed one: each cell
-/// at the edge passes the angle at its opposite edge on to two cells.
+/// Returns whether a point on the edge necessarily leaves a cell hardly better than the worst removed one, because each
+/// cell at the edge passes the dihedral angle at its opposite edge on to two cells.
 bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
   const DomainMesh& mesh = tools.mesh;
   const auto& cells = tools.work.cells;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices put where surfaces are off the input, declared in remesh/operations/surface_repair.hpp.
+// Puts vertices where surfaces are too far from the input. Declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -11,15 +11,15 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr double least_shape = 1e-3;  ///< a worse cell is not made for the sake of a breach
+constexpr double least_shape = 1e-3;  ///< A breach is not repaired by making a cell worse than this.
 
-/// A face or an edge of a curve: a cell that has it, and its vertices.
+/// A face or curve edge: a cell that has it, and its vertices.
 struct Place {
   CellIndex cell;
   std::vector<VertexIndex> vertices;
 };
 
-/// The constrained faces and the curves of the mesh as it was when made, to be found by place.
+/// Finds the constrained faces and curve edges near a place, as they were when it was constructed.
 class Finder {
  public:
   explicit Finder(const DomainMesh& mesh) : mesh_(mesh) {
@@ -37,7 +37,7 @@ class Finder {
     curves_ = search::ClosestPointTrees(std::move(curves), mesh.n_curve_classes());
   }
 
-  /// The part nearest to the breach, where it is still there.
+  /// The face or edge nearest to the breach, if it still exists.
   std::optional<Place> nearest(const Breach& b) const {
     const search::ClosestPoint at = (b.on_curve ? curves_ : faces_).closest(b.place, b.group);
     if (at.item == no_index) return std::nullopt;
@@ -58,7 +58,7 @@ class Finder {
   search::ClosestPointTrees faces_, curves_;
 };
 
-/// Brings a vertex of the surface, or of the curve, to a place where there is none near enough.
+/// Brings a vertex of the surface or the curve to a place that is too far from both.
 class Mender {
  public:
   Mender(Toolbox& tools, MendBy by) : tools_(tools), mesh_(tools.mesh), by_(by) {}
@@ -111,7 +111,7 @@ class Mender {
                          [&](const SurfaceFace& f) { return !tools_.guard.is_proven_near_reference(f); });
   }
 
-  /// Accepts an option if fewer faces are off the input than before, or none before and after.
+  /// Keeps the option if fewer faces are too far from the input than before, or none before and after.
   void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
     const double shape = star_shape(mesh_, cavity, target_, least_shape);
     if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cells that take the place of those about an edge, by the best triangulation of a polygon of ring vertices.
+/// Best triangulation of the ring of vertices around an edge, from which the cells that replace the edge are built.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace geomesh::remesh {
 
 inline constexpr std::size_t max_ring =
-    12;  // cubic cost; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2)
+    12;  // The cost is cubic; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2).
 
 /// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these
 /// two share the angle of one removed cell, so that one has half of it at most: that excludes most rings before any
@@ -33,7 +33,7 @@ class PolygonTriangulation {
                  : is_whole_ring ? n_
                                  : n_ - 1) {}
 
-  /// Worst shape of the best triangulation, or something not above `enough`.
+  /// The worst shape of the best triangulation, or any value not above `enough`.
   double solve(double enough) {
     for (std::size_t i = 0; i < n_sides_; ++i)
       if (bound_at_side(i) <= enough) return enough;
@@ -43,8 +43,8 @@ class PolygonTriangulation {
     });
   }
 
-  /// Largest sum of worths, each less the mean, of a triangulation that the goal allows where the worst was `before`;
-  /// minus infinity where there is none, or none above `needed`.
+  /// The largest sum of worths minus the mean over triangulations that the goal allows if the worst shape was `before`.
+  /// Minus infinity if there is none above `needed`.
   double solve(const MeanGoal& goal, double before, double needed) {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();
@@ -71,8 +71,8 @@ class PolygonTriangulation {
  private:
   using Shell = EdgeShell<double, max_ring + 1>;
 
-  /// A side of the polygon counts `of_edge`; what is not above `least` does not count. value(span, left, right): as
-  /// EdgeShell says.
+  /// Solves by dynamic programming. An edge of the polygon has the value `of_edge`, and values not above `least` are
+  /// dropped. For value(span, left, right) see EdgeShell.
   template <class SpanValue>
   double triangulate(double of_edge, double least, const SpanValue& span_value) {
     struct Goal {
@@ -87,7 +87,8 @@ class PolygonTriangulation {
     return shell_.triangulate(n_, Goal{of_edge, least, span_value});
   }
 
-  /// The worse of the two cells over a side of the ring is no better, nor is half of what both sum to.
+  /// An upper bound: the worse one of two cells over an edge of the ring cannot be better than this, nor can half of
+  /// their sum.
   double bound_at_side(std::size_t i) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
     return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);

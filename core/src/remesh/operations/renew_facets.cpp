@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facets given back their own triangles, declared in remesh/operations/surface_repair.hpp.
+// Gives each face the facet in which it lies. Declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"
@@ -14,7 +14,7 @@ struct Members {
   explicit Members(const DomainMesh& mesh, std::size_t n_facets) : of_patch(mesh.n_patches()) {
     for (Index f = 0; f < n_facets; ++f) of_patch[mesh.patch_of_facet(f)].push_back(f);
   }
-  /// The one nearest to p. Facets that share a patch in exact mode are triangles.
+  /// Finds the facet of the patch nearest to p. Facets that share a patch in exact mode are triangles.
   Index nearest(const PiecewiseLinearComplex& plc, Index patch, const Vec3& p) const {
     const std::vector<Index>& facets = of_patch[patch];
     if (facets.size() == 1) return facets[0];
@@ -36,8 +36,8 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
     const Index patch = mesh.patch_of(t),
                 facet = guard.exact() ? members.nearest(plc, patch, middle) : guard.nearest_facet(patch, middle);
     if (facet == t.facet()) return;
-    // Facets merged in exact mode are oriented alike. Else: a face's normal points towards the cell that it is seen
-    // from.
+    // Facets merged in exact mode have the same orientation. Otherwise, the normal of a face points towards the cell
+    // from which it is seen.
     const bool above =
         guard.exact() ? t.above() : dot(loop_normal(plc.points, plc.outer_loop(facet)), mesh.normal(mesh.face(f))) > 0;
     mesh.set_tag(f.cell(), f.face(), FaceTag(facet, above));

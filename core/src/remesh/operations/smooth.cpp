@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves of one vertex, declared in remesh/operations/improve.hpp.
+// Moves one vertex. Declared in remesh/operations/improve.hpp.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -36,7 +36,7 @@ class Smoother {
     return before < rule.good_enough && try_optimal(before, rule);
   }
 
-  /// Gain of the mean in the last run.
+  /// The gain of the mean in the last call of run.
   double gain() const { return gain_; }
 
   bool run_on_surface(double floor) {
@@ -123,7 +123,7 @@ class Smoother {
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
-    if (best == old_) return false;  // else the projection's rounding would move it
+    if (best == old_) return false;  // Otherwise the rounding of the projection would move the vertex.
     const double was = problem_.link.sum_of_worths(old_, needed);
     if (!place(project(best), needed)) return false;
     gain_ = problem_.link.sum_of_worths(mesh_.point(v_), needed) - was;
@@ -151,7 +151,7 @@ class Smoother {
       if (other.shape > best.shape) best = other;
     }
     if (best.point == old_) return false;
-    // On a curved patch the tolerance may allow part of the way only.
+    // On a curved patch the tolerance may permit only a part of the move.
     for (const double t : {1.0, 0.5, 0.25}) {
       const Vec3 p = project(old_ + t * (best.point - old_));
       if (place(p, before * rule.least_rise)) return true;
@@ -160,7 +160,7 @@ class Smoother {
     return false;
   }
 
-  /// Moves v there, where the worst shape about it is then above `least`.
+  /// Moves v to p if the worst shape around it is then above `least`.
   bool place(Vec3 p, double least) {
     if (!(problem_.shape_at(p, least) > least)) return false;
     if (mesh_.kind(v_) == VertexKind::curve && tools_.guard.exact()) {
@@ -168,7 +168,7 @@ class Smoother {
       if (!(problem_.shape_at(p, least) > least)) return false;
     }
     if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
-    const std::vector<double>& shapes = problem_.link.shapes(p);  // one by cell of the star
+    const std::vector<double>& shapes = problem_.link.shapes(p);  // one shape for each cell of the star
     if (tools_.spoils(cavity_, shapes) ||
         !tools_.guard.admits(surface_of(mesh_, cavity_, old_), surface_of(mesh_, cavity_, p)))
       return false;
@@ -187,7 +187,7 @@ class Smoother {
   StarProblem problem_;
   double gain_ = 0;
   std::array<Vec3, 2>
-      ends_{};  // the vertices before and after on the curve; in on_input_edge the ends of the input edge
+      ends_{};  // the two adjacent vertices on the curve, or the ends of the input edge in on_input_edge
 };
 
 }  // namespace

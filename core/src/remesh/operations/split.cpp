@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Halving of an edge, declared in remesh/operations/operations.hpp.
+// Splits an edge at its middle. Declared in remesh/operations/operations.hpp.
 #include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
@@ -19,7 +19,7 @@ void Toolbox::ask_size(VertexIndex v) { set_size(v, size.at(mesh.point(v), mesh.
 
 void Toolbox::know_sizes(unsigned threads) {
   const bool asks_caller =
-      size.limits().background != nullptr;  // the caller's function is evaluated on one thread alone
+      size.limits().background != nullptr;  // A function of the caller is evaluated on one thread only.
   if (vertex_size.size() < mesh.n_vertices()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 16 + 1, -1);
   for_each_index(mesh.n_vertices(), asks_caller ? 1 : thread_count(threads), [&](std::size_t i) {
     const auto v = static_cast<VertexIndex>(i);

@@ -16,10 +16,10 @@
 namespace geomesh::remesh {
 
 struct StarProblem {
-  LinkShapes& link;  ///< (corners, p) positive for an admissible p
+  LinkShapes& link;  ///< (corners, p) is positive if p is admissible
   CellQuality measure = CellQuality();
   enum class Freedom { space, plane, line } freedom = Freedom::space;
-  Vec3 direction = {};  ///< plane: its normal; line: its direction; of length one
+  Vec3 direction = {};  ///< unit vector: the normal of a plane, or the direction of a line
 
   void set_link(const DomainMesh& mesh, const StarCavity& cavity);
   double shape_at(const Vec3& p, double enough = -1) const { return link.worst(p, enough); }
@@ -29,15 +29,16 @@ struct StarProblem {
 struct OptimizeLimits {
   unsigned max_steps = 12;
   double good_enough = 2;      ///< stops once the worst shape is above this
-  double least_rise = 1.0005;  ///< a step that raises the worst shape by less (as a factor) is none
+  double least_rise = 1.0005;  ///< a step that raises the worst shape by a smaller factor ends the ascent
 };
 
 struct OptimizedPlace {
   Vec3 point;
-  double shape;  ///< worst about it; not less than that of the start
+  double shape;  ///< worst shape around the vertex; at least that at the start
 };
 
-/// The start need not be admissible: a shape at most 0 is climbed as far as the gradients of positive terms lead.
+/// Finds the best place. The start need not be admissible: from a shape of at most 0 the ascent follows the gradients
+/// of the positive terms.
 OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
 
 /// Climbs the sum of the worths (MeanGoal) of all cells at the vertex by its gradient. It starts where all are above

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Operations on the whole mesh: facets of faces made anew, breaches mended, flips towards Delaunay.
+/// Operations on all surfaces of the mesh: assignment of facets to faces, repair of breaches, Delaunay flips.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,21 @@ namespace geomesh::remesh {
 /// Gives each face the facet of its patch that is nearest to it, oriented as it is.
 void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLinearComplex& plc);
 
-/// How a vertex is brought to a place that has none near enough.
+/// How a vertex is brought to a place that is too far from the surface.
 enum class MendBy : std::uint8_t {
-  moves_and_splits,  ///< a vertex that is moved may leave its old place uncovered
+  /// A vertex is moved or an edge or face is split. A move may leave the former place of the vertex too far from the
+  /// surface.
+  moves_and_splits,
   splits,
 };
 
-/// Puts a vertex of the nearest face (or curve edge), new or moved, to the place of each breach. Cells must stay
-/// positive and of some shape, and fewer faces must be off the input than were (none, where none was). Returns how many
-/// were treated: other places may be off then, so verify again. O(n log n).
+/// Puts a vertex of the nearest face or curve edge, new or moved, to the place of each breach. Cells must remain
+/// positive and not too flat, and fewer faces must be too far from the input than before. Returns the number of
+/// breaches treated. Other places may be too far off then, so the mesh must be verified again. O(n log n).
 std::size_t mend_surfaces(Toolbox& tools, const std::vector<Breach>& breaches, MendBy by = MendBy::moves_and_splits);
 
-/// Flips (2-3 and 3-2) until no face admits one that makes it locally Delaunay: insertion works best from there. Where
-/// the mesh was so at the time `since`, only cells are looked at that were changed later, or a vertex of which was.
+/// Flips faces (2-3 and 3-2) until none can be made locally Delaunay, which helps later insertions. If the mesh was
+/// Delaunay at the time `since`, only cells that have changed later are examined.
 std::size_t flip_towards_delaunay(Toolbox& tools, const RunContext& context,
                                   std::optional<std::uint64_t> since = std::nullopt);
 

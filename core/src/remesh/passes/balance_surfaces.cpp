@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that enclose the volume of the input, and borders that enclose its area, declared in
+// Makes surfaces enclose the volume of the input, and their borders its area. Declared in
 // remesh/passes/improve_passes.hpp.
 #include <algorithm>
 #include <array>
@@ -15,15 +15,15 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Sweeps over all vertices. Each leaves what vertices that cannot move fail to make up for to their neighbours.
+/// Sweeps over all vertices. In each, vertices take over what their neighbours could not compensate.
 constexpr unsigned n_sweeps = 2;
 
-/// Share of its shape that a bad cell keeps in a move. Between sheets that are much nearer to each other than their
-/// faces are long, all cells are bad, and the sheets can only move one after the other. Without this loss the layer
-/// between two spheres 1 m apart is much too thick (python/tests/test_fields.py).
+/// Share of its shape that a bad cell must keep in a move. Between surfaces much nearer to each other than their edges
+/// are long, all cells are bad, and only one surface can move at a time. If no loss were allowed, the layer between two
+/// spheres 1 m apart would become much too thick (python/tests/test_fields.py).
 constexpr double kept_of_bad = 0.8;
 
-/// Moves vertices to places that surfaces allow, that make no good cell bad, and no cell worse than the worst of the
+/// Moves vertices to permitted places on surfaces. It makes no good cell bad, and no cell worse than the worst of the
 /// mesh.
 class Mover {
  public:
@@ -51,10 +51,10 @@ class Mover {
 
   Toolbox& tools_;
   DomainMesh& mesh_;
-  double worst_ = 1;  ///< the least shape of all cells before
+  double worst_ = 1;  ///< worst shape of all cells before the pass
 };
 
-/// Vertices of borders move across them.
+/// Moves vertices on free borders, perpendicular to the border.
 class BorderBalancer {
  public:
   explicit BorderBalancer(Toolbox& tools) : tools_(tools), mesh_(tools.mesh), mover_(tools) {}
@@ -69,16 +69,16 @@ class BorderBalancer {
   }
 
  private:
-  /// Samples of a chord at which its distance from the input's border is measured. The sum over them is exact for
-  /// parabolas up to 1 %.
+  /// Number of samples on a chord at which the distance to the input's border is measured. For parabolas the sum is
+  /// accurate to 1 %.
   static constexpr unsigned n_samples = 8;
 
   bool is_on_free_border(VertexIndex v) const {
     return mesh_.kind(v) == VertexKind::curve && mesh_.curve_class(mesh_.support(v)).patches.size() == 1;
   }
 
-  /// The direction in the plane of the only face at the chord that leads out of the surface, of unit length; zero where
-  /// the face is none or has no area.
+  /// The unit vector in the plane of the chord's only face that points out of the surface. It is zero if there is no
+  /// single face or it has no area.
   Vec3 outward(VertexIndex v, VertexIndex other) const {
     for (const Spoke& s : cavity_.spokes) {
       if (s.a != other && s.b != other) continue;
@@ -89,7 +89,7 @@ class BorderBalancer {
     return {};
   }
 
-  /// The area between a chord and the input's border: positive where the border lies outside of the chord.
+  /// The area between a chord and the input's border; positive if the border is outside the chord.
   double area_lost(const Vec3& a, const Vec3& b, Index curve, const Vec3& out) const {
     double sum = 0;
     for (unsigned k = 0; k < n_samples; ++k) {
@@ -100,7 +100,7 @@ class BorderBalancer {
     return sum / n_samples * distance(a, b);
   }
 
-  /// Moves v outwards, or inwards, until the two chords at it have made up for half of the area that each lost.
+  /// Moves v outwards or inwards until the two chords at it have recovered half of the area that each has lost.
   bool balance(VertexIndex v) {
     gather_star(mesh_, v, tools_.work.marks, cavity_);
     if (cavity_.curves.size() != 2) return false;
@@ -156,16 +156,16 @@ class VolumeBalancer {
   struct Face {
     Triangle vertices;
     Index patch;
-    Vec3 normal{};    ///< of length twice the area
-    double lost = 0;  ///< twice the volume between the face and the input, positive on the side of the normal
+    Vec3 normal{};    ///< its length is twice the area
+    double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
-  /// Sums over the faces at a vertex.
+  /// Sums over the faces around a vertex.
   struct Offset {
     Vec3 normal{};
     double lost = 0, area = 0;
   };
 
-  /// Shares of the corners at the samples of a face, whose mean is exact for parabolas.
+  /// Barycentric weights of the samples of a face, whose mean is exact for parabolas.
   static constexpr double most = 2.0 / 3, least = 1.0 / 6;
   static constexpr std::array<std::array<double, 3>, 3> samples{
       {{most, least, least}, {least, most, least}, {least, least, most}}};
@@ -188,7 +188,8 @@ class VolumeBalancer {
     for (const Face& face : faces_)
       for (const VertexIndex v : face.vertices) {
         Offset& o = offset_[v];
-        const double side = dot(o.normal, face.normal) < 0 ? -1 : 1;  // not all patches are oriented alike
+        // Patches may have faces of different orientation.
+        const double side = dot(o.normal, face.normal) < 0 ? -1 : 1;
         o.normal = o.normal + side * face.normal;
         o.lost += side * face.lost;
         o.area += length(face.normal);

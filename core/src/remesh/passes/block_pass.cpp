@@ -12,9 +12,11 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr std::size_t fewest_a_block = 4;          ///< below this share of a block's vertices one thread is as fast
-constexpr std::size_t visits_between_looks = 256;  ///< at the cancel token
-/// Slots for cells that operations make before others have freed some: so many, and one for so many visits.
+/// One thread is as fast if a block has fewer vertices to visit, relative to all its vertices.
+constexpr std::size_t fewest_a_block = 4;
+constexpr std::size_t visits_between_looks = 256;  ///< number of visits between two checks of the cancel token
+/// Number of spare slots of a block for cells created before others are removed: a fixed number, and one for so many
+/// visits.
 constexpr std::size_t least_slots = 32, visits_a_slot = 8;
 
 void add(RefineStatistics& all, const RefineStatistics& of_block) {

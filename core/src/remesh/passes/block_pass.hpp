@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sweeps over vertices by blocks, on all cores, in place.
+/// Concurrent sweeps over vertices, block by block.
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -16,35 +16,36 @@
 
 namespace geomesh::remesh {
 
-/// Visits vertices: those inside of blocks, on all cores. Then those that were between, or were put off, inside of
-/// blocks that have other borders, twice, and what is left by one thread. Blocks depend on the mesh alone, and so does
-/// what comes of the visits. Vertices may neither be made nor removed from the first visit to the last.
+/// Visits the vertices inside blocks concurrently. Vertices between blocks, and visits that were postponed, follow with
+/// two other divisions into blocks; one thread visits the rest. Blocks depend only on the mesh, and so does the result.
+/// Vertices must neither be created nor removed between the first and the last visit.
 class BlockPass {
  public:
-  /// Is called with a block's own tools: mesh, envelope, sizes, rules, statistics, scratch, but no sizes or facets kept
-  /// by vertex.
+  /// The function called for each vertex. The tools are those of the block, which share the mesh, the envelope, the
+  /// sizes and the rules but have no caches by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
-  /// Both must outlive this. Exceptions of visits end the pass.
+  /// Both arguments must outlive this object. An exception of a visit ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// In the order given within a block. Fewer than `least` are visited by one thread, in the order given.
+  /// Visits vertices, within each block in the given order. If there are fewer than `least`, one thread visits all of
+  /// them in the given order.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
-  /// How the visits of all runs were shared out.
+  /// Numbers of visits in all runs, by the way in which they were made.
   struct Counts {
-    std::size_t in_blocks = 0;      ///< visits inside of blocks, by either division
-    std::size_t put_off = 0;        ///< those of them that met a border, and were done again
+    std::size_t in_blocks = 0;      ///< visits inside blocks, in all divisions
+    std::size_t put_off = 0;        ///< visits that reached another block's cells and were repeated later
     std::size_t by_one_thread = 0;  ///< what was left
     std::size_t critical = 0;       ///< visits of the largest block of each division
   };
   const Counts& counts() const { return counts_; }
-  /// Notes them (debug), as of a pass with this name.
+  /// Logs the numbers under the name of a pass (debug level).
   void note_counts(std::string_view name) const;
 
  private:
   const MeshBlocks& division(unsigned k);
-  /// Returns those that are left, in their order.
+  /// Returns the vertices that still have to be visited, in order.
   std::vector<VertexIndex> run_in(const MeshBlocks& blocks, const std::vector<VertexIndex>& vertices,
                                   const Visit& visit);
   void visit_block(BlockEdit& block, const std::vector<VertexIndex>& vertices, std::vector<VertexIndex>& stopped,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points inside of all components at once; declared in passes.hpp.
+// Inserts points inside all components concurrently. Declared in passes.hpp.
 #include <atomic>
 #include <deque>
 #include <numeric>
@@ -14,7 +14,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// A component with what its refinement works with.
+/// A component and the tools with which it is refined.
 struct Work {
   MeshPart part;
   RefineStatistics statistics;
@@ -50,7 +50,7 @@ class ComponentRefiner {
     const std::vector<std::size_t> order = largest_first();
     std::atomic<std::size_t> next = 0;
     const bool asks_caller =
-        tools_.size.limits().background != nullptr;  // the caller's function is evaluated on one thread alone
+        tools_.size.limits().background != nullptr;  // A function of the caller is evaluated on one thread only.
     const unsigned threads = asks_caller ? 1 : thread_count(context_.threads);
     for_each_task(std::min<std::size_t>(threads, order.size()), threads, [&](std::size_t) {
       for (std::size_t k; (k = next++) < order.size();) refine(works_[order[k]]);
@@ -59,7 +59,7 @@ class ComponentRefiner {
   }
 
  private:
-  /// Orders components so that no large one is left to a single core in the end.
+  /// Orders components by size, so that a large one is not left to one core at the end.
   std::vector<std::size_t> largest_first() const {
     std::vector<std::size_t> order(works_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -79,7 +79,7 @@ class ComponentRefiner {
     refine_inside(*work.tools, max_cells_, context);
   }
 
-  /// Reports the counts of all components. Called by the caller's own thread alone.
+  /// Reports progress over all components. Called only by the caller's own thread.
   void report() const {
     std::size_t n = 0;
     for (const Work& work : works_) n += work.n_cells;
@@ -91,7 +91,7 @@ class ComponentRefiner {
     if (n_cells > max_cells_) throw_too_many_cells(max_cells_);
   }
 
-  /// Returns the number of new points, whose sizes are known already.
+  /// Returns the number of new points. Their sizes are already known.
   std::size_t put_together() {
     std::vector<MeshPart> parts;
     std::vector<double> sizes;

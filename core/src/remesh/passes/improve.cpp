@@ -20,7 +20,7 @@ class TimeBudget {
  public:
   TimeBudget(double seconds, RefineStatistics& statistics, const RunContext& context)
       : seconds_(seconds), statistics_(statistics), context_(context), start_(std::chrono::steady_clock::now()) {}
-  /// Throws where the run was cancelled.
+  /// Returns whether the time budget is used up. Throws if the run was cancelled.
   bool is_spent() const {
     context_.check_cancelled();
     if (!(seconds_ > 0)) return false;
@@ -93,8 +93,8 @@ class RepairRounds {
   std::size_t fewest_, fewest_worst_, n_idle_ = 0;
 };
 
-/// The few cells that are still slivers may have points nearer to others than sizes ask: worse than that is a bad
-/// angle. Where slivers are many, the surfaces force them: then the worst alone are mended, with points however near.
+/// The few remaining slivers may be repaired with points nearer to others than the sizes require. If slivers are many
+/// the surfaces impose them; then only the worst are repaired, with points at any distance.
 Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstRepair& repair, double room) {
   DomainMesh& mesh = tools.mesh;
   std::vector<BadCell> slivers = cells_below(mesh, mesh.measure().of_angle(schedule.sliver_angle));
@@ -136,7 +136,7 @@ struct Mending {
   const OutOfTime& out_of_time;
 };
 
-/// Repairs the remaining cells by sequences of operations, and removes points that repair has put near others without
+/// Repairs the remaining cells by sequences of operations, and removes points that repair has added near others without
 /// gain.
 void mend_what_is_left(const Mending& mending) {
   Toolbox& tools = mending.tools;
@@ -157,13 +157,14 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // Almost no attempt succeeds where the input forces many cells. Those that nothing forces are searched at the end.
+  // Almost no attempt succeeds if the input imposes many bad cells. Cells that it does not impose are treated at the
+  // end.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
       rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_bad);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
-  // Cells that solvers refuse are worth the effort at every level.
+  // Solvers refuse such cells, so they are worth the effort at every quality level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
       [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
@@ -219,7 +220,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   }
   mend_what_is_left({tools, schedule, passes, context, out_of_time});
   const double poor_share = share(count_below(mesh, measure.of_angle(schedule.target_angle)), mesh);
-  // Repair looks at the worst cells alone. Around many that it gave up on, the others are arbitrary: raise their mean.
+  // Repair considers only the worst cells. Around the many that it has given up, the others are arbitrary, so their
+  // mean is raised here.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
               .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },

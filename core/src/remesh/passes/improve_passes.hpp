@@ -12,26 +12,25 @@
 
 namespace geomesh::remesh {
 
-/// Smooths all vertices that may move, on as many threads as given (0: all cores): block by block, then what lies
-/// between blocks. The blocks do not depend on the threads, so neither does the result. Ends early if `out_of_time`
-/// returns true, which is called now and then by one thread at a time. Returns, by vertex, how much its move raised the
-/// sum of worths (0: not moved, or the sum is not the goal). `leaves(v)` returns which vertices must not move. O(n log
-/// n).
+/// Smooths all vertices that may move, on the given number of threads (0: all cores), block by block and then between
+/// blocks. The result does not depend on the number of threads. It ends early if `out_of_time`, which one thread at a
+/// time calls now and then, returns true. Returns for each vertex by how much its move raised the sum of worths (0 if
+/// it was not moved or the sum is not the goal). `leaves(v)` returns whether v must not move. O(n log n).
 std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
                                const std::function<bool()>& out_of_time,
                                const std::function<bool(VertexIndex)>& leaves = {});
 
-/// State that a pass that raises the mean leaves to the next: the places worth examining again.
+/// State that one pass that raises the mean leaves to the next: the places worth examining again.
 struct RaisedBefore {
-  std::vector<double> gains;  ///< by vertex, of its move. Empty before the first pass
-  std::uint64_t end = 0;      ///< the mesh's time then
-  double much_gained = 3;     ///< of the least gain that is worth a move: what gained more is looked at again
+  std::vector<double> gains;  ///< gain of each vertex's last move; empty before the first pass
+  std::uint64_t end = 0;      ///< the mesh's time at the end of the pass
+  double much_gained = 3;     ///< a vertex is examined again if it gained more than this many times the least gain
 };
 
-/// One pass of flips, edges in the inside alone, and one of moves that raise the mean worth of shapes (MeanGoal); none
-/// falls below `floor` and what was worst about the place. Worst-first repair leaves what is merely mediocre alone.
-/// After the first pass only those vertices are looked at that have a cell below `poor` about them. Something else must
-/// have changed about them since, or they share a cell with one whose last move gained much.
+/// One pass of flips at inner edges and one of moves, which both raise the mean worth of shapes (MeanGoal); no shape
+/// falls below both `floor` and the worst one there. Worst-first repair does not improve mediocre cells. After the
+/// first pass only vertices with a cell below `poor` are visited, if something around them has changed or a neighbour's
+/// last move gained much.
 void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
                 double poor = 1);
 

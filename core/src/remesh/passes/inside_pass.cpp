@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points inside of regions, front by front, declared in remesh/passes/passes.hpp.
+// Inserts points inside regions, advancing from their borders. Declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -16,9 +16,10 @@ namespace {
 
 constexpr double spacing_ratio = refine_ratios.spacing;
 
-/// Points first at the ideal height above faces whose other side is done (a constrained face, or one of a cell that is
-/// small enough): the front advances from the surfaces inwards and the points of one layer see those of the last (Rebay
-/// 1993; Frey, Borouchaki and George 1998). Where the front's point is refused, the circumcentre.
+/// Points are first placed at the ideal height above faces whose other side is finished: a constrained face, or one of
+/// a cell that is small enough. This advancing front starts at the surfaces and moves inwards, so the points of a layer
+/// fit those of the layer before (Rebay 1993; Frey, Borouchaki and George 1998). If such a point is refused, the
+/// circumcentre is tried instead.
 class InsideRefiner {
  public:
   InsideRefiner(Toolbox& tools, std::size_t max_cells, Insertions expected)
@@ -42,7 +43,8 @@ class InsideRefiner {
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
       if (n_front + n_centre > 0) continue;
-      // The front is stuck, as where sizes change within less than their length: what is beyond it must not stay empty.
+      // The front cannot advance, for example if sizes change over distances shorter than themselves. Cells beyond it
+      // are refined too, so that the space there does not stay empty.
       const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
       total += n_beyond;
       if (n_beyond == 0) break;
@@ -51,12 +53,12 @@ class InsideRefiner {
   }
 
  private:
-  /// Places of points in a pass: at their ideal height above the front, at centres of cells at the front, or of those
-  /// beyond it.
+  /// Kinds of places that a pass tries: at the ideal height above the front, at circumcentres of cells at the front, or
+  /// at those of cells beyond it.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
-  /// Two bytes, since each cell has three of them. Passes beyond the last number share it, with the start of the first
-  /// of these: cells are then tried more often than need be.
+  /// Two bytes suffice, and each cell stores three of these numbers. Passes beyond the largest number share it and the
+  /// start of the first of them, so that cells are only tried more often than necessary.
   using PassNumber = std::uint16_t;
   static constexpr std::size_t last_pass = std::numeric_limits<PassNumber>::max();
 
@@ -82,7 +84,7 @@ class InsideRefiner {
     if (keeps_spheres_) spheres_.grow_to(mesh_.n_slots());
     large_.grow_to(mesh_.n_slots());
   }
-  /// To be called for each cell that is made, once there is room for all.
+  /// Evaluates whether a cell is large. Must be called for each new cell, once there is room for all cells.
   void measure(CellIndex c) {
     const Sphere s = circumsphere(mesh_, c);
     if (keeps_spheres_) spheres_[c] = s;
@@ -91,9 +93,9 @@ class InsideRefiner {
   Sphere sphere_of(CellIndex c) const { return keeps_spheres_ ? spheres_[c] : circumsphere(mesh_, c); }
   bool is_large(CellIndex c) const { return large_[c]; }
 
-  /// Small sizes first: the front then runs from fine to coarse, where a point that is too near is the exception. By
-  /// classes of sizes, and within a class by slots: those of cells that were made one after the other are near in
-  /// space.
+  /// Small sizes come first, so that the front advances from fine to coarse, where points are seldom too near to
+  /// others. Cells are ordered by classes of sizes, and within a class by slot, since cells created one after the other
+  /// are near in space.
   void order_by_size(std::vector<CellIndex>& cells) {
     constexpr double classes_a_doubling = 4;
     std::vector<std::pair<int, CellIndex>> keyed;
@@ -104,7 +106,7 @@ class InsideRefiner {
     for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
   }
 
-  /// One visit to each large cell; `large` becomes what is still large, new cells included.
+  /// Visits each large cell once. Afterwards `large` lists the cells that are still large, including new ones.
   std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
     const auto number = static_cast<PassNumber>(std::min<std::size_t>(starts_.size(), last_pass));
     const std::uint64_t start = mesh_.tick();
@@ -136,8 +138,8 @@ class InsideRefiner {
     return n;
   }
 
-  /// By kind of pass and cell: the last one that placed no point there; 0: none. It is tried again once cells were made
-  /// at a vertex of it since that pass began, as where its slot was used anew.
+  /// For each kind of pass and each cell, the last pass that placed no point there, or 0 if none. The cell is tried
+  /// again if cells were created at one of its vertices since that pass began, or if its slot was reused.
   PassNumber& refusal(Kind kind, CellIndex c) {
     std::vector<PassNumber>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
@@ -154,14 +156,14 @@ class InsideRefiner {
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
   }
 
-  /// The lesser of the size at p and `at_most`.
+  /// The smaller one of the size at p and `at_most`.
   double size_near(const Vec3& p, CellIndex c, double at_most = std::numeric_limits<double>::infinity()) {
     const VertexIndex v = mesh_.vertices(c)[0];
     return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v), at_most);
   }
 
-  /// Returns whether a corner of the cell is nearer than the spacing at p, by the sizes at the corners and how fast
-  /// sizes may decrease. Decides most refusals without evaluating the size at p.
+  /// Returns whether a vertex of the cell is too near to p, estimated by the sizes at the vertices and how fast sizes
+  /// may decrease. This decides most refusals without evaluating the size at p.
   bool surely_crowds(const Vec3& p, CellIndex c) {
     constexpr double rounding = 1 - 1e-9;
     const Tetrahedron& t = mesh_.vertices(c);
@@ -171,7 +173,7 @@ class InsideRefiner {
     });
   }
 
-  /// With this size at p or a larger one a corner of the cell is too near.
+  /// The smallest size at p for which a vertex of the cell is too near.
   double crowded_size(const Vec3& p, CellIndex c) const {
     constexpr double rounding = 1 + 1e-9;
     double nearest = std::numeric_limits<double>::infinity();
@@ -202,8 +204,8 @@ class InsideRefiner {
     return std::nullopt;
   }
 
-  /// `centre` is that of the cell's circumsphere. Returns the place above the circumcentre of face i at which the new
-  /// edges have the target length (the mean of those at their ends), but not beyond the cell's circumcentre.
+  /// Returns the place above the circumcentre of face i at which the new edges have the target length (the mean of
+  /// those at their ends), but not beyond the circumcentre of the cell, which is `centre`.
   std::optional<Vec3> ideal_apex(CellIndex c, unsigned i, const Vec3& centre) {
     const Triangle t = mesh_.face(c, i);
     const Vec3 n = mesh_.normal(t);
@@ -211,7 +213,7 @@ class InsideRefiner {
     if (!(nn > 0)) return std::nullopt;
     const Vec3 offset = offset_of_circumcentre(mesh_, t);
     const double h = (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3, r2 = dot(offset, offset);
-    if (r2 > h * h) return std::nullopt;                                             // the face itself is too large
+    if (r2 > h * h) return std::nullopt;                                             // The face itself is too large.
     const Vec3 base = mesh_.point(t[0]) + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
     const auto height_of = [&](double edge) {
       return std::sqrt(std::max(edge * edge - r2, refine_ratios.least_height * edge * edge));
@@ -229,8 +231,8 @@ class InsideRefiner {
     return false;
   }
 
-  /// For cells at the front alone as long as it advances: points beyond it would be met by it later, at the wrong
-  /// distance.
+  /// As long as the front advances, only cells at the front get points. The front would reach points beyond it later,
+  /// at an unsuitable distance.
   std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return std::nullopt;
     const Sphere s = sphere_of(c);
@@ -243,10 +245,10 @@ class InsideRefiner {
   DomainMesh& mesh_;
   std::size_t max_cells_;
   const double steepest_ = tools_.size.steepest();
-  std::vector<std::uint64_t> starts_{0};  // by pass from 1: the mesh's time then
-  bool keeps_spheres_;                    // with many points each cell's sphere is needed again and again
-  PodArray<Sphere> spheres_;              // by cell, where they are kept
-  PodArray<std::uint8_t> large_;          // by cell: whether its circumradius exceeds the target size
+  std::vector<std::uint64_t> starts_{0};  // the mesh's time at the start of each pass; passes count from 1
+  bool keeps_spheres_;                    // if many points are inserted, the sphere of each cell is needed repeatedly
+  PodArray<Sphere> spheres_;              // sphere of each cell, if kept
+  PodArray<std::uint8_t> large_;          // for each cell, whether its circumradius exceeds the target size
   std::array<std::vector<PassNumber>, 3> refused_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Named passes over the whole mesh: what the schedules of refinement and improvement are lists of.
+/// Runs named passes over the whole mesh. The schedules of refinement and improvement are lists of such passes.
 #pragma once
 
 #include <cstdio>
@@ -14,7 +14,7 @@
 
 namespace geomesh::remesh {
 
-/// CPU seconds of all threads, and of this one: where they are the same, the others had nothing to do.
+/// CPU seconds of all threads, and of the current one. If they are equal, the other threads were idle.
 struct CpuSeconds {
   double all, own;
   static CpuSeconds now() {
@@ -34,21 +34,22 @@ struct CpuSeconds {
 enum class Next : bool { again, done };
 
 struct Pass {
-  std::string_view name;  ///< what is done, for notes
+  std::string_view name;  ///< description for the log
   std::function<Next(unsigned round)> round;
   unsigned most_rounds = 1;
   bool applies = true;
 };
 
-/// Runs passes of one schedule, one after the other. Each round is noted (debug) with its CPU seconds and, in builds
-/// with GEOMESH_EXPENSIVE_CHECKS, followed by the validator of the mesh.
+/// Runs the passes of a schedule one after the other. Each round is logged (debug) with its CPU seconds. In builds with
+/// GEOMESH_EXPENSIVE_CHECKS, the mesh is validated after each round.
 class PassRunner {
  public:
-  /// No round begins once `out_of_time` says so.
+  /// No further round begins once `out_of_time` returns true.
   PassRunner(const DomainMesh& mesh, const RunContext& context, std::function<bool()> out_of_time)
       : mesh_(mesh), context_(context), out_of_time_(std::move(out_of_time)) {}
 
-  /// Rounds from 0 on until one is the last, `most_rounds` were run, or time is up. None where the pass does not apply.
+  /// Runs rounds, numbered from 0, until one returns `done`, `most_rounds` have run or the time is up. Runs none if the
+  /// pass does not apply.
   void run(const Pass& pass) const {
     for (unsigned k = 0; pass.applies && k < pass.most_rounds && !out_of_time_(); ++k) {
       if (pass.most_rounds > 1) context_.report(k, pass.most_rounds);
@@ -63,7 +64,7 @@ class PassRunner {
     }
   }
 
-  /// A pass of one round.
+  /// Runs a pass of a single round.
   void once(std::string_view name, const std::function<void()>& work, bool applies = true) const {
     const auto round = [&](unsigned) {
       work();

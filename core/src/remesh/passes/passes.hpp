@@ -12,15 +12,15 @@
 
 namespace geomesh::remesh {
 
-/// Throws Error{cannot_mesh}: a pass that adds points would exceed the number of cells allowed.
+/// Throws Error{cannot_mesh} because a pass would create more than max_cells cells.
 [[noreturn]] void throw_too_many_cells(std::size_t max_cells);
 
-/// The schedule of refinement: all passes below.
+/// Runs the schedule of refinement, which consists of all passes below.
 void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunContext& context);
 
 enum class ShortEdges : bool {
-  on_surfaces,  ///< on curves and surfaces, where these may be remeshed
-  inside,       ///< of which one end at least lies inside
+  on_surfaces,  ///< edges on curves and surfaces, if these may be remeshed
+  inside,       ///< edges with at least one end inside
 };
 /// Collapses edges shorter than RefineRatios::collapse_edge, the shortest first. O(n log n).
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context);
@@ -41,33 +41,34 @@ enum class LongEdges : bool { of_curves, of_surfaces };
 /// the other passes that add points do.
 std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context);
 
-/// Visits vertices parted in space, by lists of those that may move at once on as many threads, then those between. No
-/// vertex of a list shares a cell with one of another. The lists depend on the mesh alone. O(n log n).
+/// Visits vertices in groups that are apart in space. Vertices of a group may be moved concurrently with those of other
+/// groups, because no two groups have a cell in common; the vertices between groups follow. The groups depend only on
+/// the mesh. O(n log n).
 void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, unsigned threads,
                     const std::function<void(const std::vector<VertexIndex>&, Workspace&)>& visit);
 
-/// The mesh's time of the last failed attempt on surfaces, by vertex.
+/// For each vertex, the mesh's time of the last failed attempt on surfaces.
 struct InVainOnSurfaces {
   std::vector<std::uint64_t> flips, moves;
 };
-/// Faces of good shape within patches, cells allowing: rounds of surface flips towards Delaunay and of moves to the
-/// centroid of the faces. What was in vain is tried again only where something about it has changed, also from one
-/// call to the next. On all cores, with the same result whatever their number. O(vertices of the mesh), and the
-/// stars of those on surfaces that have changed.
+/// Improves the shapes of faces within patches, as far as the cells permit: rounds of Delaunay flips on the surface,
+/// and of moves to the centroid of the faces. What has failed is tried again only if something around it has changed,
+/// also from one call to the next. Runs in parallel; the result does not depend on the number of threads. O(vertices of
+/// the mesh), plus the stars of changed vertices on surfaces.
 void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunContext& context);
 
-/// Inserts points on faces larger than the target size, front by front from curves and small faces.
+/// Inserts points on faces larger than the target size, advancing from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
-/// How many points are to come: where many are, cells are put in order first and each keeps its circumsphere.
+/// Whether many points will be inserted. If so, the cells are sorted first, and each one stores its circumsphere.
 enum class Insertions : bool { few, many };
 
-/// Inserts points into cells larger than the target size until none admits one.
+/// Inserts points into cells larger than the target size until no cell admits a further point.
 std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context,
                           Insertions expected = Insertions::many);
 
-/// Does so in all components at once, on all cores, with the same result whatever their number. On one core if sizes
-/// are a function of the caller.
+/// Refines all components concurrently; the result does not depend on the number of threads. If sizes are a
+/// function of the caller, one thread is used.
 std::size_t refine_components_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 }  // namespace geomesh::remesh

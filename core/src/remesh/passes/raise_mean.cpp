@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pass that raises the mean shape, declared in remesh/passes/improve_passes.hpp.
+// Raises the mean shape. Declared in remesh/passes/improve_passes.hpp.
 #include <algorithm>
 
 #include "quality/measure/shape.hpp"
@@ -18,7 +18,7 @@ class MeanRaiser {
         mesh_(tools.mesh),
         goal_{floor, mean_worth()},
         least_gain_(tools_.bad_cells_may_spread ? 0.002
-                                                : 0.02),  // where most cells are poor the mean is worth more time
+                                                : 0.02),  // If most cells are poor, the mean is worth more time.
         before_(before),
         is_left_(find_left(poor)) {}
 
@@ -45,7 +45,7 @@ class MeanRaiser {
   }
 
  private:
-  /// By vertex: whether there is nothing new about it.
+  /// For each vertex, whether nothing around it has changed.
   std::vector<bool> find_left(double poor) const {
     std::vector<bool> left(mesh_.n_vertices(), false);
     if (before_.gains.empty()) return left;
@@ -87,7 +87,7 @@ class MeanRaiser {
       if (has_edge(c, v, w)) remove_edge_for_mean(tools, c, v, w, goal_);
   }
 
-  /// From v to greater vertices, each with the first of its cells, in ascending order.
+  /// Lists the edges from v to vertices of higher index, in ascending order, each with the first of its cells.
   void collect_edges(VertexIndex v, const std::vector<CellIndex>& star,
                      std::vector<std::pair<VertexIndex, CellIndex>>& edges) {
     edges.clear();
@@ -117,7 +117,8 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());  // by vertex; each is of one block
+  // For each vertex, accessed by its own block only.
+  std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The schedule of refinement; declared in passes.hpp.
+// The schedule of refinement. Declared in passes.hpp.
 #include <optional>
 
 #include "remesh/operations/surface_repair.hpp"
@@ -18,7 +18,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   const auto flip = [&] { flip_towards_delaunay(tools, context); };
   std::optional<SizeField> sparse;
   std::optional<Toolbox> apart;
-  const auto inside = [&]() -> Toolbox& {  // once surfaces have their target sizes
+  const auto inside = [&]() -> Toolbox& {  // needed once surfaces have their target sizes
     if (!(options.sparse_growth > 0)) return tools;
     sparse.emplace(sparse_sizes(tools.mesh, tools.size, options));
     apart.emplace(tools.mesh, tools.guard, *sparse, tools.statistics);
@@ -39,7 +39,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   passes.once("cells flipped towards Delaunay", flip);
   passes.once("points put inside", [&] { refine_components_inside(inside(), most, context); });
   if (sizes_surfaces(options)) passes.once("cells flipped towards Delaunay", flip);
-  // Bisected faces are of poor shape. Their neighbourhood is loose enough to mend them only once it is filled.
+  // Bisected faces have poor shapes. They can be improved only after their neighbourhood has been filled.
   if (n_split > 0) {
     const std::uint64_t flipped = tools.mesh.tick();
     passes.once("surfaces made regular", make_regular);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertices that are moved on all cores, declared in remesh/passes/passes.hpp and remesh/passes/improve_passes.hpp.
+// Smooths vertices concurrently. Declared in remesh/passes/passes.hpp and remesh/passes/improve_passes.hpp.
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned n_halvings = 3;
-constexpr std::size_t least_to_part = 4096;  ///< vertices; fewer are one block
+constexpr std::size_t least_to_part = 4096;  ///< fewer vertices form a single block
 constexpr std::uint8_t fixed = 255, shared = 254;
 constexpr std::size_t vertices_between_looks = 1024;  ///< at the clock
 
-/// No vertex in a block shares a cell with a vertex that is in another block or between blocks. Each list is in the
-/// order of the cells. Blocks depend on the mesh alone. O(n).
+/// Divides vertices into blocks, such that no vertex of a block shares a cell with a vertex outside it. Vertices of
+/// each block are in the order of the cells. Blocks depend only on the mesh. O(n).
 class VertexBlocks {
  public:
   VertexBlocks(const DomainMesh& mesh, std::vector<VertexIndex> movable)
@@ -40,7 +40,7 @@ class VertexBlocks {
   std::vector<VertexIndex> between;
 
  private:
-  /// By the median of the widest coordinate, again and again.
+  /// Bisects recursively at the median of the coordinate with the largest extent.
   void halve(std::span<VertexIndex> vertices, unsigned times) {
     if (times == 0) {
       for (const VertexIndex v : vertices) block_[v] = n_blocks_;

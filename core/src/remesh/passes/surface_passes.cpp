@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sweeps over edges of surfaces: split, flip, contract, declared in remesh/passes/passes.hpp.
+// Passes over edges of surfaces: split, flip, contract. Declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 namespace {
 
 struct MeasuredEdge {
-  double ratio;  ///< length over target size
+  double ratio;  ///< length divided by target size
   VertexIndex a, b;
   bool operator<(const MeasuredEdge& o) const {
     return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b);
@@ -28,7 +28,7 @@ bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsign
   return false;
 }
 
-/// A cell with the edge, or no_cell.
+/// Returns a cell with the edge, or no_cell.
 CellIndex cell_with_edge(Toolbox& tools, VertexIndex a, VertexIndex b) {
   tools.mesh.star(a, tools.work.marks, tools.work.cells);
   for (const CellIndex c : tools.work.cells)
@@ -68,7 +68,7 @@ class EdgeSplitter {
   }
 
  private:
-  /// The surface's faces at an edge; any cell about it may be at hand.
+  /// Finds the surface's faces at an edge; c is any cell around it.
   EdgeFaces look_about(CellIndex c, VertexIndex a, VertexIndex b) {
     const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells_, ring_);
     return constrained_faces_of_ring(mesh_, cells_, ring_, closed);
@@ -79,8 +79,8 @@ class EdgeSplitter {
     return look_about(c, a, b).n > 0;
   }
 
-  /// Whether both faces at the edge are of a strip so thin that points between its borders help nothing: where its
-  /// edges cannot be flipped, each half would make two more long ones.
+  /// Returns whether both faces at the edge belong to a strip so thin that points between its borders would not help:
+  /// if its edges cannot be flipped, each half would make two more long edges.
   bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) {
     const EdgeFaces faces = look_about(c, a, b);
     const Vec3 &p = mesh_.point(a), along = mesh_.point(b) - p;
@@ -110,9 +110,9 @@ class EdgeSplitter {
   Toolbox& tools_;
   DomainMesh& mesh_;
   LongEdges which_;
-  bool may_flip_;  ///< where patches are planar: an edge of a strip that is flipped needs no half
+  bool may_flip_;  ///< on planar patches, an edge of a strip is flipped instead of being split
   std::priority_queue<MeasuredEdge> queue_;
-  std::vector<CellIndex> cells_;  // about the edge that was looked at last
+  std::vector<CellIndex> cells_;  // cells around the edge examined last
   std::vector<VertexIndex> ring_;
 };
 
@@ -149,7 +149,7 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
   return edges;
 }
 
-/// `collapse` moves a vertex into another, where it can.
+/// Contracts short edges by calling `collapse`, which moves a vertex to another one if possible.
 template <class Collapse>
 std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edges, const RunContext& context,
                            const Collapse& collapse) {
@@ -159,7 +159,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     if (k % 256 == 0) context.check_cancelled(), context.report(mesh.n_cells(), 0);
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
-    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // the freer vertex is removed
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // The less constrained vertex is removed.
     if (cell_with_edge(tools, u, v) == no_cell) continue;
     if (collapse(u, v) || collapse(v, u)) ++n;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points on surfaces, front by front, declared in remesh/passes/passes.hpp.
+// Inserts points on surfaces, advancing from curves. Declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -13,17 +13,18 @@ namespace {
 
 constexpr double long_squared = refine_ratios.long_edge * refine_ratios.long_edge;
 
-/// A constrained face, to be recognised after other operations.
+/// A constrained face, stored by its vertices so that it can be found again after other operations.
 struct SurfaceItem {
   FaceRef face;
   Triangle corners;
-  std::array<std::uint64_t, 2> refused{};  ///< by kind of pass: when the last one that placed no point here began
+  /// For each kind of pass, the start of the last one that placed no point here.
+  std::array<std::uint64_t, 2> refused{};
 };
 
-/// The front of `refine_inside` one dimension down: points at the ideal height over edges that are done, in the plane
-/// of a face.
+/// The advancing front of `refine_inside` in two dimensions: points are placed in the plane of a face, at the ideal
+/// height over edges whose length is reached.
 class SurfaceRefiner {
-  /// Places of points in a pass.
+  /// Kinds of places that a pass tries.
   enum class Kind : std::uint8_t { centre, front };
 
  public:
@@ -97,7 +98,7 @@ class SurfaceRefiner {
     return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * h, refine_ratios.surface_shape});
   }
 
-  /// An edge is done where it is a curve or not longer than 1.2 times its size.
+  /// An edge belongs to the front if it is part of a curve or not longer than 1.2 times its size.
   std::optional<VertexIndex> insert_on_front(const SurfaceItem& s) {
     const Triangle& t = s.corners;
     const Vec3 n = mesh_.normal(t);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces of good shape within patches, declared in remesh/passes/passes.hpp.
+// Improves the shapes of faces within patches. Declared in remesh/passes/passes.hpp.
 #include <algorithm>
 #include <atomic>
 
@@ -33,7 +33,7 @@ class SurfaceRegularizer {
 
   void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
 
-  /// Moves vertices. One that could not move is not tried again before something around it changes after this call.
+  /// Moves vertices. A vertex that cannot move is tried again only after something around it has changed.
   std::size_t move_all(unsigned threads) {
     std::vector<VertexIndex> asked;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
@@ -52,7 +52,7 @@ class SurfaceRegularizer {
   }
 
  private:
-  /// An edge from a vertex to a greater one, and the apexes of its faces.
+  /// An edge from a vertex to one of higher index, and the opposite vertices of its two faces.
   struct SurfaceEdge {
     VertexIndex to;
     CellIndex cell;
@@ -60,7 +60,7 @@ class SurfaceRegularizer {
     unsigned n_faces;
   };
 
-  /// Edges to greater vertices, so that each is looked at once.
+  /// Flips edges to vertices of higher index, so that each edge is examined once.
   void flip_about(VertexIndex v, Toolbox& tools) {
     auto& [star, edges] = lists_.local();
     mesh_.star(v, tools.work.marks, star);
@@ -98,7 +98,7 @@ class SurfaceRegularizer {
     }
   }
 
-  /// Two faces, and not Delaunay on the surface.
+  /// Returns whether the edge has two faces and is not Delaunay on the surface.
   bool is_asked(VertexIndex v, const SurfaceEdge& e) const {
     return e.n_faces == 2 && surface_asks_for_flip(mesh_, v, e.to, e.apex, e.other_apex);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Repair of poor cells, the worst first, by one local operation about each.
+/// Repair of poor cells in the order of their shapes, worst first, by one local operation around each.
 #pragma once
 
 #include <functional>
@@ -12,12 +12,12 @@
 
 namespace geomesh::remesh {
 
-/// The operations about a cell, each including those before it.
+/// The operations around a cell. Each value includes the operations of the values before it.
 enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, points };
 
 class WorstFirstRepair {
  public:
-  /// All arguments must outlive this object. `out_of_time` is called now and then.
+  /// All arguments must outlive this object. `out_of_time` is polled from time to time.
   WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 
@@ -26,7 +26,7 @@ class WorstFirstRepair {
   /// changed since. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
-  /// New points may succeed where others failed before, as in less room.
+  /// Permits points to be tried again that have failed before, for example because they may now be nearer to others.
   void forget_failed_points();
 
  private:
@@ -44,8 +44,8 @@ class WorstFirstRepair {
     std::uint64_t when = 0;  ///< the mesh's time
     RepairBy what = RepairBy::nothing;
   };
-  std::vector<Attempt> tried_;           // by cell: what was in vain
-  std::vector<std::uint64_t> smoothed_;  // by vertex: when moving it was last in vain
+  std::vector<Attempt> tried_;           // for each cell, the attempts that have failed
+  std::vector<std::uint64_t> smoothed_;  // for each vertex, when moving it last failed
 };
 
 }  // namespace geomesh::remesh

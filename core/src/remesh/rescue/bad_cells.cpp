@@ -16,7 +16,7 @@ std::size_t count_below(const DomainMesh& mesh, double limit) {
   return n;
 }
 
-/// Counts cells by class of shape, and orders those of the one class that matters.
+/// Counts cells by class of shape, then sorts only the class that contains the percentile.
 double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads) {
   constexpr std::size_t chunk = 65536, n_classes = 1024;
   using Counts = std::array<std::size_t, n_classes>;

@@ -16,8 +16,8 @@ using Edge = std::array<VertexIndex, 2>;
 
 /// The bad cells that a trial improves.
 enum class MendScope : bool {
-  touched,  ///< all vertices that it touched
-  own,      ///< the cells that it made or changed
+  touched,  ///< bad cells at all vertices that the trial has touched
+  own,      ///< bad cells that the trial has created or changed
 };
 
 /// Whether repair may put points at a place.
@@ -29,12 +29,12 @@ class RescuedPlace {
   RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule, NewPoints points = NewPoints::yes)
       : tools_(tools), mesh_(tools.mesh), rule_(rule), points_(points), seed_(bad_cell(mesh_, seed)) {}
 
-  /// The cell of the trial, as it was.
+  /// The bad cell around which the trial takes place, in its former state.
   const BadCell& seed() const { return seed_; }
   void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
   void set_scope(MendScope scope) { scope_ = scope; }
 
-  /// Makes the first operation that raises the worst shape around the cell.
+  /// Performs the first operation that raises the worst shape around the cell.
   bool mend(CellIndex c) {
     return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
            (points_ == NewPoints::yes && add_point_about_cell(tools_, c, rescue_limits.room));
@@ -109,13 +109,13 @@ class RescuedPlace {
   NewPoints points_;
   BadCell seed_;
   MendScope scope_ = MendScope::touched;
-  std::vector<Tetrahedron> given_up_;  // cells for which every attempt failed
+  std::vector<Tetrahedron> given_up_;  // cells for which every attempt has failed
 };
 
 /// Whether operations of repair may make more cells bad.
 enum class BadCells : bool { may_not_spread, may_spread };
 
-/// Repairs the result of `open`, and keeps it if it is worth it.
+/// Performs `open` and repairs the result. Keeps both if they are worthwhile.
 template <class Open>
 bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
   Trial trial(tools);
@@ -140,7 +140,7 @@ std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   return cells;
 }
 
-/// Pairs (u, v): each movable vertex of the cell, and of the cells around it, with each of the cell's vertices or its
+/// Returns pairs (u, v). u is a movable vertex of the cell or of a cell around it; v is a vertex of the cell or u's
 /// nearest neighbour.
 std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   std::vector<Edge> edges;
@@ -234,7 +234,8 @@ std::vector<BadCell> free_cells(const DomainMesh& mesh, const FreeCellJudge& jud
   return bad;
 }
 
-/// The free cells after a sweep, the worst first. What nothing has changed is as it was.
+/// Returns the bad cells not imposed by the input after a sweep, worst first. Cells without a change around them keep
+/// their former classification.
 std::vector<BadCell> free_cells_after(const DomainMesh& mesh, const FreeCellJudge& judge,
                                       const std::vector<BadCell>& before, std::uint64_t sweep) {
   std::vector<BadCell> bad;

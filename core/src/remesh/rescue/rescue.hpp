@@ -11,9 +11,9 @@
 namespace geomesh::remesh {
 
 struct RescueRule {
-  double bad_shape;          ///< below this a cell is bad
-  unsigned smoothing_steps;  ///< of a vertex that moves
-  unsigned max_steps;        ///< operations of one sequence
+  double bad_shape;          ///< a cell with a lower shape is bad
+  unsigned smoothing_steps;  ///< largest number of steps when a vertex is moved
+  unsigned max_steps;        ///< largest number of operations in a sequence
 };
 
 using OutOfTime = std::function<bool()>;
@@ -23,7 +23,7 @@ using OutOfTime = std::function<bool()>;
 struct VainTrials {
   std::size_t left;
 };
-/// Budget for a mesh of so many cells; no more than `most`.
+/// Returns the budget for a mesh of n_cells cells, at most `most`.
 VainTrials vain_trials(std::size_t n_cells, std::size_t most);
 
 /// Improves the bad cell c and every cell that becomes bad by that. Each operation raises the worst shape around it,
@@ -48,7 +48,7 @@ bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length
 struct RescueSearch {
   Random choose;
   std::size_t trials_a_cell;
-  std::size_t trials_left;  ///< number of failures in all
+  std::size_t trials_left;  ///< number of failures left in total
   OutOfTime out_of_time;
   const FreeCellJudge& judge;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An edge made longer by moving one of its ends, declared in remesh/operations/operations.hpp.
+// Lengthens an edge by moving one of its ends. Declared in remesh/operations/operations.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"
@@ -32,7 +32,8 @@ class Stretch {
   }
 
  private:
-  static constexpr double least_share = 0.99;  ///< share of the length that bringing the place to the surface may cost
+  /// Share of the length that must remain after the place has been projected to the surface.
+  static constexpr double least_share = 0.99;
 
   Vec3 project(const Vec3& p) const {
     switch (mesh_.kind(u_)) {

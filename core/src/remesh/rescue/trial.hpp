@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A group of operations that is kept or undone as one.
+/// A group of operations that is kept or undone as a whole.
 #pragma once
 
 #include "remesh/operations/operations.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The size field from what was asked, declared in remesh/sizes/sizes.hpp.
+// Builds the size field from the sizes of the options and of the input. Declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -14,13 +14,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where short edges stand among long ones, as where curves cross the sides of triangles, nobody asked for the short
-/// ones; nor for any that is shorter than the size of the whole model that was asked. Sizes grow as fast from there
-/// as shapes allow.
+/// Short edges among long ones, such as those between curves and the sides of triangles that they cross, are not a
+/// requested size; neither are edges shorter than the size requested for the whole model. Sizes grow from them as fast
+/// as good shapes permit.
 constexpr double uneven_ratio = 0.5, fast_gradation = 0.5, few_shortest = 3;
 
-/// No size is below this, whatever short edges and thin gaps the input has: points that near to each other round onto
-/// each other, or off the sides that they are on.
+/// The lower limit of all sizes, whatever short edges and thin gaps the input has. Points nearer to each other than
+/// this would be rounded onto each other, or off the edges and faces on which they lie.
 double least_of_all(const DomainMesh& mesh) {
   constexpr double share_of_diagonal = 1e-9;
   Box3 box;
@@ -38,7 +38,7 @@ class SizeFieldBuilder {
         at_vertex_(mesh.n_vertices(), infinity),
         least_(least_of_all(mesh)) {}
 
-  /// Not by means of edges where surfaces get no points: by the longest.
+  /// Adds the sizes of input edges: a mean of the edges at a vertex, or their longest if surfaces get no points.
   void add_input_edges(bool by_longest) {
     if (!options_.from_input_edges) return;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v) {
@@ -55,7 +55,7 @@ class SizeFieldBuilder {
     }
   }
 
-  /// Sizes of patches hold over their faces, those of curves along them.
+  /// Adds the sizes of patches over their faces, and those of curves along their edges.
   void add_patches_and_curves() {
     mesh_.for_each_facet_face([&](FaceRef f) {
       const Index patch = patch_of(f);
@@ -65,8 +65,9 @@ class SizeFieldBuilder {
     cover_curves(mesh_, options_.segment_size, sources_);
   }
 
-  /// The edge that turns by the angle asked is a bend's radius times that angle. For the tolerance a surface counts as
-  /// flat over lengths over which it is: a rough one turns at every edge.
+  /// Adds sizes that follow from curvature: an edge that spans the requested angle is as long as the radius times that
+  /// angle. For the tolerance, a surface is flat over lengths over which it stays within the tolerance of a plane;
+  /// without this rule every edge of a rough surface would be a bend.
   void add_curvature(const LocalTolerance& tolerance) {
     const bool is_within = tolerance.greatest() > 0;
     if (!(options_.curvature_angle > 0) && !is_within) return;
@@ -126,7 +127,8 @@ class SizeFieldBuilder {
       ask(v, size);
   }
 
-  /// Asked layers come whatever their thickness; others never below a share of what is asked otherwise.
+  /// Returns the size across a gap. A requested number of layers is kept for any thickness; otherwise the size is at
+  /// least a share of the one requested there.
   double size_across(double width, double layers, double asked) const {
     if (layers > 0) return width / layers;
     return options_.gap_layers > 0 ? std::max(width / options_.gap_layers, options_.gap_floor * asked) : infinity;

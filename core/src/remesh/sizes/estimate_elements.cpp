@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The number of elements before the work, declared in geomesh/core/refine.hpp and remesh/sizes/sizes.hpp.
+// Estimates the number of elements before meshing. Declared in geomesh/core/refine.hpp and remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,20 +15,22 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// From the integrals at a scale of the sizes, at twice and at four times that. Even sizes go with the inverse third
-/// power of the scale, sizes that grow away from surfaces with the second, from curves with the first: the polynomial
-/// through the integrals times the third power is taken at the scale 1. Never beyond the third and the first power.
+/// Extrapolates from the integrals for sizes scaled by one, two and four times some factor. The number of elements for
+/// constant sizes is proportional to the inverse third power of the scale; for sizes that grow away from surfaces the
+/// power is two, from curves one. A polynomial through the three integrals times the third power is therefore evaluated
+/// at the scale 1, limited to powers between one and three.
 double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   const auto at = [&](unsigned k) { return integrals[k] * std::pow(std::ldexp(scale, static_cast<int>(k)), 3); };
-  const double x = 1 / scale;  // of the least of the scales 1, 2, 4
+  const double x = 1 / scale;  // relative to the smallest of the scales 1, 2, 4
   const double found = at(0) * (x - 2) * (x - 4) / 3 - at(1) * (x - 1) * (x - 4) / 2 + at(2) * (x - 1) * (x - 2) / 6;
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }
 
-/// The elements, or a number of them that is more than enough. A field with too many small sizes to sample is
-/// extrapolated from larger ones.
+/// Returns the estimated number of elements, or any number above `enough`. If the field has too many small sizes to be
+/// sampled, it is extrapolated from larger ones.
 double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
-  constexpr double larger = 8;  // squared from try to try: sizes in other units are soon left behind
+  // The factor is squared from one attempt to the next, so that sizes in wrong units are soon exceeded.
+  constexpr double larger = 8;
   constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths
   if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
@@ -52,7 +54,7 @@ double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double e
 }  // namespace
 
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options, double enough) {
-  // Cells about given points that stay there are there for their own sake.
+  // Each given point that remains has cells around it in addition to those that the sizes require.
   constexpr double per_given_cell = 1.05;
   const double count = elements_by_sizes(mesh, size, enough);
   return options.honour == Honour::exact ? count + per_given_cell * static_cast<double>(mesh.n_cells()) : count;
@@ -66,7 +68,7 @@ std::string with_three_digits(double x) {
   return text.data();
 }
 
-/// "1,234,567", or "2.1e+13" beyond what anybody counts.
+/// Writes "1,234,567", or "2.1e+13" for very large numbers.
 std::string in_words(double count) {
   constexpr double countable = 1e12;
   if (!(count < countable)) return with_three_digits(count);
@@ -84,7 +86,7 @@ void check_estimate(double estimate, std::size_t limit) {
                                           " times as large would do, or raise the limit");
 }
 
-/// Of the edges of the input, half are longer.
+/// Returns the median length of the input's edges.
 double middle_edge(const PiecewiseLinearComplex& plc) {
   std::vector<double> lengths;
   for (Index l = 0; l + 1 < plc.loop_offsets.size(); ++l) {
@@ -98,8 +100,8 @@ double middle_edge(const PiecewiseLinearComplex& plc) {
   return *middle;
 }
 
-/// Far fewer elements may meet what is asked of the whole model, or where nothing is asked, what most edges of the
-/// input ask for. The user is told before the work.
+/// Warns before meshing if far fewer elements would meet the size requested for the whole model, or, without such a
+/// size, the length of most input edges.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
   constexpr double many = 250'000, most = 2, short_edge = 0.1;  // of the middle one

@@ -10,18 +10,20 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of the tolerance. A surface of an even curvature whose chords of this length are off by the tolerance is off its
-/// plane by 0.3 of it; noise that is normally distributed is within the tolerance in all but one place of ten thousand.
+/// Factor of the tolerance. If chords of this length deviate from a surface of constant curvature by the tolerance, the
+/// root mean square of the distance to the best plane is 0.3 of it. Normally distributed noise of that size exceeds the
+/// tolerance in one of ten thousand places.
 constexpr double share_of_tolerance = 0.25;
 constexpr unsigned most_levels = 12;
 
-/// Sums over an area: of places and of their products, as seen from an origin.
+/// Moments of an area: integrals of the coordinates and of their products, relative to an origin.
 struct Moments {
   double area = 0;
   Vec3 sum;
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
 
-  /// Exact for what is linear over a triangle: twelfths of the corners' and of their sum's products.
+  /// Adds a triangle. The integrals are exact: products are sums over the corners and over their sum, divided by
+  /// twelve.
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double w = 0.5 * length(cross(b - a, c - a)), t = w / 12;
     const Vec3 s = a + b + c;
@@ -33,7 +35,7 @@ struct Moments {
     }
   }
 
-  /// Mean square of the distance from the best plane: the least eigenvalue of the covariance, by its cubic.
+  /// The mean squared distance from the best-fitting plane, which is the smallest eigenvalue of the covariance matrix.
   double off_plane_squared() const {
     if (!(area > 0)) return 0;
     const Vec3 m = (1 / area) * sum;

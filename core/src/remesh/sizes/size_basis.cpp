@@ -11,7 +11,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Per facet a number that pieces of one have in common. Surfaces that are kept have it as their patches.
+/// Returns for each facet a number that is equal for pieces of one input facet. If surfaces are kept, these numbers are
+/// their patches.
 std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
                                  const RefineOptions& options) {
   if (options.honour == Honour::tolerance) return merge_pieces(plc, options.facet_parent).row_of_facet;
@@ -20,7 +21,8 @@ std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const Domain
   return rows;
 }
 
-/// By vertex. Edges between pieces of one input triangle (equal in `merged`) are nobody's wish.
+/// Returns the edges at each vertex. Edges between pieces of one input triangle (equal in `merged`) are left out,
+/// because the user did not choose them.
 std::vector<EdgesAtVertex> edges_at_vertices(const DomainMesh& mesh, const std::vector<Index>& merged) {
   struct Use {
     std::array<VertexIndex, 2> edge;
@@ -48,7 +50,7 @@ std::vector<EdgesAtVertex> edges_at_vertices(const DomainMesh& mesh, const std::
   return edges;
 }
 
-/// Lists the bends and the faces between which they are.
+/// Lists the edges at which surfaces bend, and the faces of these surfaces.
 void add_bends(const DomainMesh& mesh, SizeBasis& basis) {
   constexpr double flat = 1e-3, crease = 0.8;  // radians
   struct Half {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Edges and bends of the surfaces, from which sizes follow. They are the same however large the sizes are.
+/// Input edges and bends of the surfaces, from which sizes follow. They do not depend on the sizes.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace geomesh::remesh {
 
-/// The constrained edges at a vertex on a surface or curve.
+/// Lengths of the constrained edges at a vertex on a surface or curve.
 struct EdgesAtVertex {
   double inverse = 0, sum = 0, count = 0;  // of their lengths
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
@@ -22,14 +22,14 @@ struct EdgesAtVertex {
     inverse += times / length, sum += times * length, count += times;
     shortest = std::min(shortest, length), longest = std::max(longest, length);
   }
-  /// In an even triangulation the mean. Near a few short edges among long ones a few times the short ones, which is
-  /// what elements of good shape need there.
+  /// The harmonic mean. In a uniform triangulation it equals the mean. With a few short edges among long ones it is a
+  /// few times the short length, as elements of good shape require there.
   double harmonic() const { return count / inverse; }
   double mean() const { return sum / count; }
 };
 
-/// Two faces of a patch that turn at the edge between them. Where the surface turns by an angle over the distance
-/// between the faces' centroids, the radius is that distance over the angle.
+/// Two faces of a patch that form an angle at their common edge. The radius of curvature is the distance between the
+/// centroids of the faces, divided by that angle.
 struct Bend {
   std::array<VertexIndex, 2> edge;
   std::array<Vec3, 2> centroids;
@@ -40,11 +40,12 @@ struct Bend {
 struct SizeBasis {
   std::vector<Index> patch;             ///< by facet: named_patches
   std::vector<EdgesAtVertex> edges;     ///< by vertex
-  std::vector<Bend> bends;              ///< none where neither a tolerance nor a curvature asks for them
-  std::vector<FlatExtent::Face> faces;  ///< of all surfaces, where bends are listed
+  std::vector<Bend> bends;              ///< empty if neither a tolerance nor a curvature requires bends
+  std::vector<FlatExtent::Face> faces;  ///< faces of all surfaces, if bends are listed
 };
 
-/// `options` count with all but their sizes, their tolerance and what gaps ask for. O(n log n).
+/// Collects edges and bends. All `options` matter except for their sizes, their tolerance and those on gaps. O(n log
+/// n).
 SizeBasis size_basis(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
 }  // namespace geomesh::remesh

@@ -16,11 +16,12 @@ using search::squared_distance_to;
 
 constexpr Index leaf_size = 8;
 
-/// Whether something of this size, radius and gradation at this distance or farther asks for `bound` or more; no root
-/// is taken, nothing divided.
+/// Returns whether a source of this size, radius and gradation requires `bound` or more at this distance and beyond,
+/// computed without roots and divisions.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  const double reach = radius * gradation + (bound - size);  // times the gradation: within it, less is asked
+  // Multiplied by the gradation: nearer places get less than the bound.
+  const double reach = radius * gradation + (bound - size);
   return squared_distance * gradation * gradation >= reach * reach;
 }
 
@@ -52,8 +53,8 @@ SizeField SizeField::times(double factor) const {
   return SizeField(std::move(sources), std::move(limits));
 }
 
-/// A source never asks for the least where another asks for less at its place, by what it grows over its radius. That
-/// holds where none grows faster than it.
+/// Removes redundant sources. A source is redundant if another one requires less at its place, even after growing over
+/// its radius, and grows no faster.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

@@ -17,19 +17,19 @@ using Edge = std::array<VertexIndex, 2>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The size at a place, and between which bounds it lies within a distance of it.
+/// The size at a place, and bounds for sizes within some distance of it.
 struct SizeAbout {
   double size, least, greatest;
 };
 
-/// From the size that the sources ask for at one place those at places about it are found sooner.
+/// A place at which the relevant sources are known, which speeds up the search at places nearby.
 struct KnownPlace {
   Vec3 place;
   double by_sources = infinity;
 };
 
-/// Samples a field. Within a component a field without a background grows no faster than its sources do. It is constant
-/// where the sources ask for more than the limits.
+/// Samples a size field. Without a background the field grows no faster than its sources do within a component, and it
+/// is constant where the sources require more than the limits.
 class SizeSampler {
  public:
   SizeSampler(const SizeField& field, std::size_t most_samples)
@@ -52,7 +52,7 @@ class SizeSampler {
   }
 
  private:
-  static constexpr double growth_of_background = 0.5;  ///< nobody knows how fast sizes of a file change
+  static constexpr double growth_of_background = 0.5;  ///< the gradation of sizes read from a file is unknown
 
   double cap_at(const Vec3& p, Index component) const {
     double cap = std::min(limits_.global, limits_.max_size);
@@ -74,7 +74,7 @@ double content(const std::array<Vec3, 4>& p) { return std::abs(dot(p[1] - p[0], 
 double content(const std::array<Vec3, 3>& p) { return 0.5 * length(cross(p[1] - p[0], p[2] - p[0])); }
 double content(const std::array<Vec3, 2>& p) { return distance(p[0], p[1]); }
 
-/// Integral over simplices of n corners of 1 / size^(n - 1).
+/// Integrates 1 / size^(n - 1) over simplices of n corners.
 template <std::size_t n>
 class Integral {
  public:
@@ -89,10 +89,10 @@ class Integral {
 
  private:
   static constexpr unsigned greatest_depth = 200;
-  /// A piece that brings less than this share of the sum so far is sampled.
+  /// A piece whose contribution is less than this share of the sum so far is sampled.
   static constexpr double small_share = 1e-4;
 
-  /// How often a piece was cut, and how many such pieces it stands for.
+  /// How often a piece was bisected, and how many such pieces it represents.
   struct Share {
     unsigned depth = 0;
     double weight = 1;
@@ -104,9 +104,9 @@ class Integral {
     return power;
   }
 
-  /// A piece that brings little is estimated from one of its halves, drawn at random, which counts twice (Russian
-  /// roulette). The sum has the same expectation, and no sum takes many more samples than another, however slender the
-  /// cells are and however many elements come.
+  /// A piece with a small contribution is estimated from one of its halves, chosen at random and counted twice (Russian
+  /// roulette). The expected value of the sum is unchanged, and the number of samples is limited however slender the
+  /// cells are.
   void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, const Share& share) {
     if (sampler_.is_exhausted()) return;
     Vec3 centre;
@@ -140,12 +140,12 @@ class Integral {
   }
 
   SizeSampler& sampler_;
-  KnownPlace last_;  ///< in the simplex before
+  KnownPlace last_;  ///< in the previous simplex
   Random choice_;
   double sum_ = 0;
 };
 
-/// Edges of curves, in ascending order, each as many times as there are constrained faces that have it.
+/// Returns the edges of curves in ascending order, each once for each of its constrained faces.
 std::vector<Edge> edges_of_curve_faces(const DomainMesh& mesh) {
   std::vector<Edge> edges;
   for (const CellIndex c : mesh.live_cells())
@@ -161,7 +161,7 @@ std::vector<Edge> edges_of_curve_faces(const DomainMesh& mesh) {
   return edges;
 }
 
-/// The integral along the curves at which two faces meet.
+/// Integrates along curves at which exactly two faces meet.
 double along_folds(const DomainMesh& mesh, SizeSampler& sampler) {
   Integral<2> fold(sampler);
   const std::vector<Edge> edges = edges_of_curve_faces(mesh);
@@ -176,16 +176,16 @@ double along_folds(const DomainMesh& mesh, SizeSampler& sampler) {
 }  // namespace
 
 double elements_of(const SizeIntegrals& integrals) {
-  // Fitted to samples, templates and real sets. Sizes that grow away from a surface take more elements than their
-  // integral over the volume tells, in proportion to its area. Two faces that meet at a fold count the same elements
-  // beside it, which are taken off once.
+  // Coefficients fitted to samples, templates and real data sets. Sizes that grow away from a surface need more
+  // elements than the integral over the volume indicates, in proportion to the surface's area. At a fold both faces
+  // count the same elements, which are subtracted once.
   constexpr double per_volume = 10, per_area = 5.3, per_fold = 20;
   return per_volume * integrals.volume + std::max(per_area * integrals.surface - per_fold * integrals.fold, 0.0);
 }
 
 std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
                                              double enough) {
-  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // a cell has four faces
+  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // A cell has four faces.
   SizeIntegrals found{.volume = 0, .surface = 0, .fold = along_folds(mesh, sampler)};
   Integral<4> volume(sampler);
   Integral<3> surface(sampler);

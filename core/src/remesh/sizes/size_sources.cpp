@@ -33,7 +33,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where a ray leaves a cell.
+/// The face through which a ray leaves a cell, and where.
 struct Exit {
   FaceRef face;
   double at = infinity;
@@ -42,7 +42,7 @@ struct Exit {
 
 constexpr unsigned no_face = 4;
 
-/// `entered`: the cell's face through which the ray comes, or no_face.
+/// Finds where the ray leaves the cell. `entered` is the face through which it has entered, or no_face.
 Exit leave(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3& origin, const Vec3& direction) {
   Exit first;
   for (unsigned k = 0; k < 4; ++k) {
@@ -58,8 +58,8 @@ Exit leave(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3&
   return first;
 }
 
-/// The next constrained face on a ray that starts in the cell, or on its face `entered`; none where many cells do not
-/// reach one. `visit` is told each cell, and where the ray leaves it.
+/// Finds the next constrained face on a ray that starts in the cell or on its face `entered`; nothing if it is not
+/// reached within many cells. `visit` is called for each cell with the point at which the ray leaves it.
 template <class Visit>
 Exit next_surface(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3& origin, const Vec3& direction,
                   const Visit& visit) {
@@ -78,20 +78,21 @@ Exit next_surface(const DomainMesh& mesh, CellIndex cell, unsigned entered, cons
 
 void pass(CellIndex, double) {}
 
-/// A face, and another one that it faces at one of its points.
+/// A constrained face and another one opposite it, seen from one of its points.
 struct Facing {
   FaceRef face;
-  Vec3 origin, normal;   ///< of length one, into the cell
-  double width;          ///< from the origin along the normal to the other
-  Vec3 normal_of_other;  ///< of length one, away from the face
+  Vec3 origin, normal;   ///< unit vector into the cell
+  double width;          ///< distance from the origin to the other face along the normal
+  Vec3 normal_of_other;  ///< unit vector away from the face
 };
 
-/// Whether the surfaces meet where the faces' planes do, and that is within `reach`. Where needles stand along the
-/// curve, faces behind them share no vertex.
+/// Returns whether the two surfaces meet within `reach`, along the line in which the planes of the faces intersect. If
+/// there are needles along that curve, the faces beyond them share no vertex.
 bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
-  constexpr double share = 0.5;  // of the way to where the planes meet, by which surfaces may meet sooner or later
+  // Relative distance from the line of intersection within which the surfaces may actually meet.
+  constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
-  const Vec3 down = m - dot(m, n) * n;  // along the face, to where the other is nearer
+  const Vec3 down = m - dot(m, n) * n;  // direction along the face towards the line of intersection
   const double slope = length(down) / dot(m, n);
   if (!(facing.width > 0 && slope * reach >= facing.width)) return false;
   const Vec3 meeting = facing.origin + (facing.width / slope) * unit(down);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sources of a size over triangles, curves and gaps, however long or wide.
+/// Adds sources of the size field along triangles and curves and in gaps, whatever their extent.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace geomesh::remesh {
 
-/// Calls visit(centroid, radius) for the pieces into which a lattice cuts the triangle: two sizes wide, at most eight
-/// on a side.
+/// Calls visit(centroid, radius) for pieces of the triangle, cut by a lattice twice as wide as the size and with at
+/// most eight cells along each side.
 template <class Visit>
 void visit_pieces(const std::array<Vec3, 3>& corners, double size, const Visit& visit) {
   const auto& [a, b, c] = corners;
@@ -27,12 +27,12 @@ void visit_pieces(const std::array<Vec3, 3>& corners, double size, const Visit& 
     }
 }
 
-/// At the points of a lattice over the triangle, two sizes apart, at most 100 on a side.
+/// Adds sources at the points of a lattice over the triangle, twice the size apart, with at most 100 along each side.
 void cover_triangle(const std::array<Vec3, 3>& corners, const AskedSize& asked, std::vector<SizeSource>& sources);
-/// Along the mesh's curves, by row of their segments, which may be fewer.
+/// Adds sources along the mesh's curves, by row of their segments; some rows may have none.
 void cover_curves(const DomainMesh& mesh, const std::vector<AskedSize>& asked, std::vector<SizeSource>& sources);
 
-/// visit(face) for each side of a surface that has a cell.
+/// Calls visit(face) for each side of a surface on which there is a cell.
 template <class Visit>
 void for_each_side_of_surfaces(const DomainMesh& mesh, const Visit& visit) {
   for (const CellIndex c : mesh.live_cells())
@@ -40,10 +40,10 @@ void for_each_side_of_surfaces(const DomainMesh& mesh, const Visit& visit) {
       if (mesh.tag(c, i).constrained()) visit(FaceRef(c, i));
 }
 
-/// Distance from `origin`, a point of the constrained face, along its normal into the cell to the next constrained face
-/// that faces back. Infinite where that face stands at more than 60 degrees to this one. Infinite at a corner, which is
-/// no gap: where both share a vertex, or the surfaces meet within `corner_reach`. Infinite too where 500 cells do not
-/// reach one.
+/// Returns the distance from `origin`, a point of the constrained face, along its normal into the cell to the next
+/// constrained face. The result is infinite if that face forms an angle of more than 60 degrees with this one, if both
+/// meet at a corner (they share a vertex, or their surfaces meet within `corner_reach`), or if no face is reached
+/// within 500 cells.
 double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach = 0);
 
 }  // namespace geomesh::remesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sizes asked, what they come to before the work, and what was reached.
+/// The requested sizes, the number of elements that they require, and the sizes reached in the mesh.
 #pragma once
 
 #include "geomesh/core/run_context.hpp"
@@ -9,48 +9,48 @@
 
 namespace geomesh::remesh {
 
-/// Nothing where surfaces are kept. Else `options.tolerance` everywhere, or less: `options.tolerance_share` of the
-/// size that the user asks for at the place, and half of the gap to the surface that faces it. That size is of the
-/// whole model, units, surfaces, curves, places and background. `mesh` is the one that was given, before refinement.
+/// Returns the tolerance by place, or nothing if surfaces are kept. It is `options.tolerance` everywhere, or less: it
+/// is limited to `options.tolerance_share` times the size requested there, and to half of the gap to the opposite
+/// surface. The requested size includes that of the whole model, of units, surfaces, curves, places and the background.
+/// `mesh` is the input mesh before refinement.
 LocalTolerance allowed_tolerance(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
                                  const RefineOptions& options);
 
-/// Sizes asked: from the options, the input's edges, curvature (and a tolerance that limits it; 0: none) and gaps, on
-/// the mesh as it was given; and the same without gaps.
+/// Sizes requested by the options, the input's edges, curvature (limited by a tolerance; 0: no limit) and gaps, on the
+/// input mesh; and the same without gaps.
 struct SizeFields {
   SizeField all, without_gaps;
 };
 SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
-/// Builds the size field where it is needed once: the basis is made here and not kept.
+/// Builds the size field once. The size basis is computed here and not kept.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
-/// The same with the tolerance that the options ask for.
+/// The same with the tolerance given in the options.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
-/// Sizes by name alone, without those that bends and gaps impose.
+/// Returns the sizes that are requested by name, without those from bends and gaps.
 SizeField sizes_asked_by_name(const SizeBasis& basis, const DomainMesh& mesh, RefineOptions options);
 
-/// For a mesh that is sparse inside (RefineOptions::sparse_growth): on surfaces and curves as they are now what is
-/// asked there, and from there growing up to the ratio times what is asked.
+/// Returns sizes for a mesh that is sparse inside (RefineOptions::sparse_growth): the requested sizes on surfaces and
+/// curves, growing from there to a multiple of the requested size.
 SizeField sparse_sizes(const DomainMesh& mesh, const SizeField& asked, const RefineOptions& options);
 
-/// Whether surfaces get points for sizes: where they may be remeshed they always do.
+/// Returns whether surfaces get points to reach the sizes. This is always so if they may be remeshed.
 inline bool sizes_surfaces(const RefineOptions& o) { return o.size_surfaces || o.honour == Honour::tolerance; }
-/// The greatest; 0 where surfaces are kept.
+/// The largest tolerance, or 0 if surfaces are kept.
 inline double size_tolerance(const RefineOptions& o) { return o.honour == Honour::tolerance ? o.tolerance : 0; }
 
-/// What the sizes come to, told before the work. Throws Error{cannot_mesh} beyond the limit.
+/// Reports the estimated number of elements before meshing. Throws Error{cannot_mesh} if it exceeds the limit.
 void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                        const RunContext& context, RefineResult& result);
 
-/// Share of the edges that are between half and twice as long as asked.
+/// Returns the share of edges whose length is between half and twice the requested size.
 double share_of_edges_within_size(Toolbox& tools, unsigned threads = 1);
 
-/// How many elements the sizes come to: integrals over volume and faces of the inverse of what an element of the asked
-/// size takes of them. Where surfaces keep their place, the cells that the mesh has before are counted too. Measured
-/// within 30 % there. Takes seconds however many elements that are (size_integrals.hpp).
-/// Counting ends where the number is above `enough`.
+/// Estimates how many elements the sizes require, from integrals over volume and faces. If surfaces are kept, the cells
+/// that the mesh already has are counted too. Measured errors are within 30 %. It takes seconds for any number of
+/// elements (size_integrals.hpp), and ends early once the number exceeds `enough`.
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options,
                          double enough = std::numeric_limits<double>::infinity());
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many edges have the asked size, declared in remesh/sizes/sizes.hpp.
+// Computes how many edges have the requested size. Declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 #include <atomic>
 #include <span>
@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// visit(a, b) for the edges of all cells, a < b, on several threads.
+/// Calls visit(a, b) for the edges of all cells, with a < b, on several threads.
 template <class Visit>
 void for_each_cell_edge(const DomainMesh& mesh, unsigned threads, const Visit& visit) {
   for_each_index(mesh.n_slots(), threads, [&](std::size_t slot) {
@@ -25,7 +25,8 @@ void for_each_cell_edge(const DomainMesh& mesh, unsigned threads, const Visit& v
   });
 }
 
-/// By edge's lower vertex: the upper ones, once for each cell that has the edge, in any order. A counting sort.
+/// For each vertex, the ends with higher index of its edges: once for each cell with the edge, in any order. Built by a
+/// counting sort.
 struct EdgeEnds {
   EdgeEnds(const DomainMesh& mesh, unsigned threads) : first(mesh.n_vertices() + 1, 0) {
     const auto next_at = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };

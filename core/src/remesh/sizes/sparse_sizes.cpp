@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sizes of a mesh that is sparse inside, declared in remesh/sizes/sizes.hpp.
+// Sizes of a mesh that is sparse inside. Declared in remesh/sizes/sizes.hpp.
 #include <algorithm>
 
 #include "remesh/sizes/sizes.hpp"
@@ -8,8 +8,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Of each vertex on a surface or curve a component that it is in; no_index for others. Sizes are those of the
-/// component that asks for least.
+/// For each vertex on a surface or curve, the adjacent component with the smallest size; no_index for other vertices.
 class LeastSizes {
  public:
   LeastSizes(const DomainMesh& mesh, const SizeField& asked)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The distance from the input that is allowed by place, where it follows the sizes; declared in remesh/sizes/sizes.hpp.
+// The permitted distance from the input by place, if it follows the sizes. Declared in remesh/sizes/sizes.hpp.
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/sizes/size_sources.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -8,7 +8,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// What is asked of surfaces, and of the units beside them.
+/// Adds the sizes requested for surfaces and for the units beside them.
 void cover_surfaces(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                     std::vector<SizeSource>& sources) {
   const SizeOptions& size = options.size;
@@ -29,8 +29,8 @@ void cover_surfaces(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, c
   });
 }
 
-/// Of the tolerance: a curve where surfaces meet is as near behind needles. What is farther from it faces a gap, since
-/// a unit that thins out there would be lost.
+/// Share of the tolerance. A curve at which surfaces meet may lie behind needles at most this wide. Faces farther from
+/// it count as a gap, because a unit that thins out there would be lost.
 constexpr double needle_share = 0.05;
 
 SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
@@ -39,7 +39,7 @@ SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh
   cover_surfaces(plc, mesh, options, sources);
   cover_curves(mesh, options.size.segment_size, sources);
   for (SizeSource& s : sources) s.size *= share, s.gradation *= share;
-  // Half of the gap, at places of a face two sizes apart, or more on a large one.
+  // Adds half of the gap at places of each face, twice the size apart or more on a large face.
   for_each_side_of_surfaces(mesh, [&](FaceRef f) {
     visit_pieces(mesh.places(mesh.face(f)), options.tolerance / share, [&](const Vec3& p, double radius) {
       const double half = 0.5 * gap_width(mesh, f, p, needle_share * options.tolerance);

@@ -36,7 +36,7 @@ class SliverFlipper {
     if (g == f || !is_plain_[g] || plc_.facet_provenance[g] != plc_.facet_provenance[f]) return false;
     const Triangle other = triangle(g);
     const auto at_b = std::find(other.begin(), other.end(), b) - other.begin();
-    if (other[(at_b + 1) % 3] != a) return false;  // they look to different sides
+    if (other[(at_b + 1) % 3] != a) return false;  // The faces are oriented differently.
     const VertexIndex q = other[(at_b + 2) % 3];
     const Triangle first{a, q, m}, second{q, b, m};
     const Vec3 up = normal(other);
@@ -59,14 +59,14 @@ class SliverFlipper {
   Vec3 normal(const Triangle& t) const {
     return cross(plc_.points[t[1]] - plc_.points[t[0]], plc_.points[t[2]] - plc_.points[t[0]]);
   }
-  /// Turned so that its longest edge is the first.
+  /// Rotates the triangle so that its longest edge comes first.
   Triangle from_longest(Triangle t) const {
     const auto squared = [&](const Triangle& u) { return squared_distance(plc_.points[u[0]], plc_.points[u[1]]); };
     const Triangle second{t[1], t[2], t[0]}, third{t[2], t[0], t[1]};
     if (squared(second) > squared(t)) t = second;
     return squared(third) > squared(t) ? third : t;
   }
-  /// Edges of the facets once f = t and g = (t[1], t[0], q) are (t[0], q, t[2]) and (q, t[1], t[2]).
+  /// Updates the edges of the facets: f = t and g = (t[1], t[0], q) become (t[0], q, t[2]) and (q, t[1], t[2]).
   void exchange(Index f, Index g, const Triangle& t, VertexIndex q) {
     const auto replace = [&](VertexIndex a, VertexIndex b, Index from, Index to) {
       std::vector<Index>& at = facets_at_[sorted(Edge{a, b})];
@@ -81,7 +81,7 @@ class SliverFlipper {
   PiecewiseLinearComplex& plc_;
   std::map<Edge, std::vector<Index>> facets_at_;
   std::set<Edge> held_;
-  std::vector<bool> is_plain_;  // a triangle with nothing inside
+  std::vector<bool> is_plain_;  // for each facet, whether it is a triangle with nothing inside
 };
 
 }  // namespace

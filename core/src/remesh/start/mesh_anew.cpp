@@ -12,10 +12,10 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// By facet of a complex: the component below and the one above it, no_index where none is known.
+/// For each facet of a complex, the component below and above it; no_index if unknown.
 using ComponentsBeside = std::vector<std::array<Index, 2>>;
 
-/// visit(face, above, component) for each face and side; ends where it returns false. Returns whether it never did.
+/// Calls visit(face, above, component) for each side of each face until it returns false. Returns whether it never did.
 template <class Visit>
 bool for_each_side(const ConstrainedTetrahedralization& mesh, const Visit& visit) {
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -52,7 +52,7 @@ std::optional<std::vector<Index>> match_components(const ComponentsBeside& besid
   return agrees ? std::optional(std::move(match)) : std::nullopt;
 }
 
-/// A point well inside each component that has no match.
+/// Puts a seed point well inside each component that has no match, so that it becomes a hole.
 void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<Index>& match,
                 PiecewiseLinearComplex& plc) {
   std::vector<double> largest(fresh.n_components, 0);
@@ -77,14 +77,15 @@ bool is_complete(std::vector<Index> match, std::size_t n_components) {
   return match == all;
 }
 
-/// The faces of a mesh as facets, the edges as segments (both in their order), the points on neither as isolated ones.
+/// Makes a complex of a mesh: faces become facets and edges become segments, both in their order; points on neither
+/// become isolated points.
 PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   PiecewiseLinearComplex plc;
   plc.points = mesh.points;
   std::vector<bool> is_used(mesh.points.size(), false);
   for (Index row = 0; row < mesh.faces.size(); ++row) {
     const auto& f = mesh.faces[row];
-    plc.add_triangle(f.vertices, row);  // a surface of its own, so that coplanar faces are not merged
+    plc.add_triangle(f.vertices, row);  // Each face is a surface of its own, so coplanar faces are not merged.
     for (const VertexIndex v : f.vertices) is_used[v] = true;
   }
   for (const auto& e : mesh.edges) {
@@ -114,7 +115,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
     auto match = match_components(beside, fresh);
     if (match && std::find(match->begin(), match->end(), no_index) != match->end()) {
       seed_holes(fresh, *match, plc);
-      fresh = {};  // before there is a second one
+      fresh = {};  // Frees the first mesh before the second one is made.
       fresh = tetrahedralize(plc, options, quiet);
       match = match_components(beside, fresh);
     }
@@ -132,7 +133,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
   }
 }
 
-/// Copies the data of the components and of the run that made `mesh`.
+/// Copies the data of components and of the previous run from `mesh`.
 void inherit(const ConstrainedTetrahedralization& mesh, ConstrainedTetrahedralization& fresh) {
   fresh.n_components = mesh.n_components;
   fresh.component_seed = mesh.component_seed;
@@ -149,7 +150,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   const auto beside =
       components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
   if (!beside) return std::nullopt;
-  constexpr unsigned most_attempts = 2;  // the caller asks again without what is in trouble
+  constexpr unsigned most_attempts = 2;  // The caller repeats the call without the parts that have failed.
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), most_attempts, context, trouble);
   if (fresh) inherit(mesh, *fresh);
   return fresh;
@@ -157,7 +158,8 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  // The caller has another way, and more attempts hold points exactly, which takes minutes beside a needle an ulp wide.
+  // Only one attempt is made, because the caller has an alternative. A further attempt would preserve points exactly,
+  // which takes minutes beside a needle that is a rounding error wide.
   constexpr unsigned most_attempts = 1;
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), most_attempts, context, nullptr);
   if (!fresh) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Meshes of a complex that take the place of another mesh of the same components.
+/// Meshes a complex anew, to replace another mesh with the same components.
 #pragma once
 
 #include <optional>
@@ -22,9 +22,10 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
                                                                PiecewiseLinearComplex plc, const RunContext& context,
                                                                ErrorContext* trouble = nullptr);
 
-/// Exchanges the mesh for the constrained Delaunay start of the same points, faces and edges. Rows of facets, segments,
-/// components and input vertices are as before, cells are new, and there may be a few more points. Precondition: every
-/// face of the mesh's border is in `mesh.faces`. If that is impossible the mesh is unchanged, and false is returned.
+/// Replaces the mesh by the constrained Delaunay mesh of the same points, faces and edges. Rows of facets, segments,
+/// components and input vertices are preserved, the cells are new, and a few points may be added. Precondition: every
+/// face on the border of the mesh is in `mesh.faces`. If this is impossible the mesh is not changed, and false is
+/// returned.
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context);
 
 }  // namespace geomesh::remesh

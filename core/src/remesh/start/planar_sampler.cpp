@@ -98,7 +98,7 @@ bool PlanarSampler::is_inside(const Vec2& p) const {
   return inside;
 }
 
-/// Sizes vary slowly, so points of much smaller size are not near; those of any larger size may be.
+/// Sizes vary slowly, so points with a much smaller size cannot be near; all others may be.
 bool PlanarSampler::is_free(const Vec2& p, double size) const {
   const double radius = spacing_ratio * size, limit = radius * radius;
   const int least = level_of(size) - 2;
@@ -153,14 +153,14 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
       const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
       const Vec2 nearest = plus(place.at, distance * size, direction);
       if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
-      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // the mean of what both ends ask
+      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // the mean of the sizes at both ends
       take(plus(place.at, distance * reach, direction), place);
     }
   }
 }
 
 std::vector<Vec2> PlanarSampler::run() {
-  // First over the border's edges, then round about each point taken, then what is still open.
+  // Advances first from the border's edges, then around each accepted point, then from what is still open.
   for (const auto& [a, b, size_at_a] : edges_) {
     const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});

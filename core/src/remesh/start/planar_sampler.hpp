@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Points inside a polygon of the plane at target distances from each other.
+/// Places points inside a planar polygon at target distances from each other.
 #pragma once
 
 #include <functional>
@@ -11,9 +11,9 @@
 
 namespace geomesh::remesh {
 
-/// Advances from the border inwards. A point is accepted if none is nearer than `spacing_ratio` of the target size
-/// there, and no edge nearer than `edge_ratio` of it: a point in the middle of an edge longer than its target would be
-/// far enough from its ends.
+/// Advances from the border inwards. A point is accepted if no other point is nearer than `spacing_ratio` times the
+/// target size there, and no edge is nearer than `edge_ratio` times it. The second rule is needed because a point
+/// beside the middle of a long edge is far from its ends.
 class PlanarSampler {
  public:
   static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
@@ -22,14 +22,14 @@ class PlanarSampler {
     Vec2 at;
     double size;
   };
-  /// The size at p, given a place nearby where it is known.
+  /// A function that returns the size at p, given a place nearby at which it is known.
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
-  /// Loops with vertices at about the target distances, the outer one counter-clockwise, holes clockwise.
+  /// The loops have vertices at about the target distances. The outer loop is counter-clockwise, holes are clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
-  /// A point, or an inner segment, that others keep away from.
+  /// Adds a point, or a point of an inner segment, from which others must keep their distance.
   void block(const Place& p) { add(p.at, p.size); }
   void block(const Place& a, const Place& b);
-  /// The points taken, in the order of taking.
+  /// Returns the accepted points in the order in which they were accepted.
   std::vector<Vec2> run();
 
  private:
@@ -39,7 +39,7 @@ class PlanarSampler {
   };
   struct Seed {
     Place place;
-    Vec2 direction;  ///< of length one: where the next point is tried first
+    Vec2 direction;  ///< unit vector towards the place at which the next point is tried first
   };
   void add(const Vec2& p, double size);
   double along(const Vec2& p) const { return is_along_x_ ? p.x : p.y; }
@@ -55,11 +55,13 @@ class PlanarSampler {
 
   SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
-  /// Edges by strip across the longer way of the polygon: a straight border along it is in all of them.
+  /// Edges, by strips across the longer dimension of the polygon. A straight border along that dimension is in all
+  /// strips.
   std::vector<std::vector<Index>> rows_, inner_rows_;
   bool is_along_x_ = false;
   double low_ = 0, strip_ = 1;
-  /// Points of sizes from one power of two up to the next, in cells as large as the next: smaller ones would be many.
+  /// Points whose sizes are between two consecutive powers of two, in a grid with cells as wide as the larger one. A
+  /// finer grid would have many cells.
   struct Level {
     int number;
     double cell;

@@ -21,8 +21,8 @@ namespace {
 
 using Edge = std::array<VertexIndex, 2>;
 
-/// A frame in a facet's plane. Axes are those of space where the plane is normal to one, so that nothing is rounded off
-/// it.
+/// A coordinate system in a facet's plane. If the plane is normal to an axis, the other two axes are used, so that
+/// rounding cannot move points off it.
 struct PlaneFrame {
   Vec3 origin, u, v;
   Vec2 flat(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
@@ -40,8 +40,8 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
       f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
       return f;
     }
-  // A short edge is off the plane of many points by much of its length in relation: only its part in the plane is
-  // taken.
+  // A short edge may deviate from the best plane of many points by much of its length, so only its component in the
+  // plane is used.
   const Vec3 unit = (1 / l) * n, along = plc.points[loop[1]] - o, flat = along - dot(along, unit) * unit,
              u = (1 / length(flat)) * flat;
   return PlaneFrame{o, u, cross(unit, u)};
@@ -84,7 +84,8 @@ class SurfaceSampler {
   }
 
  private:
-  /// An edge of facets or a segment: the facets at it, and the points put on it, from the lower vertex to the higher.
+  /// An edge of facets, or a segment: the facets that have it, and the new points on it, from the vertex with the lower
+  /// index to the other.
   struct EdgeParts {
     std::vector<Index> facets;
     std::vector<VertexIndex> points;
@@ -109,7 +110,8 @@ class SurfaceSampler {
     return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
   }
 
-  /// At a point of the model or one put on an edge; remembered where sizes do not depend on the facet.
+  /// Returns the size at a point of the model or a new point on an edge. It is kept if sizes do not depend on the
+  /// facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
     const std::vector<Vec3>& points = out_.plc.points;
     if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
@@ -118,10 +120,11 @@ class SurfaceSampler {
     return vertex_size_[v];
   }
 
-  /// Equal shares of the integral of 1 / size along the edge.
+  /// Divides the edge into pieces with equal integrals of 1 / size.
   void cut(const Edge& edge, EdgeParts& parts) {
     if (whole_.edges.contains(edge)) return;
-    constexpr double surely_one = 1.2;  // by the sizes at the ends; half a share more would make two
+    // Measured by the sizes at the ends; from one and a half there would be two pieces.
+    constexpr double surely_one = 1.2;
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
     if (l < surely_one * std::min(size_at_vertex(edge[0], parts.facets), size_at_vertex(edge[1], parts.facets))) return;
@@ -156,7 +159,7 @@ class SurfaceSampler {
     }
   }
 
-  /// Pieces of inner segments and inner points, by facet.
+  /// Lists the pieces of inner segments and the inner points of each facet.
   void index_inner_parts() {
     inner_segments_.resize(plc_.n_facets());
     inner_points_.resize(plc_.n_facets());
@@ -164,16 +167,17 @@ class SurfaceSampler {
     for (const auto& p : plc_.facet_points) inner_points_[p.facet].push_back(p.v);
   }
 
-  /// The sample of a facet: its loops with the points on its edges, and places inside.
+  /// The sampled points of a facet: its loops, including points on its edges, and places inside.
   struct FacetSample {
     std::vector<std::vector<VertexIndex>> loops;
     std::vector<Vec3> inside;
   };
 
-  /// Facets are sampled side by side: edges have their points, and sizes at these are known.
+  /// Samples facets in parallel. The points on edges exist already, and their sizes are known.
   void sample_facets(const RunContext& context) {
     constexpr std::size_t batch = 4096, chunk = 64;
-    const unsigned threads = size_.limits().background ? 1 : thread_count(context.threads);  // who asks the caller
+    // A function of the caller is evaluated on one thread only.
+    const unsigned threads = size_.limits().background ? 1 : thread_count(context.threads);
     if (size_.limits().component_size.empty()) {
       vertex_size_.resize(out_.plc.points.size(), -1);
       for_each_index(vertex_size_.size(), threads,
@@ -231,8 +235,8 @@ class SurfaceSampler {
     return sample;
   }
 
-  /// A triangle that got no points on its sides and of which no place is far enough from its corners: the farthest is
-  /// at most 1 / sqrt 3 of the longest side.
+  /// Returns whether a triangle needs no inner points: none were put on its sides, and no place in it is far enough
+  /// from its corners. The farthest place is at most 1 / sqrt 3 of the longest side away.
   bool is_full(Index f, const std::vector<std::vector<VertexIndex>>& loops) {
     if (loops.size() > 1 || loops[0].size() != 3) return false;
     const std::array<Index, 1> facet{f};
@@ -261,24 +265,24 @@ class SurfaceSampler {
   const SizeField& size_;
   const WholeParts& whole_;
   std::vector<bool> is_whole_;                // by facet
-  std::vector<std::array<Index, 2>> beside_;  // by facet: a component below and above it
+  std::vector<std::array<Index, 2>> beside_;  // a component below and one above each facet
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;
-  std::vector<double> vertex_size_;  // negative: not evaluated yet
+  std::vector<double> vertex_size_;  // negative if not yet evaluated
   SampledComplex out_;
 };
 
-/// Inner segments, by facet.
+/// Returns the inner segments of each facet.
 std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& plc) {
   std::vector<std::vector<Edge>> segments(plc.n_facets());
   for (const auto& s : plc.facet_segments) segments[s.facet].push_back({s.a, s.b});
   return segments;
 }
 
-/// As wide as rounding may be.
+/// Returns whether the facet is so thin that rounding may change it.
 bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
-  constexpr double least_width = 1e-6;  // of the longest edge
+  constexpr double least_width = 1e-6;  // relative to the longest edge
   const auto loop = plc.outer_loop(f);
   double longest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -286,8 +290,8 @@ bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
   return length(loop_normal(plc.points, loop)) < least_width * longest;
 }
 
-/// Facets of which edges may cross once they have points, rounded to doubles: thin ones, and those that are more than a
-/// triangle.
+/// Returns the facets whose edges may intersect after points on them have been rounded: thin triangles, and facets that
+/// are no triangles.
 std::vector<Index> delicate_facets(const PiecewiseLinearComplex& plc) {
   const std::vector<std::vector<Edge>> segments = segments_by_facet(plc);
   std::vector<Index> delicate;
@@ -297,7 +301,7 @@ std::vector<Index> delicate_facets(const PiecewiseLinearComplex& plc) {
   return delicate;
 }
 
-/// Edges of the facet with points on them cross, or run through each other's points.
+/// Returns whether edges of the facet, with the new points, intersect or pass through each other's points.
 bool is_spoilt(const PiecewiseLinearComplex& plc, Index f, const std::vector<Edge>& segments) {
   FacetPolygon polygon{{}, segments, {}};
   for (Index l = plc.facet_loops[f]; l < plc.facet_loops[f + 1]; ++l)
@@ -316,11 +320,11 @@ void add_edges_of(const PiecewiseLinearComplex& plc, Index f, std::set<Edge>& ed
     if (s.facet == f) edges.insert(sorted(Edge{s.a, s.b}));
 }
 
-/// Rows as they were for points, facets and segments.
+/// Restores the original rows of points, facets and segments.
 ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged,
                                          const SampledComplex& sampled) {
   const std::size_t n_points = merged.plc.points.size();
-  std::vector<Index> first(merged.plc.n_facets(), no_index);  // of those that it was made of
+  std::vector<Index> first(merged.plc.n_facets(), no_index);  // the first original facet of each merged one
   for (Index f = 0; f < merged.row_of_facet.size(); ++f)
     first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
   for (auto& f : fresh.faces) f.facet = first[f.facet];
@@ -340,7 +344,7 @@ ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, co
 
 SampledComplex sample_surfaces(MergedFacets& merged, const ConstrainedTetrahedralization& mesh, const SizeField& size,
                                Slivers slivers, const RunContext& context, WholeParts whole) {
-  std::set<Index> flipped;  // once is enough: a second flip might undo the first
+  std::set<Index> flipped;  // Each facet is flipped only once, since a second flip might undo the first.
   for (;;) {
     SampledComplex sampled = SurfaceSampler(merged, mesh, size, whole).run(context);
     const std::vector<std::vector<Edge>> segments = segments_by_facet(sampled.plc);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Points on edges and facets at the target distances, before anything is meshed: for `exact`, where surfaces are kept
-/// as they are.
+/// Puts points on edges and facets at the target distances before anything is meshed. This is for `exact` mode, in
+/// which surfaces are kept as they are.
 #pragma once
 
 #include <array>
@@ -18,24 +18,25 @@
 
 namespace geomesh::remesh {
 
-/// Parts of the complex that get no points.
+/// Parts of the complex to which no points are added.
 struct WholeParts {
-  std::set<std::array<VertexIndex, 2>> edges;  ///< of the complex, the lesser end first
-  std::set<Index> facets;                      ///< rows before facets were merged: no points inside
+  std::set<std::array<VertexIndex, 2>> edges;  ///< edges of the complex, with the lower vertex first
+  std::set<Index> facets;                      ///< facets without new inner points; rows before facets were merged
 
   std::size_t size() const { return edges.size() + facets.size(); }
 };
 
-/// The merged facets and the segments in their order with more points: rows of the PLC given first.
+/// The merged facets and the segments in their order, with additional points. The rows of the original points come
+/// first.
 struct SampledComplex {
   PiecewiseLinearComplex plc;
-  std::vector<Index> segment;  ///< per row of plc.segments the row that it is a piece of
-  /// Per point that was put on an edge that edge, from the first such point on.
+  std::vector<Index> segment;  ///< for each segment, the original segment of which it is a piece
+  /// For each new point on an edge, the edge; starts at the first such point.
   std::vector<std::array<VertexIndex, 2>> edge_of_point;
 };
 
-/// Triangles of which rounding would make edges cross, once there are points on them: they lose their longest edge to a
-/// flip, or stay.
+/// Thin triangles on which rounded points would make edges intersect. Either their longest edge is flipped, or they are
+/// kept.
 enum class Slivers : std::uint8_t { may_go, stay };
 
 /// Cuts edges of facets and segments into pieces of about the target length, equal in units of it. In each facet points
@@ -56,7 +57,8 @@ std::optional<ConstrainedTetrahedralization> mesh_sampled(const MergedFacets& me
                                                           const SampledComplex& sampled, const RunContext& context,
                                                           ErrorContext* trouble = nullptr);
 
-/// The facets in trouble with their edges, and what the points in trouble were put on. Whether any is new.
+/// Adds the facets in trouble with their edges, and the edges and facets on which points in trouble lie. Returns
+/// whether any of them is new.
 bool keep_whole(const MergedFacets& merged, const SampledComplex& sampled, const ErrorContext& trouble,
                 WholeParts& whole);
 

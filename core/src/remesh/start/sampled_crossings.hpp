@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Facets of a sampled complex that rounding has made meet.
+/// Finds facets of a sampled complex that intersect because of rounding.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace geomesh::remesh {
 
 /// Returns facets that cannot be triangulated, that share a triangle with another one, or that meet another facet or a
-/// segment outside shared vertices and edges. Ascending. The engine reports one such place and ends there. O(n log n),
-/// plus the pairs whose boxes overlap.
+/// segment other than at common vertices and edges. They are in ascending order. This is needed because meshing itself
+/// would report only the first such place. O(n log n), plus the pairs whose boxes overlap.
 std::vector<Index> facets_that_meet(const PiecewiseLinearComplex& plc, unsigned threads);
 
 }  // namespace geomesh::remesh

@@ -22,7 +22,7 @@
 
 namespace geomesh::remesh {
 
-/// (v0, v1, v2, apex) is to be a positive cell.
+/// A face (v0, v1, v2) of the link; (v0, v1, v2, apex) will be a positive cell.
 struct LinkFace {
   Triangle vertices;
   Index component;
@@ -55,42 +55,45 @@ struct StarCavity {
   }
 };
 
-/// Scratch of one thread.
+/// Temporary storage of one thread.
 struct Workspace {
   EpochMarks marks;
   std::vector<CellIndex> cells, created;
-  std::vector<CellIndex> collapsed;  ///< about the vertex that is to go
+  std::vector<CellIndex> collapsed;  ///< cells around the vertex that is to be removed
   std::vector<StarFace> star;
   std::vector<VertexIndex> ring;
   std::vector<NewCell> added;
   StarCavity cavity;
-  LinkShapes link;  ///< of what is being optimised
+  LinkShapes link;  ///< link of the vertex that is being optimised
   EpochMarks vertex_marks;
 };
 
-/// Star of v as a cavity, its surfaces and curves as spokes.
+/// Gathers the star of v as a cavity, including its surfaces and curves.
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
-/// Leaves out the faces, spokes and curve edges with v, which vanish if the apex moves there. The cells are kept.
+/// Removes the faces, spokes and curve edges that contain v, because they disappear if the apex moves to v. The cells
+/// are kept.
 void drop_vertex(StarCavity& cavity, VertexIndex v);
 
-/// Cells about the edge (a, b) of cell c, to be refilled from a point of the edge.
+/// Gathers the cells around the edge (a, b) of cell c, which can be refilled from a point on the edge.
 void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, StarCavity& cavity);
 
-/// The cells given (of one component, no constrained face between them), to be refilled from a new point inside.
+/// Makes a cavity of the given cells, which belong to one component with no constrained face between them, to be
+/// refilled from a new inner point.
 void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity);
 
-/// Whether each new cell is exactly positive with the apex at p.
+/// Returns whether each new cell with its apex at p is positive, decided exactly.
 bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
-/// Least shape of a cell with the apex at p; stops below `enough` (returning some value at most that).
+/// Returns the worst shape of the new cells with their apex at p. It ends early once the shape is below `enough`, and
+/// then returns a value of at most that.
 double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, double enough = -1);
-/// Least cached shape of the cells to be removed.
+/// Returns the worst shape of the cells that are to be removed, as stored.
 double removed_shape(const DomainMesh& mesh, const StarCavity& cavity);
 
 /// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended,
 /// raising the worst shape by next to nothing would let its neighbours become as bad.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
-/// Decides by shapes that are known, in the order of the link.
+/// Decides by given shapes, in the order of the link.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
 
 /// Whether a vertex, a curve's edge or a constrained face is inside of a cavity and not on its border. The marks of the
@@ -121,8 +124,8 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
   return false;
 }
 
-/// Replaces the cavity by the star of `apex`. The caller has checked that it is positive and keeps curves registered.
-/// `shapes` of the new cells in the order of the link, where they are known.
+/// Replaces the cavity by the star of `apex`. The caller has checked that the star is positive and that curves stay
+/// registered. `shapes` are those of the new cells in the order of the link, if known.
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Faces may not fold: what turns away from the input where nothing is meshed beside it.
+/// Prevents folds: faces may not turn away from the input if nothing is meshed beside them.
 #include <algorithm>
 #include <cmath>
 
@@ -38,7 +38,7 @@ bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const
   struct Direction {
     Index patch;
     bool is_that_of_sheet = false;
-    double sum = 0, least = least_cosine;  // of the cosines of the patch's faces that go
+    double sum = 0, least = least_cosine;  // cosines of the faces of the patch that are to be removed
   };
   std::vector<Direction> directions;
   const auto direction_of = [&](Index patch) -> const Direction& {

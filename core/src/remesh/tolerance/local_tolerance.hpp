@@ -15,17 +15,18 @@ class LocalTolerance {
   LocalTolerance() = default;
   /// One tolerance everywhere.
   explicit LocalTolerance(double everywhere) : greatest_(everywhere) {}
-  /// `by_place` holds tolerances, nowhere more than `greatest`.
+  /// `by_place` contains tolerances that are nowhere larger than `greatest`.
   LocalTolerance(double greatest, SizeField by_place)
       : greatest_(greatest), by_place_(std::move(by_place)), varies_(true) {}
 
-  /// Nowhere is more allowed.
+  /// The upper limit of the tolerance at all places.
   double greatest() const { return greatest_; }
-  /// The least at these points.
+  /// Returns the smallest tolerance at these points.
   double least_at(std::span<const Vec3> points) const;
   /// Returns the least tolerance at the points; faster if places are repeated.
   double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;
-  /// No less than what is allowed at any point of the triangle (a line piece: its last two corners are equal).
+  /// Returns an upper bound of the tolerance at all points of the triangle. For an edge of a curve the last two corners
+  /// are equal.
   double most_on(const std::array<Vec3, 3>& corners) const;
 
  private:

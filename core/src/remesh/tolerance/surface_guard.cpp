@@ -21,19 +21,19 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// The rest of the tolerance is left for rounding in the distances themselves.
+/// The remaining share of the tolerance allows for rounding in the computed distances.
 constexpr double proven_share = 1 - 1e-6;
-/// Factor between the limit for new faces and that for samples of the original. All of a face is examined, so it may be
-/// nearer to the tolerance.
+/// Factor between the limit for new faces and that for samples of the original. New faces are examined as a whole and
+/// not only at samples, so they may come closer to the tolerance.
 constexpr double faces_over_samples = 1.15;
-/// Cosine of the angle between a reference's normals and their mean, up to which no samples are needed.
+/// Cosine of the largest angle between a reference's normals and their mean at which no samples are needed.
 constexpr double even_cosine = 0.9;
-/// Distance from its plane to which rounding may move a place, over the greatest coordinate.
+/// Distance from its plane by which rounding may move a point, relative to the largest coordinate.
 constexpr double rounding_share = 64 * std::numeric_limits<double>::epsilon();
-/// Whose tolerance a thread remembers: more than the vertices that it works on in turn.
+/// Number of places whose tolerance a thread keeps. It is larger than the number of vertices on which it works in turn.
 constexpr std::size_t n_recent_places = 16384;
 
-/// The coordinate in which all points of the loop are equal, or 3.
+/// Returns the coordinate that is equal for all points of the loop, or 3 if there is none.
 std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const VertexIndex> loop) {
   for (std::uint8_t axis = 0; axis < 3; ++axis)
     if (std::all_of(loop.begin(), loop.end(),
@@ -70,7 +70,7 @@ bool contains(const Box3& box, const Vec3& p) {
   return true;
 }
 
-/// By patch: whether no edge is passed in the same direction by two of its faces.
+/// For each patch, whether its faces have consistent orientations: no two of them pass an edge in the same direction.
 std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
   struct Side {
     Index patch;
@@ -234,7 +234,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // else covered by others
+      near = !old_faces.is_near(p, limit);  // Otherwise, other faces must be near the point.
     });
   });
   return near;
@@ -246,7 +246,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
       if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, limit).distance <= limit)) return false;
   }
-  // The pieces that go lie within the tolerance of those that come: sampled at their ends and between.
+  // The removed curve edges must be within the tolerance of the new ones, which is tested at their ends and between.
   for (const CurvePiece& c : before)
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
       const Vec3 p = given_.curves.closest((1 - t) * c.a + t * c.b, c.curve).point;
@@ -287,7 +287,7 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
              squared_distance(p, search::closest_on_triangle(p, a, b, c)) <= rounding_ * rounding_;
     });
   };
-  const Vec3* last = nullptr;  // of an operation, faces that come mostly share a corner
+  const Vec3* last = nullptr;  // most new faces of an operation have a corner in common
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     return std::all_of(f.corners.begin(), f.corners.end(), [&](const Vec3& p) {
       if (last && *last == p) return true;

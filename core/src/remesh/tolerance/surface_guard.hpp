@@ -35,25 +35,26 @@ namespace geomesh::remesh {
 
 /// How surfaces are kept within the tolerance.
 struct Hold {
-  double margin = 0.7;  ///< of the tolerance, for samples: so that the proof that follows seldom fails and seldom has
-                        ///< to look closely
-  std::vector<TightZone> zones;  ///< what is in them is held to less
-  unsigned run = 0;              ///< from 0: runs before this one held surfaces less closely
+  /// Share of the tolerance for samples, so that the final proof seldom fails and seldom needs to subdivide.
+  double margin = 0.7;
+  std::vector<TightZone> zones;  ///< smaller tolerances apply in these zones
+  unsigned run = 0;              ///< counted from 0; earlier runs had larger tolerances
 };
 
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
-  /// References are the faces of `given` and the curves of `mesh`, as they are now: the same surfaces, in `mesh`
-  /// perhaps with more points and without the edges between coplanar pieces. Planes are those of the facets.
+  /// The reference consists of the faces of `given` and the curves of `mesh` as they are now. Both have the same
+  /// surfaces, but `mesh` may have more points, and lacks the edges between coplanar pieces. Planes are those of the
+  /// facets.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
                LocalTolerance tolerance, const Hold& hold = {});
 
   bool exact() const { return honour_ == Honour::exact; }
-  /// A distance that rounding alone makes.
+  /// A distance that may be caused by rounding alone.
   double rounding() const { return rounding_; }
 
-  /// Direction in which a vertex on a patch may not move: normal of the reference near p.
+  /// Returns the direction in which a vertex on a patch may not move: the normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
   /// Whether the patch's original lies in one plane, so that its normal is the same everywhere. Not for exact.
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }
@@ -62,9 +63,9 @@ class SurfaceGuard {
   /// p brought back to the patch, or to the plane of a flat one (exact: to the facet's plane; without rounding where
   /// that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
-  /// p brought back to the curve. Not for exact, where curve vertices do not move.
+  /// Projects p to the curve. Not for exact mode, in which vertices on curves do not move.
   Vec3 project_to_curve(Index curve, const Vec3& p) const;
-  /// Facet of the patch nearest to a place: provenance of a remade face. Not for exact.
+  /// Returns the facet of the patch nearest to a place, which becomes the provenance of a new face. Not for exact mode.
   Index nearest_facet(Index patch, const Vec3& p) const;
 
   /// Must not be called by several threads at once. Returns whether faces and curve pieces may be exchanged. `around`
@@ -76,7 +77,7 @@ class SurfaceGuard {
   /// rounding, so elements with all corners on it may be positive, and do not show a fold.
   bool keeps_sides(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
-  /// Whether all of a face is proven to be within the tolerance of the reference.
+  /// Returns whether the whole face is proven to be within the tolerance of the reference.
   bool is_proven_near_reference(const SurfaceFace& f) const;
 
   /// Returns the distances of the mesh's faces and curves from the references, and in the other direction, proven where
@@ -87,26 +88,30 @@ class SurfaceGuard {
   struct Plane {
     Vec3 normal;  ///< of length one
     Vec3 point;
-    std::uint8_t axis = 3;  ///< the coordinate that is the same for all its points, 3: none
+    std::uint8_t axis = 3;  ///< the coordinate that all its points have in common; 3 if there is none
   };
-  /// The least share of the tolerance that holds somewhere about these points.
+  /// Returns the smallest share of the tolerance that applies near these points.
   double share_about(std::span<const Vec3> points) const;
   /// Returns whether each new face is turned from the reference by no more than the removed ones, or not by much.
   /// `over`: by new face, the result of is_proven_within; `curves_stay`: removed and new faces have the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
-  /// Whether the patch's faces are all over sheets of the reference (`over`) and turned to the same side.
+  /// Returns whether the patch's faces all lie over sheets of the reference (`over`), and are oriented to the same side
+  /// of it.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
-  /// Cosine between the face's normal and the reference's nearest to its middle; 1 for a face without area.
+  /// Returns the cosine between the face's normal and that of the reference nearest to its centroid; 1 for a face
+  /// without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
-  /// `over`: a facet that is over the face, where the reference is a sheet over all of it; else no_index.
+  /// `over` receives a facet that lies under the face if the reference is a single sheet below all of it, and no_index
+  /// otherwise.
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
-  /// Whether the reference in the box is nearly the graph of a function over a plane. Let faces have the same border
-  /// as those before and be near to it. They cover it, seen along the plane's normal, since their border winds about
-  /// each of its points once; so it is as near to them, but for its slope.
+  /// Returns whether the reference in the box is nearly the graph of a function over a plane. If the new faces have the
+  /// same border as the old ones and are near to the reference, they then cover it as seen along the plane's normal,
+  /// because their border winds once around each of its points. So the reference is equally near to the new faces,
+  /// apart from the effect of its slope.
   bool is_even_about(const Box3& box, Index patch) const;
   bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
@@ -116,27 +121,27 @@ class SurfaceGuard {
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;
-  double rounding_ = 0;   // a distance that rounding alone makes
-  double tolerance_ = 0;  // what samples are held to, outside of zones
+  double rounding_ = 0;   // a distance that may be caused by rounding alone
+  double tolerance_ = 0;  // tolerance for samples outside of zones
   std::vector<TightZone> zones_;
-  search::ClosestPointTrees zone_boxes_;  // as line pieces from corner to corner
+  search::ClosestPointTrees zone_boxes_;  // stored as line segments between opposite corners
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::SheetTriangle> nearby;
-    std::vector<Index> rows;      // of nearby, in given_.faces
+    std::vector<Index> rows;      // rows in given_.faces
     search::RecentPlaces recent;  // of allowed_
   };
   mutable tbb::enumerable_thread_specific<Proving> proving_{
       Proving{search::DistanceProver(0), {}, {}, search::RecentPlaces(1)}};  // scratch
   LocalTolerance allowed_;                                                   // what is promised
-  double reach_ = 0;            // the greatest of it: what is farther away has no say
-  std::vector<Plane> planes_;   // by patch in exact mode, else by facet
-  std::vector<bool> oriented_;  // by patch: whether its faces in the reference are oriented alike
+  double reach_ = 0;            // largest tolerance of the zones; places farther away do not matter
+  std::vector<Plane> planes_;   // for each patch in exact mode, otherwise for each facet
+  std::vector<bool> oriented_;  // for each patch, whether its reference faces are consistently oriented
   SurfaceItems given_;
   FlatPatches flat_;  // of it
 };
 
-/// Deterministic samples of a triangle: corners, mid-edges, centroid and six points between.
+/// Returns deterministic sample points of a triangle: corners, edge midpoints, centroid and six more.
 std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace geomesh::remesh

@@ -14,13 +14,13 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// The rest of the tolerance is left for rounding in the distances and cuts.
+/// The remaining share of the tolerance allows for rounding in distances and intersections.
 constexpr double proven_share = 1 - 1e-6;
 constexpr std::size_t chunk = 256;
 
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
-/// By group and corners.
+/// Orders items by group and corners.
 bool is_before(const search::ClosestPointTrees::Item& a, const search::ClosestPointTrees::Item& b) {
   const auto key = [](const auto& item) {
     const auto& [p, q, r] = item.corners;
@@ -38,10 +38,10 @@ std::vector<std::size_t> in_order(const Items& items) {
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-/// Items that two lists share, and items that they do not.
+/// The items that two lists have in common, and those that they do not.
 struct Difference {
-  std::vector<std::size_t> same;        ///< by item of the second: its row in the first, or no_row
-  search::ClosestPointTrees exchanged;  ///< those of either that are not in the other
+  std::vector<std::size_t> same;        ///< for each item of the second list, its row in the first, or no_row
+  search::ClosestPointTrees exchanged;  ///< items that are in only one of the lists
 };
 
 Difference difference(const Items& first, const Items& second, std::size_t n_groups) {
@@ -62,14 +62,15 @@ Difference difference(const Items& first, const Items& second, std::size_t n_gro
   return d;
 }
 
-/// Covers of items as far as they are known already.
+/// For each item, the part of the other surface that proves it, if already known.
 using Known = std::vector<std::optional<search::Cover>>;
 
 struct KnownCovers {
   Known result, input;
 };
 
-/// Items of the result that existed before, and items of the input that were proven by items that still exist.
+/// Collects what is known of items of the result that existed before, and of items of the input that were proven by
+/// items that still exist.
 KnownCovers known_covers(const search::ClosestPointTrees& before, const search::ClosestPointTrees& now,
                          std::size_t n_groups, const search::ClosestPointTrees& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
@@ -86,7 +87,7 @@ KnownCovers known_covers(const search::ClosestPointTrees& before, const search::
   return known;
 }
 
-/// The items to be checked, against those of their groups in the set.
+/// The items to be verified, and the set against which they are verified.
 struct Judgement {
   const Items& items;
   const search::ClosestPointTrees& set;
@@ -97,9 +98,9 @@ struct Judgement {
 struct Judge {
   const LocalTolerance& tolerance;
   unsigned threads;
-  std::vector<Breach>& breaches;  ///< those found are appended
+  std::vector<Breach>& breaches;  ///< new breaches are appended
 
-  /// The largest distance found. `covers` come to what is known and what is found.
+  /// Returns the largest distance found. `covers` is filled with what is known already and what is newly proven.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.items;
     covers.assign(items.size(), {});

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "fractures/plane_polygons.hpp"
+#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
@@ -170,6 +171,7 @@ void trim(const Built& built, Arranged& arranged, Journal& journal) {
   ArrangementResult& found = arranged.arrangement;
   TrimmedSoup trimmed = trim_soup(found.soup, arranged.surfaces, built.rows, built.rules);
   found.soup = std::move(trimmed.soup);
+  GEOMESH_EXPENSIVE_CHECK(validate_soup(found.soup, 1).empty());
   found.area_clipped_by_rules = std::move(trimmed.area_removed);
   for (std::string& text : trimmed.notes) journal.note(std::move(text));
   journal.warn_all(std::move(trimmed.warnings));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fractures/plane_polygons.hpp"
+#include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/region_facts.hpp"
 
@@ -68,7 +69,9 @@ class NearMerging {
 
  private:
   ArrangementResult arranged(const ArrangementOptions& options) const {
-    return arrange(built_.surfaces, built_.wells, built_.points, options, journal_.context());
+    ArrangementResult found = arrange(built_.surfaces, built_.wells, built_.points, options, journal_.context());
+    GEOMESH_EXPENSIVE_CHECK(validate_soup(found.soup, 1).empty());
+    return found;
   }
 
   /// Returns nothing if no arrangement is found, or if something moved too far.
