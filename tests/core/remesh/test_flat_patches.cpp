@@ -86,16 +86,3 @@ TEST_CASE("A vertex of a straight border may move along it, not off it and not p
   CHECK(flat.cover_the_same(before, one));
   CHECK(flat.cover_the_same(one, before));
 }
-
-TEST_CASE("A place is brought to the plane of a flat patch, exactly where the plane is normal to an axis", "[refine]") {
-  const double z = -1234.1;
-  for (double width = 1; width < 50; ++width) {  // 1 / 49 times 49 is not 1
-    SurfaceItems side;
-    side.faces = search::ClosestPointTrees({{{Vec3{0, 0, z}, Vec3{width, 0, z}, Vec3{0, 1, z}}, 0, 0}}, 1);
-    const FlatPatches flat(side, 1, rounding);
-    CHECK(flat.project(0, {0.1, 0.7, -1200.3}) == Vec3{0.1, 0.7, z});
-  }
-  const Vec3 p = patches().project(0, at(30, 20) + Vec3{-0.25, 0.5, 1});
-  CHECK(std::abs(p.x - at(30, 20).x) < rounding);
-  CHECK(std::abs(p.z - at(30, 20).z) < rounding);
-}

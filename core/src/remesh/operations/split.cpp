@@ -9,7 +9,7 @@ namespace geomesh::remesh {
 Vec3 Toolbox::normal_at(VertexIndex v) {
   const Vec3& p = mesh.point(v);
   const Index patch = mesh.support(v);
-  if (guard.exact() || guard.is_flat(patch)) return guard.normal(patch, p);
+  if (guard.exact()) return guard.normal(patch, p);
   NearestFacet& nearest = nearest_facet[v];
   if (nearest.patch != patch || !(nearest.place == p)) nearest = {p, patch, guard.nearest_facet(patch, p)};
   return guard.normal_of(nearest.facet);

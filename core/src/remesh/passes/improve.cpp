@@ -152,7 +152,7 @@ void mend_what_is_left(const Mending& mending) {
   const auto thin_unneeded = [&](ShortEdges which, std::uint64_t since) {
     return thin_out(tools, which, thinning_floor, since, context);
   };
-  LastLook look_at_unneeded, look_at_mended;
+  LastLook look_at_unneeded{}, look_at_mended{};
   passes.run({.name = "points taken out that were not needed",
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,

@@ -32,16 +32,6 @@ std::optional<std::array<Vec3, 2>> ends_of(const std::vector<CurvePiece>& pieces
   return n == 2 ? std::optional(ends) : std::nullopt;
 }
 
-/// A direction of length one: exactly along an axis where it is along one.
-Vec3 unit_normal(const Vec3& n) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    Vec3 axis;
-    axis[i] = n[i] > 0 ? 1 : -1;
-    if (n[(i + 1) % 3] == 0 && n[(i + 2) % 3] == 0) return axis;
-  }
-  return (1 / length(n)) * n;
-}
-
 Vec3 area_vector(const std::array<Vec3, 3>& t) { return cross(t[1] - t[0], t[2] - t[0]); }
 
 }  // namespace
@@ -66,7 +56,7 @@ FlatPatches::FlatPatches(const SurfaceItems& original, Index n_patches, double r
     const Vec3 n = area_vector(item.corners);
     if (const double area = length(n); area > largest[item.group]) {
       largest[item.group] = area;
-      planes_[item.group] = {unit_normal(n), item.corners[0]};
+      planes_[item.group] = {(1 / area) * n, item.corners[0]};
     }
   }
   std::vector<bool> is_flat(n_patches, true);
@@ -80,14 +70,6 @@ bool FlatPatches::is_in_plane(const SurfaceFace& f) const {
   const Plane& plane = planes_[f.patch];
   return std::ranges::all_of(f.corners,
                              [&](const Vec3& p) { return std::abs(dot(p - plane.point, plane.normal)) <= rounding_; });
-}
-
-Vec3 FlatPatches::project(Index patch, const Vec3& p) const {
-  const Plane& plane = planes_[patch];
-  Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
-  for (std::size_t i = 0; i < 3; ++i)
-    if (std::abs(plane.normal[i]) == 1) q[i] = plane.point[i];
-  return q;
 }
 
 bool FlatPatches::cover_the_same(const SurfacePart& before, const SurfacePart& after) const {

@@ -48,10 +48,6 @@ class FlatPatches {
   bool cover_the_same(const SurfacePart& before, const SurfacePart& after) const;
 
   bool is_flat(Index patch) const { return patch < planes_.size() && !(planes_[patch].normal == Vec3{}); }
-  /// The normal of a flat patch, of length one.
-  const Vec3& normal(Index patch) const { return planes_[patch].normal; }
-  /// The place in the plane of a flat patch that is nearest to p: exactly in it where it is normal to an axis.
-  Vec3 project(Index patch, const Vec3& p) const;
 
  private:
   struct Plane {

@@ -182,14 +182,13 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
 Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
-  if (flat_.is_flat(patch)) return flat_.normal(patch);
   return normal_of(exact() ? patch : nearest_facet(patch, p));
 }
 
 Vec3 SurfaceGuard::normal_of(Index row) const { return row < planes_.size() ? planes_[row].normal : Vec3{}; }
 
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
-  if (!exact()) return flat_.is_flat(patch) ? flat_.project(patch, p) : given_.faces.closest(p, patch).point;
+  if (!exact()) return given_.faces.closest(p, patch).point;
   const Plane& plane = planes_[patch];
   Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
   if (plane.axis < 3) q[plane.axis] = plane.point[plane.axis];

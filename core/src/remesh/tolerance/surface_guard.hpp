@@ -56,12 +56,11 @@ class SurfaceGuard {
 
   /// Returns the direction in which a vertex on a patch may not move: the normal of the reference near p.
   Vec3 normal(Index patch, const Vec3& p) const;
-  /// Whether the patch's original lies in one plane, so that its normal is the same everywhere. Not for exact.
+  /// Whether the patch's original lies in one plane. Not for exact.
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }
   /// Normal by the nearest item: nearest_facet, in exact the patch.
   Vec3 normal_of(Index row) const;
-  /// p brought back to the patch, or to the plane of a flat one (exact: to the facet's plane; without rounding where
-  /// that is normal to an axis).
+  /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// Projects p to the curve. Not for exact mode, in which vertices on curves do not move.
   Vec3 project_to_curve(Index curve, const Vec3& p) const;
