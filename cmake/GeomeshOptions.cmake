@@ -78,7 +78,7 @@ endfunction()
 
 # Sources in groups, each compiled as one file where no name of one means something else in another (group_sources.py):
 #   geomesh_group_sources(RESULT SOURCES...)     what a target is to compile in place of its sources; those with properties stay alone
-option(GEOMESH_GROUPED "Compile sources outside core in groups: faster from nothing, slower after a change" OFF)
+option(GEOMESH_GROUPED "Compile sources outside core in groups, and common headers once: faster from nothing, slower after a change" OFF)
 find_program(GEOMESH_GROUPING_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(GEOMESH_GROUPING_PYTHON NAMES python3)
 function(geomesh_group_sources result)
