@@ -74,7 +74,7 @@ struct RescueLimits {
   std::size_t most_vain = 60'000;
   std::size_t least_vain_free = 10'000;  ///< the same for cells that nothing forces
   std::size_t most_vain_poor = 10'000;   ///< the same for cells that are poor and no more: a second or two
-  std::size_t cells_a_trial = 50;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
+  std::size_t cells_a_trial = 25;  ///< one trial for so many cells of the mesh: less than a fifth of the whole time
 };
 inline constexpr RescueLimits rescue_limits{};
 
@@ -90,7 +90,7 @@ struct ImproveSchedule {
   // Repair, in which the worst cells come first.
   unsigned repair_rounds = 8;
   double target_angle = 32;       ///< cells below are repaired
-  unsigned poor_classes = 8;      ///< of shape, the worst class first, each in the mesh's order, which is that of
+  unsigned poor_classes = 32;      ///< of shape, the worst class first, each in the mesh's order, which is that of
                                   ///< memory; 0: the worst cell first
   double insertion_angle = 26;    ///< below this also by new points
   double good_above_target = 4;   ///< degrees above the target from which a vertex is not moved further
