@@ -90,7 +90,7 @@ struct ImproveSchedule {
   // Repair, in which the worst cells come first.
   unsigned repair_rounds = 8;
   double target_angle = 32;       ///< cells below are repaired
-  unsigned poor_classes = 32;      ///< of shape, the worst class first, each in the mesh's order, which is that of
+  unsigned poor_classes = 32;     ///< of shape, the worst class first, each in the mesh's order, which is that of
                                   ///< memory; 0: the worst cell first
   double insertion_angle = 26;    ///< below this also by new points
   double good_above_target = 4;   ///< degrees above the target from which a vertex is not moved further
