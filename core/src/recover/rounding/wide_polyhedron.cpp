@@ -18,8 +18,7 @@ namespace {
 using Row = std::array<double, 3>;
 using Steps = std::array<std::int64_t, 3>;  ///< in units of the spacing
 
-constexpr double too_many_steps = 0x1p60;    ///< sums of a few products of them are whole numbers of 64 bits
-constexpr double too_great_number = 0x1p52;  ///< greater ones are not exact in doubles
+constexpr double too_many_steps = 0x1p60;  ///< sums of a few numbers below it fit into 64 bits
 
 TwoDouble dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -188,7 +187,8 @@ class ShapedLattice {
   /// Returns the length of the shortest step out of the plane of the first two vectors.
   double third_height() const { return third_height_; }
 
-  /// Returns the point that many vectors of the basis from that point.
+  /// Returns the point so many steps along each vector of the basis from the one near the centre, or the origin if it
+  /// is too far away.
   Vec3 point(const Row& steps) const {
     Steps there = near_;
     for (std::size_t j = 0; j < 3; ++j)
@@ -200,7 +200,8 @@ class ShapedLattice {
   }
 
  private:
-  /// Exact: vectors of the basis may be longer than the polyhedron, and a double has too few digits for them.
+  /// Returns the exact place. Vectors of the basis may be longer than the polyhedron, and a double has too few digits
+  /// for them.
   WidePoint place_of(const Steps& steps) const {
     WidePoint out;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -304,7 +305,7 @@ struct Interval {
     std::vector<double> out;
     if (!is_bounded()) return out;
     const double middle = std::round((low + high) / 2);
-    if (!(std::fabs(middle) < too_great_number)) return out;
+    if (!(std::fabs(middle) < too_many_steps)) return out;
     for (std::size_t k = 0; out.size() < most && static_cast<double>(k) <= high - low + 1; ++k)
       for (const double x : {middle + static_cast<double>(k), middle - static_cast<double>(k)})
         if (x > low && x < high && (out.empty() || x != out.back())) out.push_back(x);
