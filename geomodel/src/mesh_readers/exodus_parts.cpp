@@ -37,11 +37,22 @@ std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<
   return static_cast<std::size_t>(largest);
 }
 
+/// A part that is given twice also leaves another one out, so doubles are looked for before gaps.
+void refuse_doubled_elements(const std::vector<ExodusPartMesh>& parts, const std::filesystem::path& whole) {
+  std::vector<int> numbers;
+  for (const ExodusPartMesh& part : parts)
+    numbers.insert(numbers.end(), part.tetrahedra.begin(), part.tetrahedra.end());
+  std::sort(numbers.begin(), numbers.end());
+  const auto doubled = std::adjacent_find(numbers.begin(), numbers.end());
+  if (doubled != numbers.end()) refuse(whole, "element " + std::to_string(*doubled) + " is in two parts");
+}
+
 class PartsMerger {
  public:
   PartsMerger(std::vector<ExodusPartMesh> parts, const std::filesystem::path& whole)
       : parts_(std::move(parts)), whole_(whole) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    refuse_doubled_elements(parts_, whole);
     mesh_.format = "Exodus II in parts";
     mesh_.whole = whole;
     mesh_.points.resize(count_numbers(parts_, &ExodusPartMesh::nodes, whole));
@@ -92,7 +103,6 @@ class PartsMerger {
     std::vector<std::size_t> cell;
     for (std::size_t t = 0; t < part.tetrahedra.size(); ++t) {
       const std::size_t row = row_of(part.tetrahedra[t], has_cell_.size(), whole_);
-      if (has_cell_[row]) refuse(whole_, "element " + std::to_string(row + 1) + " is in two parts");
       has_cell_[row] = true;
       cell.push_back(row);
       for (std::size_t i = 0; i < 4; ++i)
