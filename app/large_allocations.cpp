@@ -3,8 +3,7 @@
 //
 // A mesh of a million elements has arrays of ten to a hundred megabytes. With pages of 4 KiB a run takes a page fault
 // for each, and walks around a vertex miss the translation cache of pages. The standard lets a program replace these
-// functions
-// ([new.delete.single]); all other forms call them. Builds with sanitizers keep those of the sanitizer.
+// functions ([new.delete.single]); all other forms call them. Builds with sanitizers keep those of the sanitizer.
 //
 // By default glibc takes blocks of up to 32 MiB from its heap once such blocks were freed. Memory freed there stays
 // with the process if something behind it is in use. docs/decisions/refine.md lists the gain of each setting.

@@ -87,8 +87,8 @@ void Progress::attach(RunContext& context) {
   if (verbosity_ == Verbosity::quiet || style_ == ProgressStyle::lines) return;
   try {
     ticker_ = std::thread([this] { tick(); });
-    // No thread available, as in a browser: only the stages themselves report their progress.
   } catch (const std::system_error&) {
+    // No thread available, as in a browser: only the stages themselves report their progress.
   }
 }
 

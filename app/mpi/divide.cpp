@@ -15,8 +15,8 @@ namespace {
 
 using geomodel::Neighbours;
 
-/// Numbers of elements and faces of size one in a unit volume and area: those of regular shape, multiplied by two, as
-/// meshing gives.
+/// Number of elements of size one in a unit volume, which is 30 % more than those of regular shape would be, as meshing
+/// gives; and number of regular triangles of size one in a unit area.
 constexpr double elements_a_cube = 11, faces_a_square = 2.3;
 
 double cube(double x) { return x * x * x; }

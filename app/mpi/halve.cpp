@@ -49,7 +49,8 @@ double squared_length(const std::vector<Vec3>& points, VertexIndex a, VertexInde
   return dot(d, d);
 }
 
-/// Returns the tetrahedron if it is positive, else throws the error.
+/// Returns the tetrahedron with positive orientation: two vertices are exchanged if it is negative. Throws
+/// Error{cannot_mesh} if it is exactly flat.
 Tetrahedron oriented(const std::vector<Vec3>& points, Tetrahedron t) {
   const Sign sign = orient3d(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (sign == Sign::negative) std::swap(t[0], t[1]);

@@ -22,7 +22,7 @@ constexpr int status_bug = 1;
   Ranks::abort(status);
 }
 
-/// Logs the stages of rank 0, and the progress of the slowest rank.
+/// Prints the warnings of rank 0 and its stages as they begin, unless `is_quiet`.
 void attach_log(geomesh::RunContext& context, const Ranks& ranks, bool is_quiet) {
   if (ranks.rank() != 0 || is_quiet) return;
   context.log = [](geomesh::LogLevel level, std::string_view text) {

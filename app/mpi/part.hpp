@@ -21,7 +21,7 @@ class ModelPoints {
   std::size_t size() const { return rows_.size(); }
   /// Returns their rows in the sparse mesh, ascending.
   const std::vector<VertexIndex>& rows() const { return rows_; }
-  /// Returns the number of the point at a place; no number if there is none.
+  /// Returns the number of the point at a place, or `none`.
   std::uint32_t number_at(const Vec3& place) const {
     const auto found = number_.find(place);
     return found == number_.end() ? none : found->second;

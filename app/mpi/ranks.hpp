@@ -58,7 +58,7 @@ class Ranks {
     for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&values[r], all[r].data(), sizeof(T));
     return values;
   }
-  /// Returns the bytes sent to other ranks, without broadcasts.
+  /// Returns the number of bytes sent to other ranks, without broadcasts.
   std::uint64_t sent_bytes() const { return sent_bytes_; }
   /// Replaces each byte by the largest of all ranks.
   void greatest(Bytes& bytes) const;

@@ -72,7 +72,7 @@ void pass(A& archive, Parcel& p) {
   archive(p.points, p.is_pending, p.may_be_outside, p.tetrahedra, p.component);
 }
 
-/// Moves tetrahedra of one part into a parcel.
+/// Copies tetrahedra of one part into a parcel.
 class ParcelFiller {
  public:
   ParcelFiller(const RankMesh& mesh, const Pending& pending)
@@ -138,7 +138,7 @@ class Joiner {
   ByPlace<VertexIndex> at_;
 };
 
-/// Removes tetrahedra that another rank takes.
+/// Removes tetrahedra that any rank takes, including this one: those of its strip come back with the parcels.
 void drop_taken(RankMesh& mesh, const std::vector<std::int32_t>& takers) {
   std::size_t n = 0;
   for (std::size_t c = 0; c < takers.size(); ++c) {
@@ -240,7 +240,8 @@ class StripImprover {
     return of_cell;
   }
 
-  /// Exchanges border tetrahedra between ranks and improves them. Returns how many this rank has then.
+  /// Sends tetrahedra to the ranks that take them. Those that this rank receives are its strip, which is improved and
+  /// added to the mesh. Returns the number of tetrahedra in the strip before that.
   std::size_t exchange_and_improve(const std::vector<std::int32_t>& takers, const RefineOptions& options,
                                    const RunContext& context) {
     const auto n_ranks = static_cast<std::size_t>(ranks_.size());
@@ -279,7 +280,8 @@ class StripImprover {
     return n;
   }
 
-  /// Points that were pending remain so if they lie outside the strip.
+  /// Returns the improved strip. Points that were pending remain so if they have kept their place, as all points on the
+  /// border of the strip do.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

@@ -14,7 +14,7 @@ namespace geomesh::app {
 
 namespace {
 
-/// Relative accuracy of volumes, which are sums of as many rounded terms.
+/// Relative accuracy of the volume of a region, a sum of as many rounded terms as the region has tetrahedra.
 constexpr double volume_accuracy = 1e-10;
 
 [[noreturn]] void fail(const std::string& what) {

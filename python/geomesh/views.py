@@ -41,7 +41,7 @@ def draw(result: _geomodel.JobResult, file: str, view: str, size: Size, options:
 
 
 def in_frame(page: str, height: int) -> str:
-    """Returns a whole page as part of another one, whose styles and scripts do not affect it."""
+    """Returns a whole page as part of another one, which the styles and scripts of the page do not affect."""
     return ('<iframe srcdoc="%s" style="width: 100%%; height: %dpx; border: 0" title="the mesh"></iframe>' %
             (html.escape(page, quote=True), height))
 

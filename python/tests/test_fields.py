@@ -46,8 +46,8 @@ class Fields(unittest.TestCase):
         return {region.name: region.volume for region in model.mesh().regions}
 
     def test_curved_surfaces_keep_their_volumes_at_the_default(self):
-        """Corners of triangles on the surface itself would all lie inside a ball, which would lose 0.7 % of its volume,
-        a torus 1 %."""
+        """Triangles with their corners on the surface itself would all lie inside a ball, which would lose 0.7 % of its
+        volume, a torus 1 %."""
         model = self.model()
         model.add_field("ball", lambda x, y, z: numpy.sqrt(x * x + y * y + z * z) - 300, 0, kind="body")
         self.assertAlmostEqual(self.region_volumes(model)["ball"] / (4 / 3 * math.pi * 300 ** 3), 1, delta=0.001)

@@ -30,9 +30,9 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   /// (stuck). Each flip lowers the lifted surface, so this terminates from any triangulation.
   std::size_t flip_all();
 
-  /// Returns the first of the flips 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not;
-  /// false if none is. (At ghosts, orientations alone would allow a flip that dents the hull; there the conflict test
-  /// keeps it convex.)
+  /// Makes the first of the flips 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not;
+  /// returns false if none is. (At ghosts, orientations alone would allow a flip that dents the hull; there the
+  /// conflict test keeps it convex.)
   bool flip_face(FaceRef f);
 
   std::size_t stuck_faces() const { return stuck_; }

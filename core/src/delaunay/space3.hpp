@@ -56,7 +56,8 @@ class Space3 {
     return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
   }
 
-  /// The same if the filter is known to be undecided about `value`.
+  /// Returns whether p is in conflict with a finite cell if the filter is known to be undecided about the determinant
+  /// `value`.
   bool finite_conflict(const CellVertices& v, const Vec3& p, double value) {
     return finite_conflict_after_filter(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p, value);
   }

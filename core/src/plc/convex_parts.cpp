@@ -36,7 +36,8 @@ class PartFinder {
   }
 
  private:
-  /// Returns whether the polygon turns in the same direction at the beginning of corner c if the edges c and d are one.
+  /// Returns whether the polygon remains convex at the vertex where corner c begins if the edge is left out whose two
+  /// sides are c and d.
   bool stays_convex(Index c, Index d) const {
     const VertexIndex before = patch_.vertex(previous_[c]), after = patch_.vertex(next_[next_[d]]);
     return before != after && patch_.turn(before, patch_.vertex(c), after) != Sign::negative;

@@ -45,9 +45,9 @@ class PatchCrossings {
     Index patch;
   };
 
-  /// Flips the edges that are not Delaunay once. If none needs a flip afterwards, each of these edges crosses exactly
-  /// one edge of the Delaunay triangulation, so the patch need not be triangulated. Rounding only decides whether this
-  /// is detected.
+  /// Returns the number of edges that are not locally Delaunay if one flip of each makes the patch Delaunay; otherwise
+  /// nothing. Each of these edges then crosses exactly one edge of the Delaunay triangulation, so the patch need not be
+  /// triangulated. Rounding only decides whether this is detected.
   std::optional<std::size_t> flips_to_delaunay(std::span<const InnerEdge> edges) const {
     std::size_t n = 0;
     for (const InnerEdge& e : edges) {
@@ -107,7 +107,7 @@ class PatchCrossings {
     return out;
   }
 
-  /// Returns the number of crossings, counted up to about `most`; none if the vertices have no Delaunay triangulation.
+  /// Returns the number of crossings, counted up to about `most`; 0 if the vertices have no Delaunay triangulation.
   std::size_t crossings(std::span<const InnerEdge> edges, std::size_t most) {
     list_vertices(edges);
     std::vector<Vec3> points;

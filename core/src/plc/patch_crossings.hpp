@@ -24,7 +24,7 @@ constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 
 
 /// Returns whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of
 /// the Delaunay triangulations of the patches' vertices. Patch k has the edges first[k] .. first[k + 1] - 1, in
-/// increasing order of (a, b) with a < b; each of its triangles has one of them. Patches are not triangulated if one
+/// increasing order of (a, b) with a < b; each of its triangles has at least one. Patches are not triangulated if one
 /// flip of each non-Delaunay edge suffices, or if the remaining patches cannot change the result. O(n log n).
 bool are_far_from_delaunay(std::span<const Vec3> points, std::span<const InnerEdge> edges, std::span<const Index> first,
                            double most);

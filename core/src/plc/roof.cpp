@@ -60,8 +60,8 @@ class RoofBuilder {
   }
 
  private:
-  /// Finds a large triangle whose corners divide the border into thirds, which defines the plane. Returns false if none
-  /// has an area.
+  /// Finds the largest triangle whose corners divide the border into thirds, which defines the plane. Returns false if
+  /// none has an area.
   bool find_base(const std::vector<Vec3>& corners) {
     double largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {

@@ -125,7 +125,7 @@ template <class Number>
 Number det3(const Vector<Number>& u, const Vector<Number>& v, const Vector<Number>& w) {
   return (u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y)) + w.z * (u.x * v.y - v.x * u.y);
 }
-/// The same with every product and difference replaced by a sum of magnitudes.
+/// Returns det3 with every product and difference replaced by a sum of magnitudes.
 double permanent3(const Vector<double>& u, const Vector<double>& v, const Vector<double>& w) {
   const auto pair = [](double a, double b, double c, double d) { return std::fabs(a * b) + std::fabs(c * d); };
   return std::fabs(u.z) * pair(v.x, w.y, w.x, v.y) + std::fabs(v.z) * pair(w.x, u.y, u.x, w.y) +

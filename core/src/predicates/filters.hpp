@@ -63,8 +63,8 @@ inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   return {-det, orient3d_factor * x * y * z};
 }
 
-/// The part of orient3d(a, b, c, d) that is common to many points a: constructed from b - d and c - d, evaluated for a
-/// - d.
+/// The part of orient3d(a, b, c, d) that is common to many points a: constructed from b - d and c - d, evaluated for
+/// each a - d.
 class Orient3dOfMany {
  public:
   Orient3dOfMany(const Vec3& v, const Vec3& w)

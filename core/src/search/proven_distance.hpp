@@ -38,8 +38,8 @@ class DistanceProver {
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
   /// Returns a triangle of the sheet if the last triangle was proven at once because the set is a sheet over all of it
-  /// (test d); otherwise no_index. All triangles over it are inclined to it by less than 53 degrees, or all of them are
-  /// on its other side.
+  /// (test d); otherwise no_index. The normals of the set's triangles over the proven one all differ by less than 53
+  /// degrees from its normal, or all from its reversed normal.
   Index sheet_row() const { return sheet_row_; }
 
  private:

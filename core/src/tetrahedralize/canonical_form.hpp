@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The model in a form that depends neither on its numbering nor on its frame, in which it is meshed. Recovery tries
-/// segments by number, begins rings at the smallest vertex and breaks ties by coordinates, so symmetric images of one
+/// segments by number, begins rings at the smallest vertex and breaks ties by coordinates, so images of one
 /// model would be meshed differently; converted to one form first, they get the same mesh (docs/decisions/recovery.md).
 #pragma once
 

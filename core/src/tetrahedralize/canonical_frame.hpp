@@ -10,10 +10,9 @@
 
 namespace geomesh {
 
-/// Returns the same frame, relative to the model, however its vertices and facets are numbered, and its axes permuted
-/// or
-/// mirrored. Its coordinates may be scaled by a power of two or moved without rounding: up to symmetries of the model
-/// itself. `used`: the rows of plc.points that something names.
+/// Returns the same frame, relative to the model and up to symmetries of it, however its vertices and facets are
+/// numbered, its axes permuted or mirrored, and its coordinates scaled by a power of two or moved without rounding.
+/// `used`: the rows of plc.points that something names.
 ///
 /// Each end of each axis has a signature: a sum, in any order, of hashes of the distances of the points from that end
 /// of their box. The distances are divided by a power of two near the box's extent. Differences are rounded, but the

@@ -155,7 +155,7 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   recover::validate_recovered(recovery);
 }
 
-/// If the boundary must be preserved, the message says that the model may be meshed otherwise.
+/// If the boundary must be preserved, adds to the message that the model may be meshed without preserve_boundary.
 Error RecoveryRun::with_way_out(const Error& dead_end) const {
   const std::string message = dead_end.what();
   if (!options_.recover.preserve_boundary || dead_end.kind() != ErrorKind::cannot_mesh ||

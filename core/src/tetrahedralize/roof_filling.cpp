@@ -32,7 +32,8 @@ class RoofOnSide {
       for (VertexIndex& v : mesh_.tetrahedra[t]) v = on_this_side(v);
   }
 
-  /// Lifts the deepest point of the roof by half of the depth of the cells around it, or by half of that, and so on.
+  /// Lifts the deepest point of the roof by half of the height that the cells at the roof reach, or by half of that,
+  /// and so on. Returns false if no step is small enough.
   bool lift() {
     const Vec3 up = (side_ == Side::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());

@@ -30,7 +30,7 @@ struct RoofedPart {
 
 class RoofedParts {
  public:
-  /// Keeps a reference to `plc`, a valid complex. There are none if its plane patches together are nearly Delaunay
+  /// Keeps a reference to `plc`, a valid complex. Returns nothing if its plane patches together are nearly Delaunay
   /// (coplanar_patches.hpp), or if no part of them takes fewer points on both sides than it has inner edges.
   /// `provenance`: by facet. O(n log n).
   static std::optional<RoofedParts> of(const PiecewiseLinearComplex& plc, std::span<const Index> provenance);

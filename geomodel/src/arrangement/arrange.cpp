@@ -330,8 +330,10 @@ class Arrangement {
   std::optional<Box3> planes_;  ///< those bounds that are planes of sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
-  std::size_t n_booked_ = 0;   ///< number of vanished facets whose losses were recorded
-  double first_rounding_ = 0;  ///< finer doubles, close to zero, would move points off the sides of the box
+  std::size_t n_booked_ = 0;  ///< number of vanished facets whose losses were recorded
+  /// Unit in the last place of the input. With the finer one of a model close to zero, points would stay off the sides
+  /// of the box.
+  double first_rounding_ = 0;
 };
 
 }  // namespace

@@ -45,7 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // leave zones that were opened earlier
+    if (!mesh.before_zones.empty())  // zones were opened earlier: take the points before those
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;

@@ -29,7 +29,7 @@ std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> faces_at(const
 }  // namespace
 
 void renumber_ids(ModelMesh& mesh) {
-  std::map<std::int32_t, std::int32_t> now;  // current ids of surfaces, curves, points and sets
+  std::map<std::int32_t, std::int32_t> now;  // new ids of surfaces, curves, points and sets, by old id
   auto next = static_cast<std::int32_t>(mesh.regions.size());
   for (NamedSurface& s : mesh.surfaces) s.id = now[s.id] = ++next;
   for (NamedCurve& c : mesh.curves) c.id = now[c.id] = ++next;

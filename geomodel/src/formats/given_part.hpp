@@ -19,7 +19,8 @@ std::vector<std::filesystem::path> write_given_part(const ModelMesh& mesh, const
                                                     const std::string& format, const std::filesystem::path& stem,
                                                     const WriteOptions& options);
 
-/// @name Writers by format @{
+/// @name Writers by format
+/// @{
 std::vector<std::filesystem::path> write_vtu_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
                                                   const WriteOptions& options, const std::filesystem::path& stem);
 std::vector<std::filesystem::path> write_exodus_part(const ModelMesh& mesh, const MeshParts& parts,

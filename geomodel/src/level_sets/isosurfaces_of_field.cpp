@@ -32,8 +32,8 @@ std::string size_words(const Box3& box) {
 }
 
 /// Returns the edge of the first cubes, at most twice the shortest side of the box. Throws Error{invalid_input} if the
-/// box is so thin that the first mesh would exceed the limit of cells, which happens if the spacing along one axis has
-/// another unit.
+/// box is thinner than least_thickness allows, or if the first mesh would exceed the limit of cells. Either happens if
+/// the spacing along one axis has another unit.
 double first_edge(const ScalarField& field, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});

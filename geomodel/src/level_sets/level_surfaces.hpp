@@ -25,11 +25,11 @@ struct LevelSurfaces {
   std::vector<std::string> notes, warnings;
 };
 
-/// Surfaces of the same field (file and array, or function) come from one mesh, so that they never cross. Surfaces
-/// cover the whole box: if a field has a domain, they are cut off at its bounds in the arranged model (trim_soup).
-/// Coordinates are those of the project file. Throws Error{invalid_input} with surface and place: a field that cannot
-/// be read, does not reach the box, has no such value there, or a function that throws or gives no finite value;
-/// Error{usage} if there is a function and no box in which to evaluate it.
+/// Surfaces of the same field (file and array, or function) come from one mesh, so that they never cross. They are
+/// made without regard to domains: if a field has one, they are cut off at its bounds in the arranged model
+/// (trim_soup). Coordinates are those of the project file. Throws Error{invalid_input} with surface and place: a field
+/// that cannot be read, does not reach the box, has no such value there, or a function that throws or gives no finite
+/// value; Error{usage} if there is a function and no box in which to evaluate it.
 LevelSurfaces make_level_surfaces(const Project& project);
 
 }  // namespace geomesh::geomodel

@@ -98,7 +98,7 @@ class MedReader {
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {
-    std::vector<med_int> numbers(n, 0);  // optional in a file: all are then 0
+    std::vector<med_int> numbers(n, 0);  // a file may have no families: all are then 0
     if (MEDmeshEntityFamilyNumberRd(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type, numbers.data()) < 0)
       numbers.assign(n, 0);
     return numbers;

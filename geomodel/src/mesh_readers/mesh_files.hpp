@@ -25,7 +25,7 @@ struct MeshFile {
   std::vector<VertexIndex> midpoints;
   std::vector<std::size_t> cell;   ///< for each tetrahedron: its number among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
-  std::vector<std::array<VertexIndex, 6>> prisms;  ///< the other solids, in VTK's order (VTK files only)
+  std::vector<std::array<VertexIndex, 6>> prisms;  ///< prisms among the other solids, in VTK's order (VTK only)
   std::size_t n_lower_cells = 0;                   ///< number of triangles, lines and points in addition to the solids
   std::vector<std::int32_t> region;                ///< region of each tetrahedron; empty if the file has no such array
   std::string region_array;                        ///< its name

@@ -27,7 +27,7 @@ const char* module_version();
 /// the configured folder of installation.
 const void* module_table(const ModuleName& module, bool (*fits)(const void* table));
 
-/// The same for a table that begins with `const char* version`.
+/// Loads a module like module_table, with a table that begins with `const char* version`.
 template <class Table>
 const Table& module_table_of(const ModuleName& module) {
   return *static_cast<const Table*>(module_table(

@@ -32,7 +32,7 @@ Column make_column(const std::vector<std::string>& names, const std::vector<Tria
 /// tolerance has such faces. Faces that rounding inverted are ignored too: between two faults an ulp apart a horizon
 /// has strips of these.
 struct HorizonContacts {
-  /// Area of faces between the component and other components, below and above which it lies.
+  /// Area of faces below (above) which the component lies, with something else on their other side.
   std::map<Index, double> lies_below, lies_above;
   std::map<Index, double> on_both_sides;  ///< area of faces that have this component on both sides
 };
@@ -63,8 +63,8 @@ struct UnitVerdict {
 };
 /// Rule: below horizon h means unit h + 1 or older, above it unit h or younger; where horizons converge on others
 /// (pinch-outs, erosion, onlap) the tightest bounds are used. A horizon that has the component on both sides joins two
-/// units only if those bounds leave both possible; elsewhere it is a dangling face inside one unit. A component bounds
-/// nothing at a horizon of which it has less than a hundredth of the area of both sides.
+/// units only if those bounds leave both possible; elsewhere it is a dangling face inside one unit. A horizon bounds
+/// nothing if a horizon beyond it, or it itself, has the component on both sides over a larger area.
 UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column);
 
 /// Returns "chalk", or "chalk+basement" for joined units; empty if unknown.

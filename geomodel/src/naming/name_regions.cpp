@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-// Number of regions with one name from which a warning explains the remedy.
+// Number of regions with one name above which a warning explains the remedy.
 constexpr std::size_t most_of_one_name = 10;
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "

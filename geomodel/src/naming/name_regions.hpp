@@ -20,8 +20,8 @@ struct NamedRegions {
   std::vector<UnitVerdict> verdicts;          ///< per component
 };
 
-/// Rules as in NamingRules and name_model. Appends warnings on suffixes, thin voids, missing horizons and bodies that
-/// are not closed.
+/// Rules as in NamingRules and name_model. Appends warnings on suffixes, on components below an older and above a
+/// younger horizon, on missing horizons and on bodies that are not closed.
 NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, const Column& column,
                           std::vector<std::string>& warnings);
 

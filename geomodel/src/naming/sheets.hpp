@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// that winding numbers are defined for every point off the surface. An empty surface is not closed.
 bool is_closed(const TriangulatedSurface& surface);
 
-/// For each triangle, returns whether its stored normal points to the upper side. Triangles joined through edges of
+/// For each triangle, whether its stored normal points to the upper side. Triangles joined through edges of
 /// exactly two triangles form a sheet; a sheet is oriented as one, so that overturned folds keep their sides. The upper
 /// side is the one that has the larger horizontal projection of its signed area. If a sheet cannot be oriented (a
 /// Moebius band), each of its triangles is decided separately.

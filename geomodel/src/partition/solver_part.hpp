@@ -22,7 +22,7 @@ struct SolverPart {
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };
 
-/// Owned solids: all of the part. Faces: those at an element of the part, owned together with the element that the
+/// Solids: all of the part. Faces: those at an element of the part, owned together with the element that the
 /// normal points away from (at the boundary, the only one). Edges and points: those whose nodes all belong to the part,
 /// owned by the lowest owner of their nodes.
 SolverPart part_of(const SolverMesh& whole, const MeshParts& parts, std::int32_t number, Ghosts ghosts);

@@ -21,9 +21,9 @@ void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& 
                           const std::vector<double>& volumes);
 
 /// Throws Error{cannot_mesh} naming each region whose volume differs from volume_of_input, if that is set, by more than
-/// the area of its faces times the tolerance. Faces only on box sides are left out, because they do not move (rounding:
-/// 1e-12 of the volume). To first order, surfaces within the tolerance cannot change the volume by more. `tolerance` is
-/// in the mesh's unit.
+/// the tolerance times the area of its faces towards other regions or the outside. Faces only on box sides are left
+/// out, because they do not move (rounding: 1e-12 of the volume). To first order, surfaces within the tolerance cannot
+/// change the volume by more. `tolerance` is in the mesh's unit.
 void require_volumes_within(const ModelMesh& mesh, double tolerance);
 
 /// Returns a text for the user on each unit whose volume changed by more than a hundredth while surfaces were remeshed

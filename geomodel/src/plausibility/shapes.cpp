@@ -19,7 +19,8 @@ namespace {
 /// Ratio of map area to true area below which a horizon counts as vertical (mean dip of more than 80 degrees).
 /// Overturned folds and flanks of salt have a flatter mean.
 constexpr double upright = 0.17;
-/// The same limit for a steep surface that passes through most of the box and covers little of the map, as faults do.
+/// Ratio of map area to true area below which a horizon counts as vertical if it passes through most of the box and
+/// covers little of the map, as faults do.
 constexpr double steep = 0.6, most_of_height = 0.5, little_of_map = 0.35;
 /// A fault counts as horizontal if its mean dip is below 5 degrees over nearly all of the map.
 constexpr double level = 0.996, all_of_map = 0.95;

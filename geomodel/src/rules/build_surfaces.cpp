@@ -43,7 +43,7 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
       if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
-        part.resize(fault.triangles.size(), 0);  // holes filled here belong to the extension that only separates blocks
+        part.resize(fault.triangles.size(), 0);  // as if given: remove_continuations() removes the extension
     }
 }
 

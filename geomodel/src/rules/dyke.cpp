@@ -15,8 +15,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Where triangles are inclined to a vertex's normal, the vertex must move farther than half of the thickness. This
-/// factor is the limit; it corresponds to an inclination of 60 degrees.
+/// Largest move of a vertex as a factor on half of the thickness, which is too short a move where triangles are
+/// inclined to the vertex's normal. The limit corresponds to an inclination of 60 degrees.
 constexpr double longest_miter = 2;
 
 Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& t) {

@@ -11,10 +11,9 @@ namespace geomesh::geomodel {
 /// the map.
 ///
 /// With `collapse`, horizons that come too close to each other somewhere get one common triangulation of the map, with
-/// all
-/// edges of all of them. From the oldest up, each point closer than min_thickness to the next older horizon takes its
-/// height: there both coincide, and the layer pinches out. Horizons that overhang or are given block by block
-/// are not changed, with a warning. With `error`, throws Error{invalid_input} if a layer is too thin.
+/// all edges of all of them. From the oldest up, each point closer than min_thickness to the next older horizon takes
+/// its height: there both coincide, and the layer pinches out. Horizons that overhang or are given block by block are
+/// not changed, with a warning. With `error`, throws Error{invalid_input} if a layer is too thin.
 void apply_min_thickness(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

@@ -13,10 +13,10 @@ namespace geomesh::geomodel {
 /// Returns the mesh with its nodes duplicated along these surfaces. A node exists once for each sector into which the
 /// surfaces divide the tetrahedra around it: once at a tip inside the model, twice on a fault, three or four times
 /// where faults meet. Each face of the surfaces exists twice: on NAME.minus and on NAME.plus, with the normal out of
-/// its own side. A sheet has the same side everywhere (turned_faces()). Nodes, curves and other faces stay with the
-/// sector of lowest number. No tetrahedron has all its corners on one of the surfaces (with_free_corners()). With
-/// `cohesive`, prisms of no thickness between the two sides are a layer NAME.layer. Throws Error{usage} if no inner
-/// face is on a surface of that name.
+/// its own side. NAME.minus is the same side of a sheet everywhere (turned_faces()). Nodes, curves and other faces
+/// stay with the sector of lowest number. No tetrahedron has all its corners on one of the surfaces
+/// (with_free_corners()). With `cohesive`, prisms of no thickness between the two sides are a layer NAME.layer. Throws
+/// Error{usage} if no inner face is on a surface of that name.
 ModelMesh split_along(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive);
 
 /// A split mesh with the origin of each node, without free corners: tetrahedra are those of the original mesh.

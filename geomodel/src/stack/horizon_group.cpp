@@ -23,7 +23,7 @@ constexpr double area_of_size = 0.43;  // area of an equilateral triangle divide
 // Factor on the number of triangles that the target size requires, above which a horizon has too many.
 constexpr double many_triangles = 4;
 constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
-// Least thickness if none is given, as a share of the size; at most half of the tolerance.
+// Least thickness if none is given, as a share of the size; half of the tolerance if that is more.
 constexpr double thickness_of_size = 1.0 / 150;
 constexpr double room_of_thickness = 2;  // at pinch-out lines
 // Width over which a unit closes, as a multiple of the least thickness: an angle of 5 degrees.
@@ -43,7 +43,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Adds the borders of horizons without throw that lie within the bounds, except those along a side of the bounds.
+/// Adds the border edges of horizons without throw that reach into the bounds, which those along a side do not.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {

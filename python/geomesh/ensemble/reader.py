@@ -121,7 +121,7 @@ def as_number(node):
 
 
 def meant(word, known):
-    """Returns ", did you mean ...", or the known words."""
+    """Returns "; did you mean ...?" if a known word is similar, else the known words."""
     close = difflib.get_close_matches(word, list(known), 1)
     if close:
         return "; did you mean %s?" % close[0]

@@ -44,8 +44,8 @@ def _batches(points, tetrahedra, cells):
 
 
 def _mark(corners, first, cells, found):
-    """Returns the smallest tetrahedron (counted from `first`) that contains each centre, so that the result is unique
-    for a centre on a face."""
+    """Enters into `found` the least tetrahedron (counted from `first`) that contains each centre, so that the result is
+    unique for a centre on a face."""
     low, high = _ranges(corners, cells)
     extent = numpy.maximum(high - low + 1, 0)
     counts = numpy.prod(extent, axis=1)

@@ -15,9 +15,9 @@ struct DualFace {
   double area;       ///< signed area; see voronoi_dual.hpp
 };
 
-/// Returns the faces in the order of the edges. The volume of the dual cell of a vertex is the sum of area times length
-/// over six of its edges; the sum over all vertices is the volume of the mesh. Tetrahedra must be positive. O(n log n);
-/// takes about six bytes per tetrahedron.
+/// Calls `use` with each face, in the order of the edges. The volume of the dual cell of a vertex is a sixth of the sum
+/// of area times length over its edges; the sum over all vertices is the volume of the mesh. Tetrahedra must be
+/// positive. O(n log n); takes about six bytes per tetrahedron.
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use);
 

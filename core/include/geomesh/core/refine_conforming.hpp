@@ -7,12 +7,11 @@
 
 namespace geomesh {
 
-/// Meshes `plc` in conforming mode and adds points until cells and faces have the sizes of the size field:
+/// Meshes `plc` in conforming mode and adds points until cells and faces are no larger than the size field requests:
 /// circumcentres, and midpoints of segments, by insertion into the Delaunay triangulation. Cells that are more than
-/// twice
-/// as wide (circumradius) as their shortest edge is long get a point too, if there is room. Flat cells with well-spaced
-/// vertices (slivers) are kept: nothing is flipped or moved, because that would violate the Delaunay property. Stage
-/// reported: refine.
+/// twice as wide (circumradius) as their shortest edge is long get a point too, if there is room. Flat cells with
+/// well-spaced vertices (slivers) are kept: nothing is flipped or moved, because that would violate the Delaunay
+/// property. Stage reported: refine.
 ///
 /// `mesh` is a result of tetrahedralize(plc) in conforming mode: the sizes, and which components to refine, are read
 /// from it; its components keep their numbers. `options.size` and `max_elements` are honoured; quality and time budget

@@ -28,8 +28,8 @@ struct TetrahedraPart {
   std::vector<std::uint8_t> is_settled;
 };
 
-/// Refines to the sizes if the options say so, then improves. Inner points that are not kept have no influence where
-/// they are refined. Kept points come first in the result, in their order. Of the options, only `refine`, `quality`,
+/// Refines to the sizes if the options say so, then improves. Inner points that are not kept have no influence on the
+/// refined tetrahedra. Kept points come first in the result, in their order. Of the options, only `refine`, `quality`,
 /// `quality_measure`, `max_elements` and `time_budget` are used. Preconditions: every tetrahedron is positive;
 /// components differ only across kept faces. Throws as refine_and_improve, and InternalError if something that must be
 /// kept was not.

@@ -150,7 +150,8 @@ class SimplexMesh {
     free_.clear();
   }
 
-  /// @name For algorithms that fill slots themselves @{
+  /// @name For algorithms that fill slots themselves
+  /// @{
   Cell* cells() { return cells_.data(); }
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }

@@ -41,10 +41,10 @@ class SizeField {
 
   /// Returns the target size at a place in a component (no_index: in none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// Returns the same, but faster, for callers that do not distinguish sizes up to `enough`: for those any value up to
-  /// `enough` may be returned.
+  /// Returns the same as at(), but faster, for callers that do not distinguish sizes up to `enough`: for those any
+  /// value up to `enough` may be returned.
   double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
-  /// Returns the same, but faster, if the size at a place q nearby is known. It is faster again if sizes above
+  /// Returns the same as at(), but faster, if the size at a place q nearby is known. It is faster again if sizes above
   /// `at_most` need not be distinguished: for those any value of at least `at_most` may be returned.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;

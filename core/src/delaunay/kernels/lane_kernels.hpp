@@ -38,10 +38,9 @@ struct CavityLists {
   CellIndex* cells = nullptr;  ///< cells in conflict; those before `n_done` have been processed
   CavityFace<3>* faces = nullptr;
   std::size_t n_cells = 0, n_done = 0, n_faces = 0, capacity = 0;
-  double nearest =
-      /// When grown: least squared distance from the point to a vertex of the cavity, which contains the nearest vertex
-      /// of all.
-      0;
+  /// When grown: least squared distance from the point to a vertex of the cavity, which contains the nearest vertex of
+  /// all.
+  double nearest = 0;
 };
 
 /// Decides the cases that the loop cannot.

@@ -99,8 +99,8 @@ GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
   return w > exact_reach * exact_reach ? degree : Lanes{};
 }
 
-// Excluded from the thread sanitizer: whole records are loaded, including a number that another part may be writing.
-// That number is not used.
+// Excluded from the thread sanitizer: whole records are loaded, including a number that is not used and that another
+// part may be writing.
 #if defined(__SANITIZE_THREAD__)
 #define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
 #else

@@ -26,7 +26,8 @@ struct DihedralMeasure {
 
   /// Returns the value for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
-  /// Returns the best value of cells with this dihedral angle, which is at most 90 degrees. Concave in the angle.
+  /// Returns an upper bound of the value of cells with this dihedral angle, which is at most 90 degrees. Concave in the
+  /// angle.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
   /// Returns the value of a positive cell. Squares are compared, so that one root is enough.

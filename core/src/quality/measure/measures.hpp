@@ -125,7 +125,7 @@ template <class Measure>
 double value_of_sliver(double degrees) {
   constexpr double cosine_of_regular = 1.0 / 3;
   const double cosine = std::max(std::cos(degrees * std::numbers::pi / 180), cosine_of_regular);
-  const double half = 0.25 * std::sqrt(1 / cosine - 1);  // distance between the two edges, whose length is 1
+  const double half = 0.25 * std::sqrt(1 / cosine - 1);  // half the distance of the two edges, whose length is 1
   return shape_of_cell<Measure>({-0.5, 0, -half}, {0.5, 0, -half}, {0, 0.5, half}, {0, -0.5, half});
 }
 

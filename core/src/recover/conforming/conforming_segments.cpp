@@ -185,9 +185,9 @@ bool ConformingRecovery::is_on_segment_from(VertexIndex v, VertexIndex end) cons
   return r.origin == VertexOrigin::input && segment_of_ends_.find({v, end}) != no_index;
 }
 
-/// Returns a point on a sphere through the encroaching vertex v, with its centre at the end of the model's segment at
-/// which it meets a segment of v sharply, so that points on segments which meet sharply lie on common spheres. The
-/// result is the distance from s.a, or negative if there is no such sphere or it does not meet s.
+/// Finds the point on the sphere through the encroaching vertex v, with its centre at the end of the model's segment at
+/// which it meets a segment of v sharply, so that points on segments which meet sharply lie on common spheres. Returns
+/// its distance from s.a, or a negative value if there is no such sphere or it does not meet s.
 double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexIndex v) const {
   if (s.segment == no_index) return -1;
   const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b), &p = mesh_.point(v);
@@ -208,7 +208,7 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
 
 /// Returns a point on a common sphere; otherwise the projection of the encroaching vertex, so that points do not cause
 /// more distant ones than necessary; if that is closer to an end than half of the vertex's own distance from the end,
-/// the point at that distance (Si and Gaertner 2005).
+/// the point as far from the end as the vertex (Si and Gaertner 2005).
 Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
   const VertexIndex v = encroaching_vertex(s);

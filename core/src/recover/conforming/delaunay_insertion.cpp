@@ -86,7 +86,7 @@ bool is_locally_delaunay(const ConstrainedMesh& mesh) {
     const auto& v = cells.vertices(c);
     for (unsigned f = 0; f < 4; ++f) {
       const FaceRef g = cells.neighbor(c, f);
-      if (g.cell() < c || !counts(g.cell())) continue;  // each face is reported from one of its sides
+      if (g.cell() < c || !counts(g.cell())) continue;  // each face is tested from one of its sides
       const VertexIndex d = cells.vertex(g.cell(), g.face());
       if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(d)) ==
           Sign::positive)

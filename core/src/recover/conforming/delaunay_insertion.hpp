@@ -22,7 +22,7 @@ void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, Dela
 /// Returns the cells in conflict with p, the one that contains p first; none if p equals a vertex or lies outside the
 /// box.
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
-/// Replaces the cells in conflict with p, which must be all of them, by the star of p.
+/// Replaces the cells in conflict with p by the star of p. `cavity` must contain all of them and not be empty.
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);
 
 /// Returns whether every finite cell without a box vertex is locally Delaunay: decided exactly, ties allowed.

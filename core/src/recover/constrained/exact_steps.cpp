@@ -64,7 +64,7 @@ class SegmentStep {
       if (u != c.v[0] && u != c.v[1] && mesh_.orient(a_, b_, c.v[0], u) != Sign::zero) return {c.v[0], c.v[1], u};
     return {c.v[0], c.v[1], c.v[0]};
   }
-  /// Only used to order the crossings that are tried.
+  /// Returns a rough parameter, which is used only to order the crossings that are tried.
   double rough_parameter_of(const Crossing& c) const {
     const Triangle plane = plane_through(c);
     const auto height = [&](VertexIndex v) {

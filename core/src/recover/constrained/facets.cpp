@@ -280,7 +280,7 @@ class FacetRecovery {
   bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
   bool has_been_split_ = false;  ///< whether a point was added here
   std::size_t n_traced_ = 0;     ///< counted against traced_of_facet in the budget
-  std::size_t work_left_ = 0;    ///< remaining flips, from flips_tried in the budget
+  std::size_t work_left_ = 0;    ///< remaining work of flips, from flips_tried in the budget
 };
 
 }  // namespace

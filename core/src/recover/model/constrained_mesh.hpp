@@ -79,7 +79,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_exact(VertexIndex v) const { return exact_.contains(v); }
   bool has_exact_places() const { return !exact_.empty(); }
   const ExactPlaces& exact_places() const { return exact_; }
-  /// Of any vertex.
+  /// Returns coordinate i of any vertex, exactly.
   exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
   /// Returns the vector from one vertex to another, which is accurate even if their nearest doubles are equal.
   Vec3 offset(VertexIndex from, VertexIndex to) const {

@@ -32,7 +32,7 @@ struct Recovery {
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   double expected_points_per_vertex =
-      /// Number of points beyond which, plus 300, the model is suspected to be invalid.
+      /// Number of added points per vertex beyond which, plus 300 points, the model is suspected to be invalid.
       recovery_budget.doubtful_points_per_vertex;
   std::vector<Index> hard_segments{},
       hard_facets{};  ///< model segments and facets that flips and cavities did not recover

@@ -10,7 +10,8 @@
 namespace geomesh::recover {
 
 struct RecoveryBudget {
-  // Number of attempts. Models an ulp thick needed up to 7 in tests. More would only delay a refusal.
+  // Attempts.
+  /// Largest number of attempts. Models an ulp thick needed up to 7 in tests. More would only delay a refusal.
   unsigned attempts = 12;
   /// Number of points without a suitable double, over all attempts, from which the model is refused. It equals the
   /// number of attempts: if one point is left each time, all attempts are made (soup 7944 with its boundary kept is
@@ -30,7 +31,7 @@ struct RecoveryBudget {
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
   std::size_t few_missing = 20;   ///< number of missing segments up to which no axis is stretched
-  std::size_t stretch_from = 10;  ///< axes are stretched if at least one of this many segments is missing
+  std::size_t stretch_from = 10;  ///< axes are stretched if more than one of this many segments is missing
   std::size_t stretch_gain = 20;  ///< stretching an axis by one step must save one of this many missing segments
   int stretch_steps = 12;         ///< largest power of two by which an axis is stretched
   /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
@@ -64,9 +65,9 @@ struct RecoveryBudget {
 
   // Cavities (cavity_retriangulation.hpp, polyhedron_filling.hpp, star_insertion.cpp).
   std::size_t star_cells = 400;  ///< number of cells in the cavity of an insertion
-  /// Number of tetrahedra tried in a search at each level of flips; deeper searches find little.
+  /// Number of tetrahedra tried in a search, times the levels of flips; deeper searches find little.
   std::size_t filling_nodes = 200;
-  /// The same number beside a point that is removed, since regions handle the rest.
+  /// Number of tetrahedra tried in a search beside a point that is removed: regions handle the rest.
   std::size_t filling_nodes_sector = 100;
   std::size_t filling_faces = 90;  ///< number of faces of a cavity that is searched
   unsigned filling_looks = 4;      ///< number of faces among which the hardest is filled first
@@ -76,9 +77,9 @@ struct RecoveryBudget {
   double least_part = 1e-6;
   double near_crossing = 1e-7;         ///< share of a subsegment: items this close to a new point are removed with it
   std::size_t crossings_flipped = 20;  ///< number of crossings up to which flips two levels deep are tried again
-  /// Number of points on a subsegment, plus the number of crossings, beyond which more points only crowd.
+  /// Number of points on a subsegment beyond which more only crowd; each crossing of it allows points_on_crossing more.
   std::size_t points_on_subsegment = 100;
-  std::size_t points_on_crossing = 4;  ///< so many more
+  std::size_t points_on_crossing = 4;  ///< additional points for each crossing of the subsegment
   /// Relative errors allowed for an exact parameter, tried one after the other. The first is nearly always sufficient.
   std::array<double, 4> parameter_errors{0x1p-50, 0x1p-75, 0x1p-100, 0x1p-150};
 

@@ -41,7 +41,7 @@ class LocalPlaces {
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Returns offsets from one vertex, for loops that write to memory.
+  /// Offsets from one vertex, for loops that write to memory.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
@@ -54,7 +54,7 @@ class LocalPlaces {
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns the number of orientations of a triangle with one other vertex that has an exact place.
+  /// Returns how many orientations of a triangle with one other vertex each involve a vertex that has an exact place.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
@@ -106,7 +106,8 @@ class SideMasks {
     }
   }
 
-  /// @name For increasing triples, after decide_all @{
+  /// @name For increasing triples, after decide_all
+  /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
   /// Returns what sides({i, j, k}) does, for i < j and any other vertex k, without sorting the three.

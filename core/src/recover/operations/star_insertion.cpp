@@ -14,7 +14,8 @@ bool contains(std::span<const CellIndex> cells, CellIndex c) {
   return std::find(cells.begin(), cells.end(), c) != cells.end();
 }
 
-/// Returns boundary faces as (f0, f1, f2, x); returns false if the cavity must grow across `grow` (no_cell: it cannot).
+/// Writes the boundary faces to `out` as (f0, f1, f2, x); returns false if the cavity must grow into `grow` (no_cell:
+/// it cannot).
 bool stellate(const ConstrainedMesh& mesh, const Cavity& cavity, VertexIndex x, std::vector<Tetrahedron>& out,
               CellIndex& grow) {
   const TetMesh& cells = mesh.cells();

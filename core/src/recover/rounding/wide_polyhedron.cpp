@@ -47,7 +47,7 @@ struct Triangular {
       for (Row& r : rows) r[k] /= at[k][k];
     }
   }
-  /// Whether the first `n` columns are independent, as far as doubles tell.
+  /// Returns whether the first `n` columns are independent, as far as doubles show.
   bool is_regular(std::size_t n = 3) const {
     for (std::size_t k = 0; k < n; ++k)
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
@@ -172,7 +172,7 @@ class ShapedLattice {
   /// if numbers exceed the range of doubles.
   bool prepare() { return reduce() && go_near_centre(); }
 
-  /// Returns by how much a step of `k` along each vector of the basis changes the rows.
+  /// Returns for each row by how much one step along each vector of the basis changes it.
   const std::vector<Row>& rows() const { return rows_; }
   /// Returns the rows at the lattice point near the centre: positive inside.
   std::vector<double> rows_near_centre() const {

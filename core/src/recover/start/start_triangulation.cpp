@@ -74,8 +74,8 @@ class StartSearch {
     return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
-  /// Improves `best` as long as a step of one axis saves a twentieth of the missing subsegments. Frames without hope
-  /// according to the forecast are not triangulated. Returns the exponents of the scales.
+  /// Improves `best` as long as a step of one axis saves a twentieth of the missing subsegments, if any. Frames without
+  /// hope according to the forecast are not triangulated. Returns the exponents of the scales.
   std::array<int, 3> climb(Candidate& best) const {
     std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);
@@ -193,7 +193,7 @@ void remember(const Candidate& candidate, Constraints& constraints) {
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
-/// `points` contains the current positions.
+/// Counts missing subfacets and the inner edges of missing pieces. `candidate` and `points` are unchanged afterwards.
 MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
                                       const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                       const RunContext& context) {

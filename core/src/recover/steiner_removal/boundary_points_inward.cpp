@@ -77,7 +77,8 @@ class SectorFilling {
     sort_unique(grown_);
     return true;
   }
-  /// A well has no facet that would contain its segment.
+  /// Returns whether the filling contains the segment, which is tested for a well: it has no facet that would ensure
+  /// it.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
     if (around_.halves.empty() || !around_.fans.empty()) return true;
     return std::any_of(filling.begin(), filling.end(), [&](const Tetrahedron& t) {
@@ -154,7 +155,7 @@ class PointRemoval {
 
  private:
   /// Fills all sectors, dividing those that cannot be filled by up to `n_sheets` sheets. Returns false if that fails;
-  /// otherwise no point is left on the boundary.
+  /// none of the points added inside is left then.
   bool fill_sectors(unsigned n_sheets) {
     std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
     SectorFilling filling(recovery_, x_, around_, refilled_, star_);

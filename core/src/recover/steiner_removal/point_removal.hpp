@@ -20,7 +20,7 @@ inline bool is_on_boundary(const Recovery& recovery, VertexIndex x) {
 /// Returns the neighbours of x on its segment: two unless x is the end of a hanging one.
 std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x);
 
-/// Removes edges at x that may be removed. Returns whether there were any.
+/// Removes edges at x that may be removed. Returns whether any was removed.
 bool lower_degree(Recovery& recovery, VertexIndex x);
 
 /// Removes x from a segment that a region surrounds, at the cost of points in the region: up to five points beside x

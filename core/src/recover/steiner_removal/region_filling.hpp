@@ -39,7 +39,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 /// now, but no input vertex. O(n^4) for n vertices before the search.
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts);
-/// The same within recovery's budget; regions found to have no filling are remembered and not tried again.
+/// Like fill_region, within recovery's budget; regions found to have no filling are remembered and not tried again.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
 
 /// Exchanges cells for a filling. Vertices that it lacks are removed from the mesh. O(k log k) for k cells.

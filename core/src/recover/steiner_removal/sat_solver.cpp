@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t no_occurrence = 0xFFFFFFFFu, no_watch = 0xFFFFFFFFu;
 
-/// Returns the sequence 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
+/// Returns term i, from 0, of the sequence 1 1 2 1 1 2 4 ... (Luby, Sinclair and Zuckerman 1993).
 std::size_t luby(std::size_t i) {
   std::size_t size = 1, power = 0;
   while (size < i + 1) {

@@ -45,7 +45,7 @@ class SatSolver {
   /// The variable is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Reserves memory for clauses and choices with that many literals in all.
+  /// Reserves memory for `n_clauses` clauses and as many choices, each kind with `n_literals` in all.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
@@ -58,7 +58,7 @@ class SatSolver {
 
   /// Returns unknown if it is not decided after `max_conflicts`.
   Satisfiability solve(std::size_t max_conflicts);
-  /// After satisfiable.
+  /// Returns the value of a variable, after solve() has returned satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
 
  private:

@@ -47,7 +47,7 @@ class Exporter {
     return std::move(out_);
   }
 
-  /// Numbers the cells of a part: the given cells first, then the cells around them ring by ring.
+  /// Exports a part of the mesh: the given cells first, then the cells around them ring by ring.
   ConstrainedTetrahedralization about(std::span<const CellIndex> seeds, unsigned rings) {
     for (const CellIndex c : seeds) add_cell(c);
     std::vector<CellIndex> star;
@@ -71,7 +71,7 @@ class Exporter {
   }
   void add_vertex(VertexIndex v) {
     if (row_[v] != no_vertex) return;
-    row_[v] = 0;  // A vertex has no row until it is numbered below.
+    row_[v] = 0;  // This marks the vertex as listed; its row is set when all vertices are numbered.
     vertices_.push_back(v);
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }

@@ -50,8 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. If they are not, two surfaces touch at v, or a curve ends
-/// on a surface there.
+/// Returns whether the faces at v are connected across edges. If they are not, two surfaces touch at v, or a curve
+/// touches a surface there.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -117,7 +117,7 @@ class Importer {
  private:
   void add_cells() {
     domain_.reserve(2 * input_.points.size(), 2 * input_.tetrahedra.size());
-    // All points are added, because curve_of refers to them by their row.
+    // All vertices are corners at first, because curve_of finds no curve at vertices of the kinds that are on none.
     for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);
     for (std::size_t t = 0; t < input_.tetrahedra.size(); ++t)
       domain_.add_cell(input_.tetrahedra[t], input_.component[t]);

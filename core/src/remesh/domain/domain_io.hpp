@@ -10,8 +10,8 @@
 
 namespace geomesh::remesh {
 
-/// Returns the patch of each facet according to the options. If surfaces are kept exactly, the facets that are one
-/// input triangle form a patch; otherwise facet_patch defines the patches, or else facets of equal provenance do.
+/// Returns the patch of each facet according to the options. If surfaces are kept exactly, the facets that `merged`
+/// joins to one form a patch; otherwise facet_patch defines the patches, or, if it is empty, equal provenance does.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
 /// The patches as users name them in sizes, whatever the honour mode is.

@@ -98,7 +98,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// Normal vector of a face; its length is twice the face's area.
   Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
-  // The quality measure of the cells. It must be set before the first cell is added.
+  // Cells.
+  /// The quality measure of the cells. It must be set before the first cell is added.
   const CellQuality& measure() const { return measure_; }
   void set_measure(QualityMeasure measure) { measure_ = CellQuality(measure); }
   CellIndex n_slots() const { return mesh_.n_slots(); }
@@ -167,16 +168,19 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// Removes a vertex that no live cell uses.
   void remove_vertex(VertexIndex v);
 
-  /// @name Blocks (mesh_blocks.hpp) @{ Gives the block a clock and free slots. Must be called for all blocks before any
-  /// of them is changed.
+  /// @name Blocks (mesh_blocks.hpp)
+  /// @{
+  /// Gives the block a clock and free slots. Must be called for all blocks before any of them is changed.
   void open_block(BlockEdit& block, std::size_t n_slots);
   /// Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);
   /// @}
 
-  /// @name Separate components: they can be changed concurrently, as long as only their inside changes. @{ Moves the
-  /// cells of each component into a mesh of its own, in ascending order of components. This mesh is then without cells.
-  /// O(n).
+  /// @name Separate components
+  /// They can be changed concurrently, as long as only their inside changes.
+  /// @{
+  /// Moves the cells of each component into a mesh of its own, in ascending order of components. This mesh is then
+  /// without cells. O(n).
   std::vector<MeshPart> take_apart();
   /// Inserts the parts again in the same order, with their cells and any new vertices. Faces shared with other
   /// components must be unchanged. O(n), plus O(m log m) for m such faces.
@@ -203,10 +207,12 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find({a, b}) : no_index;
   }
-  /// @name Non-manifold vertices of the outside. Cells may meet at a vertex or an edge without being connected by faces
-  /// there, because the outside lies between them. `star` and `edge_ring` find only the cells connected with the one
-  /// from which they start. Such a vertex, and both ends of such an edge, are therefore corners, for which `is_pinched`
-  /// returns true. A curve edge between two of them is not split. @{
+  /// @name Non-manifold vertices of the outside
+  /// Cells may meet at a vertex or an edge without being connected by faces there, because the outside lies between
+  /// them. `star` and `edge_ring` find only the cells connected with the one from which they start. Such a vertex, and
+  /// both ends of such an edge, are therefore corners, for which `is_pinched` returns true. A curve edge between two of
+  /// them is not split.
+  /// @{
   bool is_pinched(VertexIndex v) const { return v < pinched_.size() && pinched_[v]; }
   bool is_pinched(VertexIndex a, VertexIndex b) const {
     return is_pinched(a) && is_pinched(b) && curve_of(a, b) != no_index;
@@ -224,8 +230,10 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// Curve edges in ascending order of their vertices.
   std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted_keys(); }
 
-  /// @name Trials: changes that can be undone. There is at most one at a time, by one thread. link_cells, reserve and
-  /// new patches or curve classes are not recorded. @{
+  /// @name Trials: changes that can be undone
+  /// There is at most one at a time, by one thread. link_cells, reserve and new patches or curve classes are not
+  /// recorded.
+  /// @{
   void begin_trial();
   void keep_trial() { journal_.is_open = false; }
   /// Restores the state at the start of the trial, including the order of free slots and the mesh's time. O(changes).

@@ -22,8 +22,8 @@ struct MergedFacets {
 /// nothing else uses are in no facet any more. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
-/// Removes the parent of each merged facet that one of `rows` belongs to, so that it is not merged the next time.
-/// Returns whether there was any. O(n log m) for m rows.
+/// Removes the parent of each original facet that was merged with others into a facet whose row in merged.plc is one of
+/// `rows`, so that it is not merged the next time. Returns whether there was any. O(n log m) for m rows.
 bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent);
 
 /// Copies the complex without its facets and their contents.

@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 /// is written before it is read, so nothing has to be hashed, sorted or cleared.
 class StarLinks {
  public:
-  static constexpr std::size_t most_faces = 124;  ///< a closed surface of this many triangles has 64 vertices
+  static constexpr std::size_t most_faces = 124;  ///< a sphere of this many triangles has 64 vertices
 
   /// Makes cells[k], which is (face k of the border, apex), neighbours of each other around the apex. There are at most
   /// `most_faces`. Throws InternalError if the border is not closed.

@@ -49,8 +49,8 @@ RunContext counting_towards(double estimate, const RunContext& context) {
   return counted;
 }
 
-/// The share of new points from which meshing anew is faster than inserting them. If surfaces may move, few points can
-/// be inserted one by one instead.
+/// The number of new points, as a share of the input's points, above which the mesh is made anew. If surfaces may move,
+/// fewer points can as well be inserted one by one.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
 /// Meshes anew with points on edges and facets at the target distances. A constrained Delaunay start is better than
@@ -89,7 +89,7 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
   return false;
 }
 
-/// Edges this much longer than their size remain if insertion stopped early. Improvement removes a few of them; if more
+/// Edges this much longer than their size remain if insertion was stuck. Improvement removes a few of them; if more
 /// than this share of the cells has one, the points are meshed anew.
 constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
@@ -164,7 +164,7 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   result.mesh = export_domain(tools.mesh, input, threads);
 }
 
-/// If the result is expected to have this many times the estimated elements, the rest of the run takes as much longer.
+/// If refinement has made at least this many times the estimated elements, the rest of the run takes as much longer.
 /// This is reported before it begins.
 constexpr double far_more = 2, worth_telling = 50000;  // elements
 

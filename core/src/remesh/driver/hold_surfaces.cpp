@@ -17,8 +17,8 @@ Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
-    // A vertex is moved only a limited number of times, because it would otherwise alternate between two places that it
-    // has to cover.
+    // Vertices are moved only as long as the number of breaches falls, because a vertex could otherwise alternate
+    // between two places that it has to cover.
     const MendBy by = found.breaches.size() < n_before ? MendBy::moves_and_splits : MendBy::splits;
     n_before = found.breaches.size();
     if (mend_surfaces(tools, found.breaches, by) == 0) break;
@@ -112,7 +112,7 @@ std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attem
     --n_of_patch[before];
     n_of_patch.push_back(1);
     options.facet_patch[k.facet] = own;
-    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // Each piece becomes its own patch.
+    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // It is merged with no other.
     if (before < options.size.patch_size.size()) {
       options.size.patch_size.resize(own + 1);
       options.size.patch_size[own] = options.size.patch_size[before];

@@ -32,7 +32,7 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance);
 
 /// Facets to be kept unchanged while the rest of their surface is remeshed, because nothing else could be proven. Every
 /// facet near a failed place of the attempt becomes a patch of its own, so its sides are curves and its corners are
-/// kept. Segments there become curves of their own. Returns the place of each facet and segment to which this is new.
+/// kept. Segments there become curves of their own. Returns a place for each facet to which this is new.
 /// `options` must have one patch for each facet.
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options);
 

@@ -157,7 +157,7 @@ class Settled {
   std::vector<bool> is_free_later_;  // by kept point
 };
 
-/// The constraints of the mesh: faces without neighbour, faces between kept and refined cells, and curves.
+/// The constraints of the mesh, in ascending order: constrained faces without a neighbour, those with one, and curves.
 struct Constrained {
   std::vector<Corners> border, faces;
   std::vector<std::array<VertexIndex, 2>> edges;

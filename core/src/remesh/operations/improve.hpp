@@ -26,7 +26,7 @@ struct SmoothRule {
   double least_rise = 1.0005;  ///< smallest factor by which the worst shape must rise
   double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
   bool slides_on_edges =
-      false;  ///< if surfaces are kept, vertices on input edges move along them, and other surface vertices do not move
+      false;  ///< if surfaces are kept: whether vertices on input edges move along them; otherwise they do not move
 };
 
 /// The goal of flips that raise the mean worth (CellQuality::worth) of all cells of the mesh. The sum over the
@@ -89,8 +89,10 @@ bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge if this, with the new vertex at its best place, raises the worst shape around it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);
 
-/// @name Operations around one cell. Each performs the first one of its kind that raises the worst shape there, trying
-/// edges in the order of edge_vertices and faces by their index, and returns whether something changed. @{
+/// @name Operations around one cell
+/// Each performs the first one of its kind that raises the worst shape there, trying edges in the order of
+/// edge_vertices and faces by their index, and returns whether something changed.
+/// @{
 bool flip_about_cell(Toolbox& tools, CellIndex c);
 bool collapse_about_cell(Toolbox& tools, CellIndex c);
 bool add_point_about_cell(Toolbox& tools, CellIndex c, double room);

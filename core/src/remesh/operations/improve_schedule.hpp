@@ -21,11 +21,11 @@ struct AscentLimits {
   double active_share = 1.03;  ///< terms up to this factor of the smallest are raised together
   /// Terms within this difference of the smallest are raised together, too, so that ties near zero count.
   double active_margin = 1e-4;
-  unsigned trials = 6;              ///< number of step lengths tried along one direction
+  unsigned trials = 6;              ///< number of step lengths tried along one direction; a sixth is 0.01 of the first
   double shorten = 0.4;             ///< factor of the step length after a step without gain
   double lengthen = 1.5;            ///< factor of the step length after a step with gain
   double lengthen_mean = 2;         ///< the same for the mean, which is a smoother function
-  double least_slope = 1e-6;        ///< smallest slope at which a step is tried: rise of the shape over the first step
+  double least_slope = 1e-6;        ///< a step is tried if its slope promises a rise of the shape above this
   double mean_reach_by_gain = 7.5;  ///< smallest step for the mean, as a multiple of the least gain
   unsigned hull_steps = 40;         ///< iterations of Gilbert's method; usually a dozen suffice
   double hull_accuracy = 1e-3;      ///< relative accuracy of the squared distance, which suffices for a direction

@@ -118,15 +118,15 @@ class SurfaceInsertion {
             [&](FaceRef f) { return mesh_.sees(p_, mesh_.face(f)); }) ||
         !keeps_spacing(spacing))
       return false;
-    // Gather_cells reuses the marks, so the cells are copied first.
+    // The cells are copied first, because gather_cells reuses the marks.
     tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());
     gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
     if (!opened_.empty()) drop_opened_hull_faces();
     return true;
   }
 
-  /// Constrained faces on the outside of the model are not part of the cavity's border, because new surface faces
-  /// replace them.
+  /// Removes the opened faces on the outside of the model from the cavity's border, because the new surface replaces
+  /// them.
   void drop_opened_hull_faces() {
     std::vector<Triangle> gone;
     for (const FaceRef f : opened_)

@@ -34,8 +34,8 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
 
 namespace {
 
-/// Inserts a point far from surfaces by a Delaunay cavity without constrained faces. Circumspheres in floating point
-/// select the cells; visibility is decided exactly.
+/// Inserts a point by a constrained Delaunay cavity that has no part of a surface or curve inside, and its star.
+/// Circumspheres in floating point select the cells; visibility is decided exactly.
 class InsideInsertion {
  public:
   InsideInsertion(Toolbox& tools, const Vec3& p, const InsertionRule& rule)

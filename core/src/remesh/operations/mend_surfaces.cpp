@@ -58,7 +58,7 @@ class Finder {
   search::ClosestPointTrees faces_, curves_;
 };
 
-/// Brings a vertex of the surface or the curve to a place that is too far from both.
+/// Brings a vertex of the surface, or of the curve, to the place of a breach, where no vertex is near enough.
 class Mender {
  public:
   Mender(Toolbox& tools, MendBy by) : tools_(tools), mesh_(tools.mesh), by_(by) {}

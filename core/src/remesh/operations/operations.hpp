@@ -117,7 +117,7 @@ enum class CollapseRule {
 /// and each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
 /// Contracts an edge to the first of u's neighbours for which this is possible. The cells around u are gathered only
-/// once, whereas try_collapse would gather them for each neighbour.
+/// once, whereas try_collapse for each neighbour takes time proportional to the square of their number.
 bool try_collapse_into_any(Toolbox& tools, VertexIndex u, std::span<const VertexIndex> neighbours, CollapseRule rule,
                            double floor);
 

@@ -43,8 +43,8 @@ class PolygonTriangulation {
     });
   }
 
-  /// The largest sum of worths minus the mean over triangulations that the goal allows if the worst shape was `before`.
-  /// Minus infinity if there is none above `needed`.
+  /// The largest sum of the worths, each less the mean, of a triangulation that the goal allows if the worst shape was
+  /// `before`. Minus infinity if there is none above `needed`.
   double solve(const MeanGoal& goal, double before, double needed) {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();

@@ -32,7 +32,7 @@ struct RefineRatios {
   double surface_shape = 1e-7;   ///< the same for a point on a surface, around which more points will follow
   double collapse_floor = 0.05;  ///< a contraction must not bring better shapes below this
   double regular_floor = 1e-3;   ///< the same for flips and moves on surfaces
-  unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; a fourth would change one face in a hundred
+  unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; the fourth changes one face in a hundred
   /// A vertex is moved only if the worst face around it improves by this factor. At 1.01, with good faces left alone,
   /// refinement takes a tenth less time, but six times as many cells end below 24.85 degrees.
   double regular_rise = 1.001;

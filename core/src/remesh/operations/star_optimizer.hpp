@@ -29,7 +29,7 @@ struct StarProblem {
 struct OptimizeLimits {
   unsigned max_steps = 12;
   double good_enough = 2;      ///< stops once the worst shape is above this
-  double least_rise = 1.0005;  ///< a step that raises the worst shape by a smaller factor ends the ascent
+  double least_rise = 1.0005;  ///< a step that raises the worst shape by a smaller factor is not made
 };
 
 struct OptimizedPlace {
@@ -37,8 +37,8 @@ struct OptimizedPlace {
   double shape;  ///< worst shape around the vertex; at least that at the start
 };
 
-/// Finds the best place. The start need not be admissible: from a shape of at most 0 the ascent follows the gradients
-/// of the positive terms.
+/// Finds the best place by an ascent along the gradients of the worst terms. A start whose worst shape is not above 0
+/// is returned as it is.
 OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
 
 /// Climbs the sum of the worths (MeanGoal) of all cells at the vertex by its gradient. It starts where all are above

@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// One thread is as fast if a block has fewer vertices to visit, relative to all its vertices.
+/// One thread is as fast if there are fewer vertices to visit than MeshBlocks::Rules::vertices_a_block over this.
 constexpr std::size_t fewest_a_block = 4;
 constexpr std::size_t visits_between_looks = 256;  ///< number of visits between two checks of the cancel token
 /// Number of spare slots of a block for cells created before others are removed: a fixed number, and one for so many

@@ -93,8 +93,9 @@ class RepairRounds {
   std::size_t fewest_, fewest_worst_, n_idle_ = 0;
 };
 
-/// The few remaining slivers may be repaired with points nearer to others than the sizes require. If slivers are many
-/// the surfaces impose them; then only the worst are repaired, with points at any distance.
+/// The few remaining slivers may be repaired with points nearer to others than the sizes require, because a bad angle
+/// is worse than that. If slivers are many the surfaces impose them; then only the worst are repaired, with points
+/// still nearer (ImproveSchedule::forced_room).
 Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstRepair& repair, double room) {
   DomainMesh& mesh = tools.mesh;
   std::vector<BadCell> slivers = cells_below(mesh, mesh.measure().of_angle(schedule.sliver_angle));

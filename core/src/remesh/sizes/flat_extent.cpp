@@ -10,9 +10,10 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Factor of the tolerance. If chords of this length deviate from a surface of constant curvature by the tolerance, the
-/// root mean square of the distance to the best plane is 0.3 of it. Normally distributed noise of that size exceeds the
-/// tolerance in one of ten thousand places.
+/// A surface counts as flat over a length if the root mean square of its distance from the best plane is at most this
+/// share of the tolerance. If chords of that length deviate from a surface of constant curvature by the tolerance, the
+/// root mean square is 0.3 of it. Normally distributed noise of this share is within the tolerance in all but one of
+/// ten thousand places.
 constexpr double share_of_tolerance = 0.25;
 constexpr unsigned most_levels = 12;
 

@@ -53,8 +53,8 @@ SizeField SizeField::times(double factor) const {
   return SizeField(std::move(sources), std::move(limits));
 }
 
-/// Removes redundant sources. A source is redundant if another one requires less at its place, even after growing over
-/// its radius, and grows no faster.
+/// Removes redundant sources. A source is redundant if none grows faster than it, and another one requires less at its
+/// place by more than the redundant source grows over its own radius.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

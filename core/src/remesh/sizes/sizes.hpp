@@ -26,7 +26,7 @@ SizeFields build_size_field(const SizeBasis& basis, const DomainMesh& mesh, cons
 /// Builds the size field once. The size basis is computed here and not kept.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                             const LocalTolerance& tolerance);
-/// The same with the tolerance given in the options.
+/// Builds the size fields with the tolerance that the options give.
 SizeFields build_size_field(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
 /// Returns the sizes that are requested by name, without those from bends and gaps.

@@ -8,7 +8,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// For each vertex on a surface or curve, the adjacent component with the smallest size; no_index for other vertices.
+/// For each vertex on a surface or curve, the smallest size that a component at it requires; negative for others.
 class LeastSizes {
  public:
   LeastSizes(const DomainMesh& mesh, const SizeField& asked)

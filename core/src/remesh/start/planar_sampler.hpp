@@ -26,7 +26,7 @@ class PlanarSampler {
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
   /// The loops have vertices at about the target distances. The outer loop is counter-clockwise, holes are clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
-  /// Adds a point, or a point of an inner segment, from which others must keep their distance.
+  /// Adds a point, or an inner segment with its ends, from which others must keep their distance.
   void block(const Place& p) { add(p.at, p.size); }
   void block(const Place& a, const Place& b);
   /// Returns the accepted points in the order in which they were accepted.

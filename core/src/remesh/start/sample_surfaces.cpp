@@ -123,7 +123,8 @@ class SurfaceSampler {
   /// Divides the edge into pieces with equal integrals of 1 / size.
   void cut(const Edge& edge, EdgeParts& parts) {
     if (whole_.edges.contains(edge)) return;
-    // Measured by the sizes at the ends; from one and a half there would be two pieces.
+    // An edge shorter than this many times the smaller size at its ends is surely one piece: it would be two only from
+    // one and a half on.
     constexpr double surely_one = 1.2;
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
@@ -290,8 +291,8 @@ bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
   return length(loop_normal(plc.points, loop)) < least_width * longest;
 }
 
-/// Returns the facets whose edges may intersect after points on them have been rounded: thin triangles, and facets that
-/// are no triangles.
+/// Returns the facets whose edges may intersect after points on them have been rounded: thin ones, and those that are
+/// more than a triangle (with several loops, more corners or inner segments).
 std::vector<Index> delicate_facets(const PiecewiseLinearComplex& plc) {
   const std::vector<std::vector<Edge>> segments = segments_by_facet(plc);
   std::vector<Index> delicate;

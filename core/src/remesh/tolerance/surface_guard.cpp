@@ -233,7 +233,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // Otherwise, other faces must be near the point.
+      near = !old_faces.is_near(p, limit);  // Other faces cover a point that the removed ones did not.
     });
   });
   return near;

@@ -7,8 +7,8 @@
 /// plane in doubles, so a place must be on the removed faces as well.
 ///
 /// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its
-/// patch (search/proven_distance.hpp); otherwise the change is refused. Within a flat patch it covers what the removed
-/// faces did (flat_patches.hpp). In the other direction nothing is required if
+/// patch (search/proven_distance.hpp); otherwise the change is refused. Within a flat patch it is admitted without that
+/// if the new faces cover what the removed ones did (flat_patches.hpp). In the other direction nothing is required if
 /// the original is a smooth sheet around the change. Elsewhere samples of the original patch near the removed faces
 /// must be within 0.7 of the tolerance of the new ones or their neighbours. They are at most eight tolerances apart if
 /// a triangle is not longer than a hundred. Curves are kept within 0.7 of it at samples both ways. Deviations do not
@@ -102,8 +102,8 @@ class SurfaceGuard {
   /// without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
-  /// `over` receives a facet that lies under the face if the reference is a single sheet below all of it, and no_index
-  /// otherwise.
+  /// `over` receives a facet of the reference that is over the face if the reference is a single sheet over all of it,
+  /// and no_index otherwise.
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
@@ -127,17 +127,17 @@ class SurfaceGuard {
   struct Proving {
     search::DistanceProver prover;
     std::vector<search::SheetTriangle> nearby;
-    std::vector<Index> rows;      // rows in given_.faces
+    std::vector<Index> rows;      // rows of `nearby` in given_.faces
     search::RecentPlaces recent;  // of allowed_
   };
   mutable tbb::enumerable_thread_specific<Proving> proving_{
       Proving{search::DistanceProver(0), {}, {}, search::RecentPlaces(1)}};  // scratch
   LocalTolerance allowed_;                                                   // what is promised
-  double reach_ = 0;            // largest tolerance of the zones; places farther away do not matter
+  double reach_ = 0;            // largest tolerance of allowed_; places farther away do not matter
   std::vector<Plane> planes_;   // for each patch in exact mode, otherwise for each facet
   std::vector<bool> oriented_;  // for each patch, whether its reference faces are consistently oriented
   SurfaceItems given_;
-  FlatPatches flat_;  // of it
+  FlatPatches flat_;  // flat patches of given_
 };
 
 /// Returns deterministic sample points of a triangle: corners, edge midpoints, centroid and six more.

@@ -40,10 +40,8 @@ struct Breach {
 };
 
 struct Deviations {
-  double result_to_input = 0, input_to_result =
-                                  /// Largest distances found; these are lower bounds that are nearly attained, and all
-                                  /// distances are within the tolerance.
-                              0;
+  /// Largest distances found: lower bounds that are nearly attained. Without breaches the tolerance is above them.
+  double result_to_input = 0, input_to_result = 0;
   /// If empty, the input and the result are proven to be within the tolerance of each other.
   std::vector<Breach> breaches;
 };

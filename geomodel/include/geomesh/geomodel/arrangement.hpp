@@ -93,11 +93,11 @@ struct ArrangementOptions {
   /// Points, edges and facets nearer to each other than this are merged (0: only equal ones). The soup is proven free
   /// of crossings in any case. If not 0, at least 1024 ulps of the largest coordinate.
   double tolerance = 0;
-  /// Where `tolerance` merges: everywhere, including near the sides of the box; or only where one of two surfaces that
-  /// meet somewhere ends near the other. Faults that end beside another surface count as meeting it. Borders that end
-  /// near a side move to it. Surfaces that follow each other within a hundredth of the tolerance are merged wherever
-  /// they are near, with a warning, as are parts of one fault. Both ways move faults to edges of the volume that they
-  /// run along, and close thin voids.
+  /// The places at which `tolerance` merges: everywhere, including near the sides of the box; or only where one of two
+  /// surfaces that meet somewhere ends near the other. Faults that end beside another surface count as meeting it.
+  /// Borders that end near a side move to it. Surfaces that follow each other within a hundredth of the tolerance are
+  /// merged wherever they are near, with a warning, as are parts of one fault. Both ways move faults to edges of the
+  /// volume that they run along, and close thin voids.
   enum class MergingOf { everything, surfaces_that_meet } merging = MergingOf::everything;
   /// The part of each triangle, by surface; a surface without an entry, or with an empty one, is one part. Parts of one
   /// surface may be removed later, one without the other, so a facet that stands for several parts names them all.
@@ -121,7 +121,7 @@ struct ArrangementResult {
   /// Sides of the box (six) or of the given volume; side i has surface row n + i.
   std::vector<TriangulatedSurface> box_sides;
   Displacement rounding;
-  /// What merging changed, by `tolerance` or at places too thin for any rounding.
+  /// Changes made by merging, within `tolerance` or at places too thin for any rounding.
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;

@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 struct RawMesh;
 
-/// What a format can hold in addition to tetrahedra and named regions.
+/// The parts of a mesh that a format can hold in addition to tetrahedra and named regions.
 struct FormatHolds {
   bool second_order = false;
   bool prisms = false;           ///< cohesive layers

@@ -65,7 +65,8 @@ struct SurfaceChange {
 SurfaceChange resample_surface(TriangulatedSurface& surface, double length, GraphOver over);
 
 /// Each pass moves every vertex inside half-way to the plane fitted to it and its neighbours: along z over the map (x
-/// and y do not change), else along its normal. Vertices of borders do not move. Planes are reproduced exactly.
+/// and y do not change), else along its normal. Vertices of borders do not move. Planes do not change, up to
+/// rounding.
 SurfaceChange smooth_surface(TriangulatedSurface& surface, int passes, GraphOver over);
 
 }  // namespace geomesh::geomodel

@@ -51,7 +51,7 @@ struct RegionGroup {
 };
 
 struct NamedSurface {
-  std::int32_t id;  ///< id of the group, distinct from the ids of regions
+  std::int32_t id;  ///< id of the surface, distinct from the ids of regions
   std::string name;
   SurfaceKind kind;
   double area = 0;  ///< area of the mesh faces on the surface
@@ -137,7 +137,7 @@ struct ModelMesh {
     std::int32_t source_triangle;  ///< row of the triangle in `surface` as read, from 0, of which the face is a part
   };
   std::vector<Face> faces;
-  /// Lists of surface ids, referenced by faces that lie on several surfaces.
+  /// Lists of the ids of all surfaces on which a face lies, one or several; each face refers to one list.
   std::vector<std::vector<std::int32_t>> surface_sets;
 
   struct CurveEdge {

@@ -2,7 +2,8 @@
 /// @file
 /// Model building: the rules by which surfaces that stop short, have holes, are open or cross become a model. There are
 /// two steps, before and after the arrangement; both report what they changed and where, with areas or lengths.
-/// surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
+///
+///     surfaces --build_surfaces--> surfaces --arrange--> soup --trim_soup--> soup --make_plc--> ...
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,7 @@ enum class BaseRule {
   onlap,  ///< younger units end on the horizon: parts of younger horizons below it are removed
 };
 
-/// What to do where horizons cross and no rule applies.
+/// The treatment of horizons that cross where no rule applies.
 enum class OnCrossing {
   leave,         ///< both horizons are kept; regions between them get names, with a warning
   clip_younger,  ///< parts of the younger horizon below the older one are removed
@@ -76,7 +77,7 @@ struct SurfaceRules {
   /// extended (`extend`, flat if none is given) beyond these faults, and whatever then lies on the other side of one of
   /// them is removed.
   std::vector<std::string> throw_at;
-  /// Whether find_ramps adds faults to throw_at; if throw_at is empty then too, the horizon fills its blocks.
+  /// Whether find_ramps adds faults to throw_at; if throw_at is still empty after that, the horizon fills its blocks.
   bool throw_auto = false;
   /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
   /// project lists none.
@@ -106,7 +107,7 @@ struct SurfaceRules {
   bool cut_smeared = true;
 };
 
-/// What to do with layers of the column that are thinner than ModelRules::min_thickness.
+/// The treatment of layers of the column that are thinner than ModelRules::min_thickness.
 enum class ThinLayers {
   keep,      ///< they are kept, and a warning says where they are
   collapse,  ///< the younger horizon is lowered onto the older one there

@@ -65,7 +65,7 @@ struct RefinementSettings {
   std::vector<std::string> cell_arrays;
 };
 
-/// Tolerance as a share of the size, if neither is given.
+/// Tolerance as a share of the size, if neither a length nor a share is given.
 inline constexpr double default_tolerance_share = 1.0 / 20;
 
 /// Values by unit or region, then by name of the attribute.
@@ -78,7 +78,7 @@ double derived_size(const Box3& bounds, double elements = 1e5);
 double wavelength_size(const NamedSizes& sizes, const std::map<std::string, double>& attributes);
 /// Sets what depends on the model: the global size, if it is to be derived or follows from a frequency; sizes by depth
 /// as part of the background; and the tolerance of surfaces, if it follows the sizes. `origin` was subtracted from the
-/// model's coordinates. Throws Error{usage} if a unit has no velocity although a frequency is given.
+/// model's coordinates. Throws Error{usage} if a frequency is given and no unit has a velocity.
 void settle_sizes(RefinementSettings& settings, const Box3& bounds, const UnitAttributes& attributes,
                   const Vec3& origin);
 /// Returns the distance within which surfaces that meet are merged before they are meshed with a tolerance: a share of

@@ -31,7 +31,7 @@ struct StageRecord {
   double wall_s = 0, cpu_s = 0;  ///< wall time and CPU time; CPU time is the sum over all threads
   std::size_t peak_bytes = 0;    ///< peak resident memory of the process at the end of the stage, in bytes
   std::size_t runs =
-      1;  ///< number of runs of the stage: refine and improve run more than once if surfaces had left the tolerance
+      1;  ///< number of runs of the stage: refine and improve run again if surfaces must be kept more closely
 };
 
 /// Element quality, with descriptions of why the worst elements are bad.

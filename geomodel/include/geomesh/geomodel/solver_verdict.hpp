@@ -64,7 +64,8 @@ struct MeshForSolver {
   /// Returns the target edge length in a tetrahedron at a place. The last argument is a length; if the target is at
   /// most this length, any value up to it may be returned. Empty: unknown.
   std::function<double(std::size_t, const Vec3&, double)> size;
-  /// Upper bound of all target sizes. Edges longer than it need no look-up.
+  /// Upper bound of all target sizes. No size is looked up for elements whose edges are so long, compared with this
+  /// bound, that their ratio cannot be the least.
   double largest_size = std::numeric_limits<double>::infinity();
   /// Number of threads, 0 for all cores; all of them call both functions at the same time, and the verdict does not
   /// depend on the number.

@@ -10,8 +10,9 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the cause of a warning: its text without the leading name, numbers, quoted names, and everything after the
-/// first colon, semicolon or parenthesis. "falls into ... regions".
+/// Returns the cause of a warning: its text without the leading name, numbers, names that are recognised by their
+/// characters (digits, underscores, dots, quotes ...), and everything after the first colon, semicolon or parenthesis.
+/// Example: "falls into ... regions".
 std::string warning_cause(std::string_view warning);
 
 /// Returns the warning up to its first colon, semicolon or parenthesis, with its name and numbers: "basement falls into

@@ -63,7 +63,7 @@ class SurfaceFacets {
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
   /// Returns pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. If
-  /// pieces share one, those with lower facets come first.
+  /// pieces share a hinge, the one whose border begins with the lesser edge comes first.
   std::vector<Flap> take_flaps(double distance) {
     std::vector<Flap> flaps;
     for (std::vector<Index>& piece : pieces_that_end()) {

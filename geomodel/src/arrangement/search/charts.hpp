@@ -3,13 +3,13 @@
 /// Parts of a surface that provably do not cross themselves, so that the broad phase need not look at pairs inside
 /// them.
 ///
-/// Most pairs of triangles whose boxes meet are neighbours in one surface. A chart is a set of facets joined across
-/// edges that are all counter-clockwise in projection along one axis, in a suitable orientation. Take a point
-/// of the plane that lies on no edge. The number of facets of a chart over it is the winding number of its border about
+/// Most pairs of triangles whose boxes meet are neighbours in one surface. A chart is a set of facets, joined across
+/// edges, each taken in the orientation in which it is counter-clockwise in projection along one axis. Take a point of
+/// the plane that lies on no edge. The number of facets of a chart over it is the winding number of its border about
 /// the point. Let the border's edges meet only in shared ends and the winding number never exceed one. Then the
 /// projected facets of the chart are disjoint except for shared corners and edges, and therefore so are the facets
-/// themselves. (The idea of culling
-/// self-collisions by normals and contours is Volino and Magnenat-Thalmann's, 1994; here every sign is exact.)
+/// themselves. (The idea of culling self-collisions by normals and contours is Volino and Magnenat-Thalmann's, 1994;
+/// here every sign is exact.)
 #pragma once
 
 #include <vector>

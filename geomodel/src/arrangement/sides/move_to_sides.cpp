@@ -189,13 +189,14 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  constexpr double moves_a_distance = 16;  // number of moves by the distance within which surfaces are joined
+  constexpr double moves_a_distance = 16;  // number of moves that make up the distance within which surfaces are joined
   const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);
   std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
   const VerticesToMove vertices(complex, sides, ends);
   Moves moves(complex, joining.distance / moves_a_distance);
-  const bool is_box = !joining.sides_are_fixed;  // rounding moves points that are as close to its planes
+  // Rounding moves points that are closer to the planes of a box than joining.distance onto them.
+  const bool is_box = !joining.sides_are_fixed;
   std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
   for (VertexIndex v = 0; v < complex.points.size(); ++v) {
     if (vertices.is_fixed(v)) continue;

@@ -244,7 +244,7 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
   const Vec3 margin{distance_, distance_, distance_};
   const Cell low = cell_of(p - margin), high = cell_of(p + margin);
   double best_distance = distance_;
-  for (unsigned k = 0; k < 8; ++k) {  // the ball's radius is half a cell: it meets at most two cells along an axis
+  for (unsigned k = 0; k < 8; ++k) {  // the ball's diameter is half a cell: it meets at most two cells along an axis
     Cell cell = low;
     bool is_same = false;  // as one before
     for (std::size_t i = 0; i < 3; ++i)

@@ -115,7 +115,7 @@ ClaimedNames names_of(const Project& project, const ProjectInputs& inputs) {
 
 /// Returns the largest growth of target sizes within one region per unit of distance; 0 if they follow a grid or depth.
 double size_growth(const NamedSizes& sizes) {
-  constexpr double most_of_searches = 1;  // factor on the gradation if a number of elements is requested
+  constexpr double most_of_searches = 1;  // the steepest gradation in the search for a number of elements
   if (!sizes.background.empty() || !sizes.by_depth.empty()) return 0;
   return std::max(most_of_searches, sizes.base.gradation);
 }

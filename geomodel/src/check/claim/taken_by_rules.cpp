@@ -40,8 +40,8 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   return !inside;
 }
 
-/// Returns whether a fault of the input passes between p and height z above it, with more than the allowed distance
-/// from both.
+/// Returns whether a fault of the input passes between p and the height z on its vertical, farther than `room_` from
+/// both.
 bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
   bool is_between = false;
   for (Index s = 0; s < claim_.surfaces.size() && !is_between; ++s) {

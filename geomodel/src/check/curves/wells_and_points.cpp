@@ -61,7 +61,7 @@ std::vector<MeshEdge> WellJudge::edges_of(const std::string& name) {
   return edges;
 }
 
-/// Checks that both ends and the midpoint are near one segment of the path.
+/// Returns whether five points of the edge, from end to end, are each near some segment of the path.
 bool WellJudge::lies_on(const MeshEdge& e, const Polyline& well) const {
   const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {

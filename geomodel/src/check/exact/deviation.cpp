@@ -12,7 +12,8 @@ namespace {
 
 /// Number of pieces of one triangle beyond which the rest is only sampled.
 constexpr std::size_t most_pieces = 4000;
-/// Number of bisections of pieces with a corner beyond the tolerance: down to a sixteenth of the triangle's edges.
+/// Number of bisections of pieces with a corner that is beyond the tolerance without being a fault: down to a sixteenth
+/// of the triangle's edges.
 constexpr int depth_beyond = 8;
 
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }

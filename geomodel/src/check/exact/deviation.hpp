@@ -54,10 +54,9 @@ class TriangleSet {
 /// Results of measuring triangles against a set, summed over all of them.
 struct Deviation {
   double largest = 0;  ///< largest distance among the samples within the tolerance
-  double area = 0, proven = 0,
-         /// Areas: measured; proven within; and in pieces whose corners are all beyond the tolerance at places that
-         /// count.
-      beyond = 0;
+  /// Areas: measured; proven within; and in pieces whose corners are all beyond the tolerance at places where this is
+  /// not a fault.
+  double area = 0, proven = 0, beyond = 0;
   double spacing = 0;  ///< longest edge of a piece that was only sampled
 };
 

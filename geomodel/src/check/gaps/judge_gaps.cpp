@@ -177,7 +177,7 @@ class GapJudge {
   std::vector<Side> side_;              ///< per cell
 };
 
-/// Returns the faces of horizons that lie inside one region, by region.
+/// Returns the faces of the horizon that have the same region on both sides, by region.
 std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const ClaimedFaces& claimed, Index horizon) {
   const JudgedMesh& mesh = claimed.mesh();
   const FacesFile& faces = *claimed.faces();

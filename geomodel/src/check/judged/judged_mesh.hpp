@@ -36,7 +36,7 @@ struct JudgedMesh {
   std::size_t n_points() const { return file.points.size(); }
 };
 
-/// Formats a place for the messages of checks.
+/// Returns the place that checks report for a cell or a face.
 Vec3 centroid(const JudgedMesh& mesh, const Tetrahedron& cell);
 Vec3 centroid(const JudgedMesh& mesh, const Triangle& face);
 

@@ -55,7 +55,7 @@ std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& pl
   return about;
 }
 
-/// The first seed in a region names it. A seed on a border is certainly inside no region.
+/// The first seed in a region names it. A seed on a border names none, since it is not certain which.
 std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
   std::map<std::int32_t, RegionLabel> labels;
   const auto& seeds = claimed_.claim().names.seeds;

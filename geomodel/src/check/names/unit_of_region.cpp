@@ -105,7 +105,7 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  if (first >= last) {  // one unit; or a thin void, which belongs to the unit above the younger horizon
+  if (first >= last) {  // one unit; or below an older and above a younger horizon: the unit above the younger one
     verdict.first = verdict.last = last;
     return verdict;
   }

@@ -18,8 +18,9 @@ namespace geomesh::geomodel::checking {
 /// The possible units of a region.
 struct UnitVerdict {
   Index first = no_index, last = no_index;  ///< range of units that are joined; no_index if none
-  bool close = false;  ///< a horizon has nearly the same area on both sides of the region, so that nothing is decided
-  bool open = false;   ///< the horizons at the region leave several units possible, of which this is the nearest
+  /// Whether the region has nearly equal areas below and above one horizon, so that nothing is decided.
+  bool close = false;
+  bool open = false;  ///< the horizons at the region leave several units possible, of which this is the nearest
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 

@@ -117,9 +117,8 @@ class TopologyJudge {
     return {a, b, b};
   }
   struct Places {
-    std::size_t looked_at = 0,
-                /// Lengths: sampled; and of those farther than allowed from where the mesh's surfaces meet.
-        farther = 0;
+    /// Numbers of places: sampled; and of those farther than allowed from where the mesh's surfaces meet.
+    std::size_t looked_at = 0, farther = 0;
   };
   /// A point at which triangle s of surface i and triangle t of surface j pass through each other, and the direction of
   /// the curve there.

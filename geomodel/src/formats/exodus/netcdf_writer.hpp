@@ -59,7 +59,7 @@ class NetcdfWriter {
   std::vector<std::pair<std::string, float>> floats_;
 };
 
-/// Longest name of an Exodus file including its extension.
+/// Number of bytes for each name in an Exodus file, including the zero byte at its end.
 inline constexpr std::size_t exodus_name_room = 256;
 
 }  // namespace geomesh::geomodel

@@ -173,7 +173,7 @@ class MedWriter {
       for (const CellGroup& group : *groups) {
         const std::string name = give_name("cell group", group, give);
         if (groups == &mesh_.region_groups)
-          sidecar_.back().members.clear();  // region groups are not unions of other regions
+          sidecar_.back().members.clear();  // no region is the union of groups of regions
         for (const std::size_t b : group.blocks) groups_of[b].push_back(name);
       }
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)

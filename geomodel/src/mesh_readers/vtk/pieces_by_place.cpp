@@ -69,7 +69,7 @@ class PlaceMerger {
     return rows_[v] = entry->second;
   }
 
-  /// Compares the bits of numbers of any kind; the two zeros are equal.
+  /// Returns the bits of the coordinates, to compare numbers of any kind; both zeros have the same bits.
   static std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
     return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
             std::bit_cast<std::uint64_t>(p.z + 0.0)};

@@ -18,10 +18,9 @@ constexpr double most_of_tolerance = 0.5;      ///< share of the tolerance that 
 constexpr double most_moved_of_tolerance = 2;  ///< multiple of the project's own tolerance
 constexpr double next_distance = 0.5;          ///< factor from one distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
-constexpr unsigned most_rounds =
-    /// Number of times that a trial's work may exceed that of the first: a trial without end would not end later
-    /// either.
-    4;
+/// Largest number of rounding rounds of a trial: one that has not ended by then would not end later either, and each
+/// round takes as long as the first.
+constexpr unsigned most_rounds = 4;
 
 /// Returns how far surfaces were moved by merging, and by mending places too thin for any rounding.
 ToleranceUse use_of(const ArrangementResult::Merging& merging) {

@@ -19,7 +19,7 @@ struct Grid {
   std::size_t n_columns = 0, n_rows = 0;
   double x0 = 0, y0 = 0;  ///< position of the node in column 0, row 0: the south-west one if the rotation is 0
   double dx = 0, dy = 0;  ///< between nodes, positive
-  double rotation = 0;    ///< direction of the rows' axis from east, in degrees counter-clockwise about (x0, y0)
+  double rotation = 0;    ///< direction of ascending columns, in degrees counter-clockwise from east, about (x0, y0)
   bool cell_centred = false;
   std::vector<double> heights;  ///< row * n_columns + column; NaN if the node has none
 

@@ -268,7 +268,7 @@ std::vector<Vec3> path_of_survey(const std::vector<SurveyStation>& stations, dou
     const double length = stations[k].md - stations[k - 1].md;
     const Vec3 normal = cross(from, to);
     const double turn = std::atan2(std::sqrt(dot(normal, normal)), dot(from, to));  // also near 0
-    constexpr double straight = 1e-7;  // radians: the curvature is below 1e-8 of the length
+    constexpr double straight = 1e-7;  // radians: the arc bulges from its chord by about 1e-8 of the length
     if (turn < straight) {
       path.push_back(start + length * from);
       continue;

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 std::optional<double> length_unit_in_metres(std::string_view unit);
 /// Returns true for units of time (ms, s ...), because surfaces in two-way time cannot be meshed.
 bool is_time_unit(std::string_view unit);
-/// The same, but throws an error at the line of `at` if the unit is one of time or unknown.
+/// Returns metres per unit; throws an error at the line of `at` if the unit is one of time or unknown.
 double length_unit_in_metres(const LineReader& at, std::string_view unit);
 
 }  // namespace geomesh::geomodel

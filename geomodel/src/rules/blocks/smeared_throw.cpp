@@ -300,7 +300,8 @@ class Restorer {
   /// For each given node: the nearest fault and the distance from it perpendicular to strike.
   std::vector<std::pair<Index, double>> nearest_fault_;
   std::vector<Vec2> across_;  ///< for each given node: the direction perpendicular to the strike of that fault
-  std::vector<Index> sheet_, numbers_;  ///< for each given triangle that is still present: its sheet and its number
+  /// The sheet number of each given triangle, and the numbers of the sheets that are large enough to be kept.
+  std::vector<Index> sheet_, numbers_;
   std::map<VertexIndex, std::vector<double>> heights_;  ///< heights extrapolated from each side, by given node
 };
 

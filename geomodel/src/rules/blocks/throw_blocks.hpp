@@ -37,8 +37,9 @@ struct SortedBlocks {
 /// (BuiltRows::of_every_block). If the sheets on both sides leave a gap there, triangles that connect them are appended
 /// to the horizon and belong to every block too. Triangles that cross the fault itself, or lie beyond it without
 /// continuing around its tip, are in no block (BuiltRows::of_no_block); the blocks are extended to the fault instead.
-/// With known sheets, triangles with the same number form a sheet; otherwise sheets are connected by edges. Then the
-/// triangles around a tip are known too, and only those are added that connect sheets beyond the horizon's own border.
+/// With known sheets, triangles with the same number form a sheet. The triangles around a tip are known too in this
+/// case, and only those are added that connect sheets beyond the horizon's own border. Without known sheets, a sheet is
+/// a set of triangles connected by edges.
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 

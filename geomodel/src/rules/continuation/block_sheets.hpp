@@ -31,7 +31,7 @@ struct DividedHorizon {
   std::vector<BlockExtension> extensions;
 };
 
-/// The walls and blocks in which a horizon is continued; all but the last members must outlive its use.
+/// The walls and blocks in which a horizon is continued; all that it references must outlive its use.
 struct BlockSetting {
   const BlockFramework& framework;
   const Walls& cutters;  ///< faults and bodies

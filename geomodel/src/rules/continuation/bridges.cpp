@@ -207,7 +207,7 @@ struct SurfacesAt {
   const std::vector<Index>& on(bool is_above) const { return is_above ? above : below; }
 };
 
-/// Returns the surfaces that lie on the same side of all places.
+/// Returns the surfaces that lie on the given side of some of the places, and on the other side of none.
 std::set<Index> on_one_side(const std::vector<SurfacesAt>& places, bool is_above) {
   std::set<Index> found, elsewhere;
   for (const SurfacesAt& at : places) {

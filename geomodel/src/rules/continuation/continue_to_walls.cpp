@@ -28,8 +28,8 @@ void share_points(TriangulatedSurface& surface) {
     for (VertexIndex& v : t) v = merged[v];
 }
 
-/// Records the area of the triangles from row `first` on, and a place in the largest of them for the hole with the
-/// largest area.
+/// Records the number and the area of the triangles from row `first` on. If they fill more than all triangles recorded
+/// before, also records a place in the largest of them.
 void book_filled(ContinuedSurface& ledger, const TriangulatedSurface& s, Index first) {
   const double area_before = ledger.area_filled;
   double largest = 0, added = 0;

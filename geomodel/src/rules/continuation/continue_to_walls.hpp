@@ -13,7 +13,7 @@
 namespace geomesh::geomodel {
 
 /// Continues faults without an extent of their own, over at most ContinuationRules::within_of_faults. A fault that ends
-/// inside the model farther from all others keeps its tip.
+/// inside the model farther from everything on which it could end keeps its tip.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
 /// Returns how far a horizon is continued to find walls, in m; a horizon that fills its blocks is continued through the

@@ -26,10 +26,9 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
 
 /// Points that an extension has in addition to those of the border.
 struct ContinuationPoints {
-  Index rim =
-      /// Number of the extension: surfaces that are extended over the same area with different numbers have no border
-      /// edge in common.
-      0;
+  /// Number of the extension: surfaces that are extended over the same area with different numbers have no border edge
+  /// in common.
+  Index rim = 0;
   /// Whether points are placed on a grid between the border and the rim; if not, the area between two borders is
   /// bridged by straight lines.
   bool inside = true;

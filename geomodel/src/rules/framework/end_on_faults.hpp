@@ -42,8 +42,8 @@ struct EndedFaults {
 };
 /// Determines how faults end from an arrangement of the faults with the sides of the model, since outside the model
 /// continuations run around other faults. Sets BuiltRows::overshooting. Faults with a rule for their extent are not
-/// cut. Because of this, horizons that are continued to these surfaces do not treat a stub beyond a fault as the wall
-/// of a block, or the line where two faults meet as a tip.
+/// cut. Horizons that are continued to the resulting surfaces do not treat a stub beyond a fault as the wall of a
+/// block, or the line where two faults meet as a tip.
 EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules);
 
 /// Returns whether the fault may be continued and cut by default: no rule determines its extent, and no horizon has

@@ -24,7 +24,7 @@ bool is_inside(const Box3& box, const Vec3& p) {
 /// The ends of border edges, with the position along strike first and the height last.
 using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
 
-/// Returns whether an edge passes above a place. If two edges meet above it, only the first one counts.
+/// Returns whether an edge passes above a place. Of two edges that meet above it, the one that begins there counts.
 bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   const auto& [a, b] = edge;
   if (std::min(a[0], b[0]) > place[0] || std::max(a[0], b[0]) <= place[0]) return false;
@@ -49,7 +49,7 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
     const Vec3 &a = fault.points[border[e].a], &b = fault.points[border[e].b];
     const Vec3 middle = 0.5 * (a + b);
     const Vec3 way = frame.to_frame(b) - frame.to_frame(a);
-    // This edge is a lateral end of the fault.
+    // Skips edges at the lateral ends of the fault, and edges outside the model.
     if (std::abs(way.x) <= std::abs(way.y) || !is_inside(box, middle)) continue;
     bool is_upper = true;
     for (Index k = 0; k < border.size() && is_upper; ++k) is_upper = k == e || !is_over(edges[k], seen(middle));

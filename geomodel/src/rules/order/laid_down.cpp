@@ -67,7 +67,7 @@ double LaidDown::height(const Horizon& horizon, const Vec3& p) {
     most = std::max(most, z);
   });
   const double tiny = by_rounding * (std::abs(least) + std::abs(most));
-  // The horizon has more than one height there, because it overhangs.
+  // A horizon with more than one height there overhangs, and counts as absent.
   return most - least <= tiny ? 0.5 * (least + most) : nowhere;
 }
 

@@ -42,7 +42,7 @@ struct Piece {
   double area = 0;
   Index largest = no_index;     ///< facet
   double above = 0, below = 0;  ///< length of contact with the cutting surface from above and from below
-  double free_border = 0;       ///< length of edges that touch no other surface
+  double free_border = 0;       ///< length of edges with no other facet, of any surface
   double contact = 0;           ///< length of edges on other surfaces
 };
 

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 
 struct LinedTriangulation {
-  std::vector<Vec2> points;         ///< the given points, followed by the (rounded) points where lines cross
+  std::vector<Vec2> points;         ///< the given points and those of the lines, and where lines cross (rounded)
   std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the convex hull
   /// For each triangle, bit i is set if the side opposite vertex i is part of a line.
   std::vector<std::uint8_t> lined_sides;

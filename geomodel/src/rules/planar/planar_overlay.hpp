@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 
 struct PlanarOverlay {
-  /// Points of the surfaces, followed by the (rounded) points where their edges cross in the map.
+  /// Points of the surfaces, and the (rounded) points where their edges cross in the map.
   std::vector<Vec2> points;
   std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the whole convex hull
 };

@@ -8,10 +8,10 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double fit_radius = 3;    // in edges
-constexpr double along_counts = 2;  // factor on distances perpendicular to strike
+constexpr double along_counts = 2;  // factor on distances along the strike
 constexpr std::size_t fewest_to_fit = 6;
 
-/// Measures distances in the map around a place, with a weight for the direction perpendicular to strike.
+/// Measures distances in the map from a place; distances along the strike have a larger weight.
 class AcrossStrike {
  public:
   AcrossStrike(const Vec3& p, const Vec2& across) : p_(p), across_(across) {}

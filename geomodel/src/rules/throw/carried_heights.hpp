@@ -21,8 +21,8 @@ class CarriedHeights {
   CarriedHeights(const TriangulatedSurface& surface, double edge);
   void add(VertexIndex node);
   /// Returns the height at p of the plane fitted to the nodes around the nearest node, if that is within reach of p.
-  /// `across` is the unit vector perpendicular to the fault's strike; distances along it have a larger weight, since
-  /// throw changes along the strike. If it is zero, all directions are equal.
+  /// `across` is the unit vector perpendicular to the fault's strike; distances along the strike have a larger weight,
+  /// since throw changes along it. If `across` is zero, all directions are equal.
   std::optional<double> at(const Vec3& p, const Vec2& across, double reach) const;
 
  private:

@@ -23,8 +23,8 @@ struct ThrowFault {
 /// Returns whether the fault has an extension inside the box. It has none if it ends on the sides, up to rounding.
 bool ends_inside(const ThrowFault& fault, const Box3& box);
 
-/// What a triangle crosses: nothing, a given fault, or the extension of a fault (which takes precedence over the fault
-/// itself, because the fault ends in that triangle).
+/// The kind of surface that a triangle crosses: nothing, a given fault, or the extension of a fault (which takes
+/// precedence over the fault itself, because the fault ends in that triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };
 
 /// Classifies the horizon's triangles from row `first` on, by exact orientation of edges against triangles. Extensions

@@ -95,7 +95,8 @@ class SheetSides {
   /// Returns whether two sheets lie on different sides of the fault, and on the same side of all others that count.
   bool parts_alone(std::size_t fault, const std::vector<bool>& counts) const;
   bool parts_any(std::size_t fault) const;
-  /// Largest smaller part without other sheets on its sides, as a share of its sheet.
+  /// Returns the largest smaller part beside the fault, as a share of its sheet and without what has another sheet
+  /// above or below it.
   double largest_corner(std::size_t fault) const;
   double on_wrong_side(std::size_t fault) const;  ///< total area of all smaller parts
   /// Among the faults that count, returns the one with the greatest measure that separates sheets which the other

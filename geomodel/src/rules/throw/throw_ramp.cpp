@@ -15,10 +15,12 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Length of a segment along the fault, in median edge lengths of the horizon in the map.
+// Lengths in median edges of the horizon in the map: of a segment along the fault, and of the zones on both sides of a
+// ramp in which the slope beside it is measured.
 constexpr double stretch_length = 8;
 constexpr double ring_width = 8;
-// Distances, in edges, from which the slope beside a ramp is measured; smaller ones are tried if other faults are near.
+// Distances from the fault, in the same unit, at which these zones begin; smaller ones are used if too few triangles
+// lie in a zone because other faults are near.
 constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr std::size_t fewest_in_ring = 6;
 constexpr double sure_of_spread = 3;      // number of standard deviations of the slopes beside the ramp
@@ -32,7 +34,7 @@ struct SlopeBeside {
   double across, slope;
 };
 
-/// Returns the ramp in one segment, or nothing if the slope beside it is not known on both sides.
+/// The ramp in one segment. ramp_within() returns nothing if the slope beside it is not known on both sides.
 struct StretchRamp {
   bool is_ramp = false;
   double step = 0;  ///< height of the ramp, in median edge lengths
@@ -74,7 +76,7 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
   for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
-  // The steep part is as wide as the segment, so it is the horizon's own slope and no ramp.
+  // A steep part that extends to where the slope beside it is measured is the horizon's own slope, and no ramp.
   if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
   return found;

@@ -34,7 +34,7 @@ class GrowingTriangulation {
   /// side, fraction of the line) for each cell that it leaves.
   template <class F>
   void walk(const Vec2& p, Index at, const Vec2& q, F&& f) const;
-  /// Appends the cells around a vertex, in no particular order.
+  /// Sets `cells` to the cells around a vertex, in no particular order.
   void star(VertexIndex v, std::vector<Index>& cells) const;
 
   /// The changes that one insertion caused.

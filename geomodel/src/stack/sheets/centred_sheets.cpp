@@ -99,7 +99,7 @@ class Centring {
     return false;
   }
 
-  /// Limits the moves of vertices that a triangle connects to a pinch-out line.
+  /// Extends the room of vertices that a triangle connects to a pinch-out line, for the horizon that is moved there.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 /// thickness. At every place of the map the rules of the stack apply: horizons coincide where `areas` say so, elsewhere
 /// they are at least `options.gap` apart. What a vertex cannot take is passed to its neighbours. No vertex moves
 /// farther than its room (`SheetRoom`), so that horizons stay within the allowed distance of their data. Where a unit
-/// closes, the horizon that is moved keeps at least half of the least thickness. The order of the horizons is
+/// closes, the horizon that gives way has room for at least half of the least thickness. The order of the horizons is
 /// preserved. Cost: nearly linear in the samples.
 void centre_sheets(MapSheets& sheets, const MapSamples& samples, const std::vector<ThinArea>& areas,
                    const SheetOptions& options);

@@ -51,8 +51,8 @@ class ClosingRow {
     }
   }
 
-  /// Returns the distance between the pinch-out line and the direction to q, for a vertex `from` at which the line
-  /// continues to both sides.
+  /// Returns the distance of q from the pinch-out line through vertex `from`: from those of the line's edges at `from`
+  /// that are on the side of q, else from the vertex itself.
   double distance_from_line(VertexIndex from, const Vec2& q) const {
     const Vec2& p = sheets_.points[from];
     const double dx = q.x - p.x, dy = q.y - p.y;
