@@ -5,7 +5,7 @@
 // for each, and walks around a vertex miss the translation cache of pages. The standard lets a program replace these
 // functions ([new.delete.single]); all other forms call them. Builds with sanitizers keep those of the sanitizer.
 //
-// By default glibc takes blocks of up to 32 MiB from its heap once such blocks were freed. Memory freed there stays
+// By default glibc takes blocks of up to 32 MiB from its heap once such blocks were freed. Memory freed there remains
 // with the process if something behind it is in use. docs/decisions/refine.md lists the gain of each setting.
 #include <cstdint>
 #include <cstdlib>

@@ -224,7 +224,7 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
   if (!box.empty()) request.box = parse_box(box);
   request.refinement = refinement.settings();
   if (no_refine && request.refinement.refine)
-    usage_error("--no-refine contradicts the options that ask for sizes or quality");
+    usage_error("--no-refine contradicts the options that request sizes or quality");
   const std::string contradiction = geomodel::contradiction(request.refinement, request.options.recover);
   if (!contradiction.empty()) usage_error(contradiction);
   request.report = common.report_file();
@@ -282,7 +282,7 @@ CommandLine parse_check(int argc, const char* const* argv) {
       ->excludes(p);
   app.add_flag("--delaunay", command.delaunay, "Check that the mesh is (constrained) Delaunay");
   app.add_flag("--solver", command.solver,
-               "Judge what solvers will make of the mesh: volumes, edges, angles, time step");
+               "Check what solvers will make of the mesh: volumes, edges, angles, time step");
   app.add_option("--within", command.within,
                  "Surfaces may lie this far off the input, both ways (default: the project's tolerance where it has "
                  "one, else 0)")
@@ -334,7 +334,8 @@ CommandLine parse_convert(int argc, const char* const* argv) {
 }
 
 CommandLine parse_info(int argc, const char* const* argv) {
-  CLI::App app("Tell what a surface, grid, model or mesh file holds, and what is wrong with it.", "geomesh info");
+  CLI::App app("Describe what a surface, grid, model or mesh file contains, and what is wrong with it.",
+               "geomesh info");
   Common common;
   std::string file, help;
   app.add_option("FILE", file, "Any file that geomesh reads")->required();

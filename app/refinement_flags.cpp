@@ -44,7 +44,7 @@ void RefinementFlags::add_to(CLI::App& app) {
       ->check(positive);
   app.add_flag("--no-size-on-surfaces", inside_only_,
                "Refine: sizes hold inside only; surfaces keep their triangles, and get no points for sizes");
-  app.add_option("--max-elements", max_elements_, "End with a message where the sizes ask for more tetrahedra")
+  app.add_option("--max-elements", max_elements_, "End with a message if the sizes require more tetrahedra")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{4'000'000'000}));
   app.add_option("--time-budget", time_budget_, "Seconds for improving shapes; the result then depends on the machine")

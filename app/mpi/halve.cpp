@@ -55,7 +55,7 @@ Tetrahedron oriented(const std::vector<Vec3>& points, Tetrahedron t) {
   const Sign sign = orient3d(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (sign == Sign::negative) std::swap(t[0], t[1]);
   if (sign == Sign::zero)
-    throw Error(ErrorKind::cannot_mesh, "a tetrahedron is too flat to be divided; ask for other sizes");
+    throw Error(ErrorKind::cannot_mesh, "a tetrahedron is too flat to be divided; request other sizes");
   return t;
 }
 
@@ -80,7 +80,7 @@ void halve_tetrahedra(std::vector<Vec3>& points, std::vector<Tetrahedron>& tetra
       for (unsigned j = 0; j < 4; ++j)
         if (j != i) corner[j] = middles.of(t[i], t[j]);
       if (orient3d(points[corner[0]], points[corner[1]], points[corner[2]], points[corner[3]]) != Sign::positive)
-        throw Error(ErrorKind::cannot_mesh, "a tetrahedron is too flat to be divided; ask for other sizes");
+        throw Error(ErrorKind::cannot_mesh, "a tetrahedron is too flat to be divided; request other sizes");
       pieces.push_back(corner);
     }
     const Diagonal* best = diagonals.data();

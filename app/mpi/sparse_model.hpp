@@ -19,7 +19,7 @@ struct SparseModel {
   /// Verified mesh. Its faces and edges of curves, halved some times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
   std::vector<Index> component;  ///< component of each tetrahedron, for which sizes are requested
-  SizeField size;                ///< as asked
+  SizeField size;                ///< as requested
   unsigned halvings = 0;         ///< number of times that all edges are halved before surfaces have the target sizes
 };
 

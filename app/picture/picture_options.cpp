@@ -29,7 +29,7 @@ PictureOptions parse_picture_options(int argc, char** argv) {
   options.add_option("--zoom", o.zoom, "2: twice as large")->check(CLI::Range(0.1, 100.0))->capture_default_str();
   options
       .add_option("--scale-z", o.scale_z,
-                  "Vertical exaggeration (default: enough to tell the layers of a flat model apart)")
+                  "Vertical exaggeration (default: enough to distinguish the layers of a flat model)")
       ->check(CLI::Range(0.001, 1000.0));
   options.add_flag("--no-edges", no_edges, "Without the edges of elements");
   options.add_flag("--no-legend", no_legend, "Without names and colours");

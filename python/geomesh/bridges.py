@@ -97,13 +97,13 @@ def from_loopstructural(model, *, as_fields=False, extend="flat", nodes=80):
         Take the scalar fields in place of surfaces. Read are then ``features`` (youngest first) with ``name``, ``type``,
         ``evaluate_value(points, ignore_regions=True)`` of points in the model's own frame, ``faults`` and ``regions``;
         ``scale(points, inplace=False)``; and ``stratigraphic_column``: its ``get_isovalues()``, or the dict of dicts with
-        ``min`` of earlier versions. A unit's base is called ``base_NAME``. Features without faults are asked where a value
+        ``min`` of earlier versions. A unit's base is called ``base_NAME``. Features without faults are evaluated where a value
         is needed. Where faults displace a feature it has one field for each side of them, continued from nodes of that
         side. Unconformities, which are regions with ``parent``, ``value`` and ``sign``, bound the domains.
     extend : str or None
         How surfaces go on to the box (key `extend`). Without use with ``as_fields``.
     nodes : int
-        With ``as_fields``: nodes along the longest side of the box, at which features that are faulted are asked.
+        With ``as_fields``: nodes along the longest side of the box, at which features that are faulted are evaluated.
     """
     bounds = model.bounding_box
     low = getattr(bounds, "global_origin", None)

@@ -87,7 +87,7 @@ class Mesh:
     curve_edges : uint32 (l, 2); curve_of_edge : int32 (l,)
         Edges of intersections, borders, fault tips and wells, and the id of their curve.
     cell_arrays : dict of str to float64 (m,)
-        What ``cell_arrays`` asked for.
+        Arrays that ``cell_arrays`` requested.
     point_arrays : dict of str to float64 (n,)
         Values at points, of meshes that were read.
     attributes : dict of str to list of float

@@ -259,7 +259,7 @@ class Model:
     def _add_entry(entries: List[Dict[str, Any]], entry: Dict[str, Any], keys: Dict[str, Any]) -> None:
         for key in keys:
             if key in entry:
-                raise UsageError("%s: %s is given twice" % (entry["name"], key))
+                raise UsageError("%s: %s is a duplicate" % (entry["name"], key))
         entries.append({**entry, **keys})
 
     def project(self, **mesh: Any) -> Dict[str, Any]:
@@ -281,7 +281,7 @@ class Model:
         Parameters
         ----------
         size : float, callable or dict, optional
-            Edge length asked everywhere; a function ``size(x, y, z)`` of places in the project's coordinates; or the
+            Target edge length everywhere; a function ``size(x, y, z)`` of places in the project's coordinates; or the
             `size` of a project file, whose ``background`` may be such a function.
         threads : int
             0: all cores. Without influence on the result.
@@ -380,7 +380,7 @@ def run(project: Path, directory: Optional[Path] = None, *, write: bool = True, 
     Returns
     -------
     Mesh
-        ``mesh.files`` tells what was written.
+        ``mesh.files`` lists what was written.
     """
     return _drawing(progress, lambda shown: Mesh(_geomodel.run_file(
         os.fspath(project), _run_options(threads, shown, log, None, directory, write))))

@@ -19,7 +19,7 @@ from .inputs import arrays_of
 
 
 class Accessor:
-    """What geomesh can do with a surface of PyVista (a PolyData, or the surface of another data set)."""
+    """Methods of geomesh for a surface of PyVista (a PolyData, or the surface of another data set)."""
 
     def __init__(self, data: Any) -> None:
         self._data = data

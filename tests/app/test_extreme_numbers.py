@@ -94,7 +94,7 @@ class ExtremeNumbers(ProgramTest):
         base = copy.deepcopy(extreme_numbers.BASES["network"])
         for family, key, value, said in ((0, "radius", {"min": 1e-3, "max": 300, "exponent": 2.5}, "needs about"),
                                          (0, "radius", {"min": 100, "max": 1e30, "exponent": 2.5}, "hardly a disc meets it"),
-                                         (1, "radius", "5e-324", "cannot be told from a point")):
+                                         (1, "radius", "5e-324", "cannot be distinguished from a point")):
             project = copy.deepcopy(base)
             project["fractures"]["families"][family][key] = value
             with self.subTest(said):

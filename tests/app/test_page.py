@@ -140,7 +140,7 @@ class Text(PageTest):
         self.assertEqual(facts["Made"], "14 November 2023, 22:13 UTC")
         self.assertRegex(facts["By"], r"^geomesh \d+\.\d+")
         self.assertEqual(facts["Box"], "x 0 to 10, y 0 to 10, z 0 to 10 (10 x 10 x 10 m)")
-        self.assertRegex(facts["Size"], r"^asked for 3 m; edges are [\d.]+ m long in the mean, [\d.]+ m at least")
+        self.assertRegex(facts["Size"], r"^requested: 3 m; edges are [\d.]+ m long in the mean, [\d.]+ m at least")
         self.assertRegex(facts["Elements"], "^elements are fit for solvers")
         self.assertEqual(facts["Model"], "all 2 units of the column have regions; no warnings about the model")
 

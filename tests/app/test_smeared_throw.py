@@ -97,7 +97,7 @@ class SmearedThrow(ProgramTest):
         self.horizon([(2000, 60)], 120)
         report, volumes = self.mesh(["f1"], "throw_at: [f1], smeared_throw: keep")
         self.assertEqual(sorted(volumes), ["lower__B1", "lower__B2", "upper__B1", "upper__B2"])
-        self.assertTrue(any("stays as given" in text for text in report["warnings"]), report["warnings"])
+        self.assertTrue(any("is kept as given" in text for text in report["warnings"]), report["warnings"])
         self.assertFalse(any("smeared" in text for text in report["notes"]), report["notes"])
 
     def test_a_fault_that_ends_inside(self):
@@ -126,7 +126,7 @@ class SmearedThrow(ProgramTest):
         self.assertEqual(sorted(volumes), ["lower", "upper"], report["warnings"])
         # East of the fault the horizon lies as much lower as it lies higher west of it.
         self.assertAlmostEqual(volumes["lower"], 3600 * 1600 * 1000, delta=0.0005 * 3600 * 1600 * 1000)
-        self.assertFalse(any("ramp stays" in text or "ramps stay" in text for text in report["warnings"]), report["warnings"])
+        self.assertFalse(any("ramp is kept" in text or "ramps are kept" in text for text in report["warnings"]), report["warnings"])
 
     def test_a_fault_that_ends_at_another(self):
         """The branch f2 strikes along x, from f1 to the east; south of it the horizon lies lower. West of f1 it is whole."""

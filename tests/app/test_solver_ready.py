@@ -117,7 +117,7 @@ class Defaults(ProgramTest):
     def test_without_a_size_one_is_derived_and_told(self):
         printed, report = self.run_layers("")
         self.assertIn("elements to come: about 100,000 with edges of 0.48 m", printed)
-        self.assertTrue(any("nothing asks for a size" in note for note in report["notes"]), report["notes"])
+        self.assertTrue(any("no size is requested" in note for note in report["notes"]), report["notes"])
         self.assertGreater(report["tetrahedra"], 60_000)
         self.assertLess(report["tetrahedra"], 140_000)
         self.assertEqual(report["input"]["mesh"]["honour"], "tolerance")
@@ -133,7 +133,7 @@ class Defaults(ProgramTest):
             printed = self.run_program(self.write("faults.yaml", text + mesh), "-o", self.folder)
             report = self.report(self.path("faults.report.json"))
             self.assertEqual(report["solver"]["passes"], is_fit, printed)
-            self.assertEqual(any("brought together" in note for note in report["notes"]), is_fit)
+            self.assertEqual(any("were merged at" in note for note in report["notes"]), is_fit)
             self.assertEqual(report["quality"]["min_dihedral"] > 20, is_fit, report["quality"])
             self.check(self.path("faults.vtu"), "--project", self.path("faults.yaml"))
         self.assertTrue(report["quality"]["min_dihedral"] < 1)

@@ -68,7 +68,7 @@ column: [upper, h, lower]
         self.write("h.ts", triangles_ts("h", [(-1, -1, 5), (11, -1, 5), (11, 11, 5), (-1, 11, 5)], [(0, 1, 2), (0, 2, 3)]))
         report, volumes = self.mesh(self.SURFACES)
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
-        self.told(report, "warnings", "horizon h", "stays as given")
+        self.told(report, "warnings", "horizon h", "is kept as given")
 
     def test_a_fault_that_ends_below_the_horizon_does_not_part_it(self):
         self.fault(high=4.0)
@@ -101,7 +101,7 @@ column: [upper, h, lower]
         self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=1)))
         report, volumes = self.mesh(self.SURFACES)
         self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 200, "lower__1": 300, "lower__2": 300})
-        self.told(report, "warnings", "horizon h: it runs on across f as one sheet", "stays as given")
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet", "is kept as given")
 
     def test_a_block_that_leaves_the_box_and_comes_back(self):
         """East of the fault h rises through the top of the box, and lies below it at the fault and at the side."""
@@ -143,7 +143,7 @@ column: [upper, h, lower]
 column: [upper, young, middle, old, lower]
 """)
         self.assert_volumes(volumes, {"upper__1": 250, "middle": 100, "lower__1": 150, "upper__2": 150, "lower__2": 350})
-        self.told(report, "warnings", "by the horizons as they were laid down")
+        self.told(report, "warnings", "by the horizons as they were deposited")
 
     def test_the_judge_misses_a_block_that_went(self):
         """The mesh of one block held against a project with two."""
@@ -163,7 +163,7 @@ column: [upper, young, middle, old, lower]
         self.write("h.ts", triangles_ts("h", [(x, y, 5) for y in rows for x in columns], [t for c in cells for t in ((c, c + 1, c + 5), (c, c + 5, c + 4))]))
         report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
-        self.told(report, "warnings", "horizon h", "no block is given between", "stays as given")
+        self.told(report, "warnings", "horizon h", "no block is given between", "is kept as given")
 
     def test_a_fault_that_is_none(self):
         self.fault()

@@ -67,6 +67,16 @@ def prose_of_document(text):
     yield 1, "\n".join("" if re.match(r"    (?! *(\d+\.|[-*]) )", line) else line for line in text.split("\n"))
 
 
+LITERAL = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
+
+
+def messages_of(path):
+    """Yields (line, text) of each string literal that holds a blank, as messages do. Lines of comments alone are left out."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
+        if not re.match(r"\s*(//|#)", line):
+            yield from ((number, match.group(1)) for match in LITERAL.finditer(line) if " " in match.group(1))
+
+
 CODE = re.compile(r"``[^`]*``|`[^`]*`|\]\([^)]*\)")
 
 

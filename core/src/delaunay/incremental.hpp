@@ -19,7 +19,7 @@ namespace geomesh {
 
 enum class InsertionOutcome {
   inserted,
-  duplicate,  ///< equals a vertex: IncrementalTriangulation::twin()
+  duplicate,  ///< equals a vertex, which `IncrementalTriangulation::twin()` returns
   too_near,   ///< closer to a vertex than the cluster distance; nothing was changed
   not_owned,  ///< the insertion would change cells of another part; nothing was changed
 };

@@ -136,7 +136,7 @@ ConstrainedTetrahedralization tetrahedralize_conforming(const PiecewiseLinearCom
 ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
                                              const RunContext& context) {
   if (options.recover.preserve_boundary && options.recover.mode == MeshMode::conforming)
-    throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot be asked to preserve it");
+    throw Error(ErrorKind::usage, "conforming mode adds points to the boundary: it cannot preserve it");
   refuse_invalid(plc);
   if (options.recover.preserve_boundary)
     if (std::optional<ConstrainedTetrahedralization> roofed = mesh_with_roofs(plc, options, context))

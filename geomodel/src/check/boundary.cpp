@@ -98,7 +98,7 @@ bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, 
   }
   const bool embedded = hanging.count() + crossing.count() == 0;
   hanging.report(result,
-                 "pairs of boundary faces lie on each other in part: hanging faces (a tetrahedron whose neighbours "
+                 "pairs of boundary faces coincide in part: hanging faces (a tetrahedron whose neighbours "
                  "have its face in "
                  "pieces), or tetrahedra that overlap");
   crossing.report(
@@ -132,7 +132,7 @@ void check_boundary(const JudgedMesh& mesh, CheckResult& result) {
       "(exact)");
   if (!embedded || !mesh.sound)
     result.checks_done.back() =
-        "the boundary was judged face by face; overlap as a whole was not, for the faults above";
+        "the boundary was checked face by face; overlap as a whole was not, for the faults above";
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks cells and arrays of points, declared in check/judged/judged_mesh.hpp.
+// Checks cells and arrays of points, declared in `check/judged/judged_mesh.hpp`.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

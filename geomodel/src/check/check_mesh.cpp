@@ -94,7 +94,7 @@ void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const C
                     const std::vector<Triangle>& set_faces, CheckResult& result) {
   const double rounding = tolerance_of(request, mesh.file, claim), within = surfaces_may_be_off(request, claim);
   if (!all_known(set_faces)) {
-    result.checks_done.emplace_back("coverage was not judged, for the faults of the face set above");
+    result.checks_done.emplace_back("coverage was not checked, for the faults of the face set above");
     return;
   }
   const ClaimedFaces claimed(mesh, claim, faces, set_faces);
@@ -259,7 +259,7 @@ void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
   if (claim.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
   if (!given.faces) {
     result.checks_done.emplace_back(
-        "the project splits surfaces: the files of a .vtu are needed to join them again, and the mesh is judged as it "
+        "the project splits surfaces: the files of a .vtu are needed to join them again, and the mesh is checked as it "
         "stands");
     return;
   }
@@ -277,7 +277,7 @@ void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const Give
     judge_surfaces(request, mesh, claim, faces, set_faces, result);
   } else if (!faces) {
     result.checks_done.emplace_back(
-        "surfaces were not judged: the project has fault zones, which are closed for that by the files of a .vtu");
+        "surfaces were not checked: the project has fault zones, which are closed for that by the files of a .vtu");
   }
   if (!faces) return;
   const JudgedFiles files{mesh, *faces, set_faces, given.curves ? &*given.curves : nullptr};

@@ -339,7 +339,7 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       "%zu input triangles are covered by mesh faces within %.3g; %zu of them are clipped by the box or a body; %zu of "
       "zero area passed over",
       n_triangles, tolerance_, n_clipped, n_degenerate);
-  result.checks_done.emplace_back(missing.count() == 0 ? text : "coverage of the input triangles was judged");
+  result.checks_done.emplace_back(missing.count() == 0 ? text : "coverage of the input triangles was checked");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ VertexIndex apex(const Tetrahedron& cell, const Triangle& face) {
 
 void check_delaunay(const JudgedMesh& mesh, const FacesFile* faces, CheckResult& result) {
   if (!mesh.sound) {
-    result.checks_done.emplace_back("Delaunay was not judged, for the faults above");
+    result.checks_done.emplace_back("Delaunay was not checked, for the faults above");
     return;
   }
   std::vector<Triangle> constrained;

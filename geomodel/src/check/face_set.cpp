@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the face set against the faces of the mesh, declared in check/judged/judged_mesh.hpp.
+// Checks the face set against the faces of the mesh, declared in `check/judged/judged_mesh.hpp`.
 #include <algorithm>
 #include <map>
 #include <numeric>

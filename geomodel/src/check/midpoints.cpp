@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks second-order elements, declared in check/judged/judged_mesh.hpp and check/within/within_tolerance.hpp.
+// Checks second-order elements, declared in `check/judged/judged_mesh.hpp` and `check/within/within_tolerance.hpp`.
 #include <CGAL/Mpzf.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks volumes of regions and of the whole mesh, declared in check/judged/judged_mesh.hpp.
+// Checks volumes of regions and of the whole mesh, declared in `check/judged/judged_mesh.hpp`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -40,7 +40,7 @@ void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
                                1,
                                {},
                                {}});
-    result.checks_done.emplace_back("no region array: regions were not judged");
+    result.checks_done.emplace_back("no region array: regions were not checked");
     return;
   }
   FaultCollector not_positive("region_ids_not_positive"), unnamed("unnamed_regions"), empty("empty_regions");

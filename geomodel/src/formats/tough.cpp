@@ -87,7 +87,7 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
 std::vector<std::filesystem::path> write(const ModelMesh& mesh, const WriteOptions&,
                                          const std::filesystem::path& stem) {
   if (mesh.points.size() > most_elements)
-    throw Error(ErrorKind::cannot_mesh, "TOUGH tells at most " + std::to_string(most_elements) +
+    throw Error(ErrorKind::cannot_mesh, "TOUGH can distinguish at most " + std::to_string(most_elements) +
                                             " elements apart by their names; the mesh has " +
                                             std::to_string(mesh.points.size()) + " points");
   if (mesh.regions.size() > 9999)

@@ -93,7 +93,7 @@ void require_drawable(const FractureFamily& family, const Box3& box) {
   for (std::size_t a = 0; a < 3; ++a) farthest = std::max({farthest, std::abs(box.min[a]), std::abs(box.max[a])});
   if (family.least_radius < least_told_apart * farthest)
     refuse(family, "a radius of " + short_words(family.least_radius) +
-                       " cannot be told from a point at coordinates of " + short_words(farthest) +
+                       " cannot be distinguished from a point at coordinates of " + short_words(farthest) +
                        "; is it in the model's units?");
   const double area = mean_area(family);
   if (family.p32 > 0 && !(area > 0 && std::isfinite(area)))

@@ -17,7 +17,7 @@ struct Sizes {
   std::vector<double> sizes;
 };
 
-/// What to read: the array of a VTK file, and whether values must be sizes.
+/// The array of a VTK file to read, and whether values must be sizes.
 struct Wanted {
   std::string array, noun;
   bool positive;

@@ -313,7 +313,7 @@ PolygonCut cut_at_polygons(TriangulatedSurface& horizon, const std::vector<Polyl
                         "; " + std::to_string(cut.n_nodes) + " nodes and " + std::to_string(cut.n_triangles) +
                         " triangles within them are no data (area " + to_text(area_taken) + ")");
   beside.tell(horizon.name, "lie beside it (are their coordinates those of the horizon: crs, unit?)", cut.warnings);
-  without_fault.tell(horizon.name, "are passed by no fault at its height; the horizon stays as it is there",
+  without_fault.tell(horizon.name, "are passed by no fault at its height; the horizon is kept as it is there",
                      cut.warnings);
   open.tell(horizon.name, "are lines with their ends far apart, which are joined straight", cut.warnings);
   if (area_taken > most_of_horizon * area)

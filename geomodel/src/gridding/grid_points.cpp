@@ -109,7 +109,7 @@ void make_plate(const std::vector<Vec3>& q, const GriddingSpec& spec, const Box3
       if (!nearness.any_near(node.x, node.y)) node.z = std::numeric_limits<double>::quiet_NaN();
   }
   std::size_t n_left_out = 0;
-  // The same diagonals as for the fitted plate.
+  // Diagonals are those of the fitted plate.
   made.surface = triangulate_lattice(lattice, Diagonal::from_first, n_left_out);
 }
 

@@ -163,7 +163,7 @@ SurfaceChange resample_surface(TriangulatedSurface& surface, double length, Grap
     if (turned) std::swap(triangles.back()[1], triangles.back()[2]);
   }
   if (!(std::abs(new_area.value() - area) < 0.25 * area))
-    refuse(surface, "parts of it lie above each other, or the edges asked for are longer than its parts");
+    refuse(surface, "parts of it lie above each other, or the requested edges are longer than its parts");
   const SurfaceChange change = measure_change(q, points, triangles);
   surface.points.clear();
   for (const Vec3& p : points) surface.points.push_back(frame.to_model(p));

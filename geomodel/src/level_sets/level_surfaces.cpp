@@ -209,7 +209,7 @@ class GroupMaker {
     const std::string text = name + ": its field bends within less than " + short_words(found.distance) + " near " +
                              place_words(places.front()) +
                              ", so that sheets nearer to each other than that may be one; a smaller "
-                             "mesh.surfaces_within would tell them apart";
+                             "mesh.surfaces_within would separate them";
     part.facts.doubts.push_back({{}, std::move(places), text});
   }
 

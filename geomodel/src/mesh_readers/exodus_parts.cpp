@@ -37,7 +37,7 @@ std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<
   return static_cast<std::size_t>(largest);
 }
 
-/// A part that is given twice also leaves another one out, so doubles are looked for before gaps.
+/// A part that is listed twice also leaves another one out, so doubles are looked for before gaps.
 void refuse_doubled_elements(const std::vector<ExodusPartMesh>& parts, const std::filesystem::path& whole) {
   std::vector<int> numbers;
   for (const ExodusPartMesh& part : parts)

@@ -22,7 +22,7 @@ constexpr med_geometry_type other_solids[] = {MED_PYRA5,   MED_PENTA6, MED_HEXA8
                                               MED_PENTA15, MED_HEXA20, MED_HEXA27};
 /// The corners of a MED tetrahedron in VTK's order.
 constexpr std::size_t tetrahedron_corner[4] = {0, 2, 1, 3};
-/// And its midpoints.
+/// Its midpoints in the same order.
 constexpr std::size_t tetrahedron_middle[6] = {6, 5, 4, 7, 9, 8};
 
 class MedReader {

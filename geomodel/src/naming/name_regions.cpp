@@ -130,11 +130,11 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
       break;
     case UnitVerdict::Kind::vertical:
       warnings.push_back(where + " touches no horizon of the column: it is named " + column.units[verdict.first] +
-                         (verdict.by_heights ? ", by the horizons as they were laid down"
+                         (verdict.by_heights ? ", by the horizons as they were deposited"
                                              : ", by the horizons next above and below it on the vertical"));
       break;
     case UnitVerdict::Kind::pocket:
-      warnings.push_back(where + " is a pocket below " + horizon(verdict.first_possible - 1) + " and above " +
+      warnings.push_back(where + " is a thin void below " + horizon(verdict.first_possible - 1) + " and above " +
                          horizon(verdict.last_possible) + ", which cross; it is named " + column.units[verdict.first] +
                          ", as if the younger horizon cut the older one (rules.on_crossing, or base: erode or onlap of "
                          "a horizon, would cut one by the other)");
@@ -146,7 +146,7 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
       warnings.push_back(where + " could be " + column.units[verdict.first_possible] + " to " +
                          column.units[verdict.last_possible] + ": no face of " + missing + " divides it; it is named " +
                          column.units[verdict.first] +
-                         (verdict.by_heights ? ", by the horizons as they were laid down" : ""));
+                         (verdict.by_heights ? ", by the horizons as they were deposited" : ""));
       break;
     }
     case UnitVerdict::Kind::unit:
@@ -240,7 +240,7 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// What is known about each component before it has a name: its facts, the bodies around it, its unit of the column.
+/// Facts about each component before it has a name: its facts, the bodies around it, its unit of the column.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;

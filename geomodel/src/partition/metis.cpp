@@ -70,7 +70,7 @@ std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>& across, 
   std::vector<bool> is_used(static_cast<std::size_t>(n_parts), false);
   for (const idx_t p : part) is_used[static_cast<std::size_t>(p)] = true;
   if (std::find(is_used.begin(), is_used.end(), false) != is_used.end())
-    refuse("one of " + std::to_string(n_parts) + " parts would have no tetrahedron; ask for fewer");
+    refuse("one of " + std::to_string(n_parts) + " parts would have no tetrahedron; choose fewer");
   return {part.begin(), part.end()};
 }
 

@@ -81,7 +81,7 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
   throw Error(ErrorKind::cannot_mesh,
               "volumes of regions differ from the input's by more than area of boundary times tolerance, so nothing "
               "was written: " +
-                  off + ". Ask for a smaller tolerance, for smaller sizes there, or keep the surfaces exactly");
+                  off + ". Choose a smaller tolerance or smaller sizes there, or keep the surfaces exactly");
 }
 
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance) {
@@ -118,7 +118,7 @@ void require_volume_filled(const ModelMesh& mesh, double volume, bool ends_insid
   char text[260];
   std::snprintf(text, sizeof text,
                 "the regions hold %.12g, the model volume %.12g, so nothing was written: a side of it has a crack or a "
-                "fold. Ask for another `tolerance`, or none, or move the box by a little",
+                "fold. Choose another `tolerance`, or none, or move the box by a little",
                 sum.value(), volume);
   throw Error(ErrorKind::cannot_mesh, text);
 }

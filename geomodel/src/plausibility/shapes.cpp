@@ -178,7 +178,7 @@ void doubt_volume(const TriangulatedSurface& s, std::vector<Finding>& findings) 
                       "empty body",
                       {s.name},
                       "body " + s.name +
-                          " is closed, but encloses nothing (its walls lie on each other, or its "
+                          " is closed, but encloses nothing (its walls coincide, or its "
                           "triangles are not oriented alike)",
                       "a dyke or sill is given as one sheet with thickness: T in its entry"});
 }

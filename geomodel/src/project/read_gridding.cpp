@@ -32,7 +32,7 @@ void read_method(const YamlValue& value, SurfaceSpec& spec) {
   if (const auto v = map.find("extent")) {
     spec.gridding.to_box = v->choice({"data", "box"}) == "box";
     if (spec.gridding.to_box && !spec.may_be(SurfaceKind::horizon))
-      v->problem("only a horizon is gridded over the box; a fault goes on by 'extent: to_box' of the surface");
+      v->problem("only a horizon is gridded over the box; a fault is continued by 'extent: to_box' of the surface");
   }
   if (spec.gridding.method == GriddingSpec::Method::triangulate) {
     for (const char* key : {"spacing", "smoothing", "extent"})
@@ -121,7 +121,7 @@ void read_level_set(const YamlMap& map, const std::shared_ptr<FieldFunction>& fu
   if (is_npy && !(level_set.origin && level_set.spacing))
     field->problem("an array of NumPy says nothing of its place; give 'origin' [x, y, z] and 'spacing'");
   for (const char* key : {"origin", "spacing"})
-    if (const auto v = map.find(key); v && !is_npy) v->problem("goes with a field in a .npy file alone");
+    if (const auto v = map.find(key); v && !is_npy) v->problem("is allowed with a field in a .npy file alone");
 }
 
 void refuse_keys_of_first_entry(const YamlMap& map, const SurfaceSpec& first) {

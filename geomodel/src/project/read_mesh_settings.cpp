@@ -272,7 +272,7 @@ void read_refinement(const YamlMap& mesh, Project& project) {
   const bool is_asked = size || quality || measure || honour || word == "default" || settings.target_elements > 0;
   if (word == "none" && (size || quality || measure || honour == "tolerance"))
     refine->problem(
-        "none contradicts 'size', 'quality', 'quality_measure' or 'honour: tolerance', which ask for refinement");
+        "none contradicts 'size', 'quality', 'quality_measure' or 'honour: tolerance', which request refinement");
   if (word != "none" && is_asked) settings.refine = true;
   const bool is_kept = honour == "exact" || !settings.sizes_on_surfaces || excludes_default(project);
   if (honour == "tolerance" || (word != "none" && !is_kept)) follow_sizes(given, settings);

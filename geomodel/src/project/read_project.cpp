@@ -249,7 +249,7 @@ class ProjectReader {
     if (!field && !function) {
       read_content(map, "the file of the surface, or the field whose level set it is", spec);
       for (const std::string_view key : level_set_keys())
-        if (const auto v = map.find(key)) v->problem("goes with 'field' alone");
+        if (const auto v = map.find(key)) v->problem("is allowed with 'field' alone");
       return;
     }
     read_level_set(map, function, spec);

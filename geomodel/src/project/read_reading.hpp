@@ -42,7 +42,7 @@ void read_made_surface(const YamlMap& map, SurfaceSpec& spec, const ReadFile& re
   if (!spec.may_be(SurfaceKind::horizon)) below->problem("only a horizon is given by its thickness below another");
   const auto thickness = map.find("thickness");
   if (!thickness) {
-    below->problem("it goes with thickness: a length, or the file of a grid or of points with thicknesses");
+    below->problem("it is allowed with thickness: a length, or the file of a grid or of points with thicknesses");
   } else if (map.find("file")) {
     below->problem("the horizon is made from the one above it and the thickness; leave out 'file'");
   } else if (is_number(thickness->scalar())) {

@@ -85,7 +85,7 @@ void read_surface_rules(const YamlMap& map, SurfaceSpec& spec) {
   if (const auto v = map.find("smeared_throw")) {
     spec.rules.cut_smeared = v->choice({"cut", "keep"}) != "keep";
     if (!spec.rules.throw_auto && spec.rules.throw_at.empty())
-      v->problem("it goes with throw_at, which names the faults across which the horizon has throw");
+      v->problem("it is allowed with throw_at, which names the faults across which the horizon has throw");
   }
   if (const auto v = map.find("base")) {
     const auto word = v->choice({"conformable", "erode", "onlap"});

@@ -112,7 +112,7 @@ std::optional<VolumeSpec> read_volume(const YamlValue& value) {
                                             "polygon", "azimuth", "bottom", "top"};
   if (!value.is_map()) {
     value.problem(
-        "min and max were expected: box: {min: [x, y, z], max: [x, y, z]}; other shapes are told by margin, center or "
+        "min and max were expected: box: {min: [x, y, z], max: [x, y, z]}; other shapes are given by margin, center or "
         "polygon");
     return std::nullopt;
   }
@@ -121,7 +121,7 @@ std::optional<VolumeSpec> read_volume(const YamlValue& value) {
   if (!shape) return std::nullopt;
   for (const std::string_view key : known)
     if (map.find(key) && std::find(shape->keys.begin(), shape->keys.end(), key) == shape->keys.end())
-      map.find(key)->problem("does not go with " + std::string(shape->keys[0]) + "; what goes with it is " +
+      map.find(key)->problem("does not go with " + std::string(shape->keys[0]) + "; allowed with it are " +
                              listed(shape->keys));
   VolumeSpec spec;
   spec.shape = shape->shape;

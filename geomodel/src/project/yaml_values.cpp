@@ -200,7 +200,7 @@ YamlMap::YamlMap(const YamlValue& value, const std::vector<std::string_view>& kn
       continue;
     }
     if (find(key)) {
-      problems.add(place, prefix + key + ": given twice");
+      problems.add(place, prefix + key + ": duplicate");
       continue;
     }
     entries_.emplace_back(key, YamlValue(problems, entry.second, prefix + key, place));

@@ -20,9 +20,9 @@ struct Part {
 std::array<Part, 4> parts_of(const ElementEstimate& e, double tolerance, const std::string& unit, bool by_input_edges) {
   const std::string within = tolerance > 0 ? " within " + short_words(tolerance) + " " + unit : std::string();
   const Part sizes = by_input_edges
-                         ? Part{e.by_sizes, "for short edges of the input and sizes asked of its parts",
+                         ? Part{e.by_sizes, "for short edges of the input and sizes requested of its parts",
                                 "mesh: {size: {input_edges: false}}, or larger sizes there"}
-                         : Part{e.by_sizes, "for sizes asked of units, surfaces and places", "larger sizes there"};
+                         : Part{e.by_sizes, "for sizes requested of units, surfaces and places", "larger sizes there"};
   return {{sizes,
            {e.by_thin_units, "in thin units", "rules: {min_thickness: L}, which closes units that are thinner"},
            {e.by_bends, "to follow bends of the surfaces" + within, "mesh: {surfaces_within: L} with a larger L"},

@@ -81,7 +81,7 @@ std::string cause_in_words(const WorstElement& w, bool refined, const PolygonSou
     case ShapeCause::input_angle:
       return "input angle of " + degrees(w.forcing_angle) + " " + names.between(w);
     case ShapeCause::thin_gap:
-      return "gap of " + to_text(w.gap) + " " + names.between(w) + ", thinner than a quarter of the asked size";
+      return "gap of " + to_text(w.gap) + " " + names.between(w) + ", thinner than a quarter of the requested size";
     case ShapeCause::free:
       break;
   }

@@ -69,7 +69,7 @@ std::string system_words(const Json& crs, const Vec3& origin) {
 std::string size_words(const Report& report, const Json& asked) {
   std::string out;
   const std::string& unit = report.mesh->unit;
-  if (const double size = number_at(asked, "size"); size > 0) out = "asked for " + number(size) + " " + unit + "; ";
+  if (const double size = number_at(asked, "size"); size > 0) out = "requested: " + number(size) + " " + unit + "; ";
   if (!report.quality) return out;
   const auto& edges = report.quality->measured.whole.edge_length;
   out += "edges are " + number(edges.mean) + " " + unit + " long in the mean, " + number(edges.min) + " " + unit +

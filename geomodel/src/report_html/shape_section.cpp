@@ -28,7 +28,7 @@ std::string summary(const MeshQuality& q) {
          number(s.solid_angle.max) + " degrees of spherical excess; smallest radius ratio " +
          number(s.radius_ratio.min) + " (1 is the regular tetrahedron). " + number(100 * s.share_above_24_85) +
          " % of the elements have all angles above 24.85 degrees. " + std::to_string(q.n_bad) +
-         " elements are below 8 degrees, " + std::to_string(q.n_bad_forced) + " of them forced by the input.</p>\n";
+         " elements are below 8 degrees, " + std::to_string(q.n_bad_forced) + " of them imposed by the input.</p>\n";
 }
 
 std::string row_of(const std::string& name, const ShapeStatistics& s) {
@@ -66,7 +66,7 @@ std::string edges_against_size(const ShapeStatistics& s) {
                                                    "1 to 1.41", "1.41 to 2",  "2 to 4",      "above 4"};
   std::size_t all = 0;
   for (const std::size_t n : s.edge_size_histogram) all += n;
-  std::string out = "<h3>Edges by length over the asked size</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr>";
+  std::string out = "<h3>Edges by length over the requested size</h3>\n<div class=\"wide\" tabindex=\"0\"><table><tr>";
   for (const char* bin : bins) out += std::string("<th class=\"n\">") + bin + "</th>";
   out += "</tr><tr>";
   for (const std::size_t n : s.edge_size_histogram)

@@ -121,7 +121,7 @@ struct Trimming {
       if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) &&
           is_step(piece, least_of_step)) {
         if (surfaces[y].kind == SurfaceKind::fault)
-          warnings.push_back(because + ", but " + surfaces[x].name + " goes round the end of " + surfaces[y].name +
+          warnings.push_back(because + ", but " + surfaces[x].name + " passes round the end of " + surfaces[y].name +
                              " near " + to_text(working.centre(piece.largest)) + " and is kept there");
         continue;
       }

@@ -158,7 +158,7 @@ class EdgeCurver {
         if (!(std::abs(plane.height_of(mesh_.points[v])) <= rounding_at(mesh_.points[v]))) return std::nullopt;
     return plane;
   }
-  /// An edge on a side stays in its plane; on two oblique sides at once it stays straight.
+  /// An edge on a side remains in its plane; on two oblique sides at once it remains straight.
   void fix_side(std::int32_t id, EdgeOnSurfaces& edge) const {
     const auto plane = sides_.find(id);
     if (plane == sides_.end()) {

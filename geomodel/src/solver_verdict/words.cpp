@@ -20,7 +20,7 @@ std::string shapes(const SolverVerdict& v) {
   std::string text = "least volume over cube of longest edge " + short_words(v.least_volume) + " (" +
                      short_words(v.least_volume_16_digits) + " with 16 digits), least edge over diagonal " +
                      short_words(v.least_edge_over_diagonal);
-  if (v.least_edge_over_size > 0) text += ", over the size asked there " + short_words(v.least_edge_over_size);
+  if (v.least_edge_over_size > 0) text += ", over the size requested there " + short_words(v.least_edge_over_size);
   return text + ", dihedral angles " + short_words(v.min_dihedral) + " to " + short_words(v.max_dihedral) + " degrees";
 }
 

@@ -159,7 +159,7 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
                       to_text(u.area) + ", " + to_text(u.mean_thickness) + " m thick in the mean");
   if (!stack.sizes.empty()) {
     const auto shorter = [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; };
-    notes.push_back("thin units of the stack ask for edges down to " +
+    notes.push_back("thin units of the stack require edges down to " +
                     to_text(std::min_element(stack.sizes.begin(), stack.sizes.end(), shorter)->size) +
                     " m (rules.min_thickness sets how thin a unit can be)");
   }

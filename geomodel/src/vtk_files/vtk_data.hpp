@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// Those cell types, with VTK's numbers, that the program uses by name.
+/// Cell types that the program uses by name, with VTK's numbers.
 namespace vtk_cell {
 inline constexpr std::uint8_t empty = 0, vertex = 1, poly_vertex = 2, line = 3, poly_line = 4, triangle = 5,
                               triangle_strip = 6, polygon = 7, pixel = 8, quad = 9, tetrahedron = 10, voxel = 11,

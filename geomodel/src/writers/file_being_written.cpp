@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t most_files = 64, longest_name = 4096;
 
-/// A slot that one writer claims at a time. The handler reads its name only while it is ready, which means complete.
+/// A slot that one writer takes at a time. The handler reads its name only while it is ready, which means complete.
 struct Place {
   std::atomic<bool> claimed{false}, ready{false};
   std::array<char, longest_name> name{};

@@ -93,9 +93,9 @@ def tetrahedralize(points, facets, *, segments=None, regions=None, holes=None, m
         A polygon is a list of rows of points, or a list of such lists: its border first, then its holes. Polygons
         must be planar up to rounding. Facets meet in shared points and edges alone.
     segments : integer array, shape (k, 2), optional
-        Edges that the mesh is to have beside those of facets, or to tell of.
+        Edges that the mesh must contain in addition to those of facets; absent ones are reported.
     regions : array_like, shape (r, 3), optional
-        A point inside each part that is to be told by ``component_seed``.
+        A point inside each part that ``component_seed`` is to identify.
     holes : array_like, shape (h, 3), optional
         A point inside each part that is to be left out.
     mode : {"constrained", "conforming"}
@@ -112,7 +112,7 @@ def tetrahedralize(points, facets, *, segments=None, regions=None, holes=None, m
     Raises
     ------
     InvalidInput
-        Facets cross, a facet has no area, or a row is out of range; ``facets`` and ``places`` tell which and where.
+        Facets cross, a facet has no area, or a row is out of range; ``facets`` and ``places`` report which and where.
     CannotMesh
         Nothing is enclosed, or a facet cannot be recovered.
     """
@@ -130,7 +130,7 @@ def refine(points, facets, *, size=None, segments=None, regions=None, holes=None
     points, facets, segments, regions, holes
         As of :func:`tetrahedralize`.
     size : float or callable, optional
-        Edge length asked everywhere, or a function of a place, ``size(x, y, z)``; what is not positive asks for
+        Target edge length everywhere, or a function of a place, ``size(x, y, z)``; values that are not positive request
         nothing. Without it sizes follow the edges of the facets. A call of a function costs about a microsecond.
     quality : {"fast", "default", "best"}
     tolerance : float
@@ -138,9 +138,9 @@ def refine(points, facets, *, size=None, segments=None, regions=None, holes=None
     gradation : float
         Growth of the size per unit of distance.
     curvature_angle : float
-        Degrees that one edge may turn on a curved surface; 0: not asked.
+        Degrees that one edge may turn on a curved surface; 0: no limit.
     max_elements : int
-        Where the sizes ask for more the run ends before the work starts.
+        If the sizes require more, the run ends before the work starts.
     threads, progress, log
         As of :func:`delaunay`.
 

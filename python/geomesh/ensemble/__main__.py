@@ -127,7 +127,7 @@ def main(words=None):
     try:
         return run(sys.argv[1:] if words is None else words)
     except KeyboardInterrupt:
-        print("interrupted: what was complete is kept, and the same command goes on from there", file=sys.stderr)
+        print("interrupted: what was complete is kept, and the same command continues from there", file=sys.stderr)
         return _INTERRUPTED
     except UsageError as error:
         print("error: %s" % error, file=sys.stderr)

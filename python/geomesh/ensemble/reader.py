@@ -63,7 +63,7 @@ class Entry:
             key = str(key_node.value)
             at = Entry(key_node, (self.path + "." if self.path else "") + key, self.problems)
             if key in seen:
-                at.mistake("given twice")
+                at.mistake("duplicate")
             elif known is not None and key not in known:
                 at.mistake("no such %s%s" % (what, meant(key, known)))
             else:

@@ -23,7 +23,7 @@ class SurfaceSpec:
     name: str
     kind: str
     shift: Tuple = (Fixed(0.0), Fixed(0.0), Fixed(0.0))
-    tilt: Optional[Tuple] = None  # angle in degrees, azimuth of the side that goes up
+    tilt: Optional[Tuple] = None  # angle in degrees, azimuth of the side that is raised
     perturbation: Optional[Tuple] = None  # standard deviation and range
     correlation: str = "gaussian"
     file: Optional[Pick] = None

@@ -32,7 +32,7 @@ def _distribution(entry):
     kind = kinds[0]
     for extra, owner in (("within", "normal"), ("weights", "pick")):
         if extra in found and kind != owner:
-            found[extra].mistake("goes with `%s` alone" % owner)
+            found[extra].mistake("is allowed with `%s` alone" % owner)
     return {"normal": _normal, "uniform": _uniform, "triangular": _triangular, "lognormal": _lognormal, "pick": _pick}[kind](found)
 
 

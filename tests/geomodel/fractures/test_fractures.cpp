@@ -141,7 +141,7 @@ TEST_CASE("a family that needs too many discs is refused before one is drawn", "
     CHECK_THROWS_WITH(generate_fractures({changed}, box, 8, 7),
                       Catch::Matchers::Contains(words) && Catch::Matchers::Contains("(family f)"));
   };
-  refused(&FractureFamily::least_radius, 1e-30, "cannot be told from a point");
+  refused(&FractureFamily::least_radius, 1e-30, "cannot be distinguished from a point");
   refused(&FractureFamily::least_radius, 1e-3, "needs about");
   refused(&FractureFamily::greatest_radius, 1e30, "hardly a disc meets it");
   refused(&FractureFamily::exponent, -1e300, "no mean area");
@@ -149,7 +149,7 @@ TEST_CASE("a family that needs too many discs is refused before one is drawn", "
   family.p32 = 0;
   family.count = 3;
   refused(&FractureFamily::greatest_radius, 1e30, "hardly a disc meets it");
-  refused(&FractureFamily::least_radius, 5e-324, "cannot be told from a point");
+  refused(&FractureFamily::least_radius, 5e-324, "cannot be distinguished from a point");
   CHECK(generate_fractures({family}, box, 8, 7).size() == 3);
   // Just below the limit by the mean area, whatever the exponent: the discs are drawn.
   family.count = 0;

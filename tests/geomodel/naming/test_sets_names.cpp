@@ -146,7 +146,7 @@ TEST_CASE("a horizon missing in a block, a pocket of crossing horizons and a blo
         make_grid_model({2, 1, 4}, {1, 1, 1},
                         {{"upper", SurfaceKind::horizon, step(1, 3)}, {"lower", SurfaceKind::horizon, step(2, 2)}}),
         three_layer_rules());
-    CHECK(some_warning_has(named.warnings, {"pocket below lower and above upper", "named top"}));
+    CHECK(some_warning_has(named.warnings, {"thin void below lower and above upper", "named top"}));
     CHECK(volume_of(named.model, "top__1") + volume_of(named.model, "top__2") == 4.0);
   }
   SECTION("no horizon") {

@@ -179,7 +179,7 @@ TEST_CASE("attributes do not take the names of arrays that the mesh file has", "
     CHECK(message("attributes: {u: {" + std::string(name) + ": 1}}\n").find("is the name of an array") !=
           std::string::npos);
   CHECK(message("attributes: {u: {porosity: 0.2}}\n").empty());
-  CHECK(message("mesh: {size: 5, cell_arrays: [size, aspect, size]}\n").find("asked for twice") != std::string::npos);
+  CHECK(message("mesh: {size: 5, cell_arrays: [size, aspect, size]}\n").find("requested twice") != std::string::npos);
 }
 
 TEST_CASE("all mistakes of a project are named in one run, in the order of the file", "[project]") {
@@ -215,7 +215,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {"[1, 2]", "1:1: project: a map with the keys"},
       {"surfaces: [", "not valid YAML"},
       {"name: a\n", "neither 'surfaces' nor 'box' is given"},
-      {s + "name: a\nname: b\n", "5:1: name: given twice"},
+      {s + "name: a\nname: b\n", "5:1: name: duplicate"},
       {s + "box: {min: [0, 0], max: [1, 1, 1]}\n",
        "4:12: box.min: three numbers [x, y, z] were expected, found 2 values"},
       {s + "box: {min: [0, 0, .nan], max: [1, 1, 1]}\n", "box.min[3]: a finite number was expected"},
@@ -265,7 +265,7 @@ TEST_CASE("each mistake has its own words", "[project]") {
       {s + "mesh: {size: {on_surfaces: false}, honour: tolerance, tolerance: 1}\n",
        "(on_surfaces: false) contradicts it"},
       {s + "mesh: {size: {on_surfaces: false}, mode: conforming}\n", "(on_surfaces: false) contradicts it"},
-      {s + "mesh: {refine: none, cell_arrays: [size]}\n", "the cell array 'size' holds the asked sizes"},
+      {s + "mesh: {refine: none, cell_arrays: [size]}\n", "the cell array 'size' holds the requested sizes"},
       {s + "mesh: {preserve_boundary: yes}\n", "true or false was expected, found 'yes'"},
       {s + "mesh: {cluster_distance: -2}\n", "auto or a length of zero or more was expected"},
       {s + "rules: {topography: salt}\n", "a horizon was expected, but no horizon is named 'salt'"},

@@ -63,7 +63,7 @@ TEST_CASE("causes name what meets and at which angle", "[report]") {
   gap.gap = 0.25;
   gap.facet_a = 1, gap.facet_b = 2;
   CHECK(parts.words(gap) ==
-        "gap of 0.25 between horizon H1 and box side xmin, thinner than a quarter of the asked size");
+        "gap of 0.25 between horizon H1 and box side xmin, thinner than a quarter of the requested size");
 }
 
 TEST_CASE("a full report has the names of the output contract and fits its schema", "[report]") {

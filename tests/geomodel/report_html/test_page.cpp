@@ -317,7 +317,7 @@ TEST_CASE("the page tells shapes of the whole and of each unit, and why the wors
   CHECK(counted(whole.dihedral_histogram) == 6 * whole.n_tetrahedra);
   CHECK(html.find("smallest dihedral angle of an element, degrees") != std::string::npos);
   CHECK(html.find("every dihedral angle, degrees") != std::string::npos);
-  CHECK(html.find("Edges by length over the asked size") != std::string::npos);
+  CHECK(html.find("Edges by length over the requested size") != std::string::npos);
   CHECK(html.find("gap of 0.5 between horizon upper and horizon lower") != std::string::npos);
   report.quality->has_sizes = false;
   CHECK(to_html(report).find("Edges by length") == std::string::npos);

@@ -142,7 +142,7 @@ struct RefineResult {
   /// Honour::tolerance: whether all surfaces were finally kept, because nothing else could be proven.
   bool all_kept = false;
   SizeField size_field;
-  SizeField asked;  ///< the sizes without those that gaps require, as needed by QualityOptions::asked
+  SizeField asked;  ///< the sizes without those that gaps require, as needed by `QualityOptions::asked`
   /// For each facet of the PLC: facets with the same number were kept as one; needed by QualityOptions::facet_patch.
   std::vector<Index> kept_patch;
 };

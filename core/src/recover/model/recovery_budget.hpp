@@ -18,7 +18,7 @@ struct RecoveryBudget {
   /// meshed in the ninth). Most too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
   std::size_t points_without_double = 12;
   /// Number of orientations of exact places for each facet, over all attempts, from which the model is refused. Needle
-  /// plates and walls needed at most 3,600 before their last attempt; eight slits need 115,000 in one.
+  /// plates and walls needed at most 3,600 before their last attempt; eight cracks need 115,000 in one.
   std::size_t decisions_per_facet = 500000;
   /// Least distance of rounded points on a segment from each other, in ulps of the largest coordinate; closer ones
   /// would crowd.

@@ -86,7 +86,7 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
 
 [[noreturn]] void refuse(const std::string& what, std::size_t limit) {
   throw Error(ErrorKind::cannot_mesh,
-              what + " than the limit of " + std::to_string(limit) + "; ask for larger sizes, or raise the limit");
+              what + " than the limit of " + std::to_string(limit) + "; choose larger sizes, or raise the limit");
 }
 
 void require_sizes_alone(const RefineOptions& o) {
@@ -117,7 +117,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   const auto estimate = std::to_string(static_cast<long long>(result.statistics.estimated_elements));
   context.note(LogLevel::info, "about " + estimate + " elements to come");
   if (result.statistics.estimated_elements > static_cast<double>(options.max_elements))
-    refuse("the sizes ask for about " + estimate + " elements, more", options.max_elements);
+    refuse("the sizes require about " + estimate + " elements, more", options.max_elements);
   std::optional<StageScope> stage(std::in_place, context, "refine");
   RunContext quiet = context;
   quiet.stage = {};  // The stages of the inner run are not reported, because they are part of this one.
@@ -151,9 +151,10 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   result.statistics.passes = counts.rounds;
   result.statistics.edges_within_size = share_within_size(result.mesh, result.size_field);
   if (counts.too_large > 0)
-    context.note(LogLevel::info,
-                 std::to_string(counts.too_large) +
-                     " elements stay larger or more pointed than asked: a point for them would be too near to others");
+    context.note(
+        LogLevel::info,
+        std::to_string(counts.too_large) +
+            " elements remain larger or more pointed than requested: a point for them would be too near to others");
   return result;
 }
 

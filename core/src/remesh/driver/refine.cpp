@@ -35,7 +35,7 @@ void check_tolerance(const PiecewiseLinearComplex& plc, double tolerance) {
   if (tolerance > greatest_tolerance * diagonal)
     throw Error(ErrorKind::usage, "a tolerance of " + rounded(tolerance) +
                                       " is more than a tenth of the model's diagonal of " + rounded(diagonal) +
-                                      ": little would be left of its surfaces. Ask for a smaller one, in the model's "
+                                      ": little would be left of its surfaces. Choose a smaller one, in the model's "
                                       "units: a thousandth of the diagonal, " +
                                       rounded(0.001 * diagonal) + ", is a good start");
 }
@@ -47,7 +47,7 @@ void check_options(const PiecewiseLinearComplex& plc, const RefineOptions& o) {
   if (o.honour == Honour::tolerance && !(o.tolerance > 0))
     refuse("honouring surfaces to a tolerance needs a distance above 0");
   if (o.honour == Honour::tolerance) check_tolerance(plc, o.tolerance);
-  if (o.sparse_growth < 0 || !(o.sparse_ratio >= 1)) refuse("a sparse inside grows, and is no finer than asked");
+  if (o.sparse_growth < 0 || !(o.sparse_ratio >= 1)) refuse("a sparse inside grows, and is no finer than requested");
   if (o.tolerance_share < 0) refuse("the share of the size that surfaces may be off cannot be negative");
   if (!o.facet_patch.empty() && o.facet_patch.size() != plc.n_facets())
     refuse("one patch must be given for each facet");

@@ -169,8 +169,9 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
 }  // namespace
 
 void throw_too_many_cells(std::size_t max_cells) {
-  throw Error(ErrorKind::cannot_mesh, "refinement reached the limit of " + std::to_string(max_cells) +
-                                          " elements before the asked sizes; ask for larger sizes or raise the limit");
+  throw Error(ErrorKind::cannot_mesh,
+              "refinement reached the limit of " + std::to_string(max_cells) +
+                  " elements before the requested sizes; choose larger sizes or raise the limit");
 }
 
 std::size_t split_long_edges(Toolbox& tools, LongEdges which, std::size_t max_cells, const RunContext& context) {

@@ -66,7 +66,7 @@ class SizeFieldBuilder {
   }
 
   /// Adds sizes that follow from curvature: an edge that spans the requested angle is as long as the radius times that
-  /// angle. For the tolerance, a surface is flat over lengths over which it stays within the tolerance of a plane;
+  /// angle. For the tolerance, a surface is flat over lengths over which it remains within the tolerance of a plane;
   /// without this rule every edge of a rough surface would be a bend.
   void add_curvature(const LocalTolerance& tolerance) {
     const bool is_within = tolerance.greatest() > 0;

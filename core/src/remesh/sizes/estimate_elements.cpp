@@ -48,7 +48,7 @@ double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double e
     return elements_of({extrapolated(&SizeIntegrals::volume), extrapolated(&SizeIntegrals::surface),
                         extrapolated(&SizeIntegrals::fold)});
   }
-  throw InternalError("a size field asks for small sizes at every scale");
+  throw InternalError("a size field requests small sizes at every scale");
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ std::string in_words(double count) {
 void check_estimate(double estimate, std::size_t limit) {
   if (estimate <= static_cast<double>(limit)) return;
   const double larger = std::cbrt(estimate / static_cast<double>(limit));
-  throw Error(ErrorKind::cannot_mesh, "the sizes ask for about " + in_words(estimate) +
+  throw Error(ErrorKind::cannot_mesh, "the sizes require about " + in_words(estimate) +
                                           " elements, more than the limit of " + in_words(static_cast<double>(limit)) +
                                           " (max_elements): sizes about " + with_three_digits(larger) +
                                           " times as large would do, or raise the limit");
@@ -116,10 +116,10 @@ void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& me
   const double without = estimate_elements(mesh, build_size_field(plc, mesh, options).all, options);
   if (estimate < most * without) return;
   result.warnings.push_back(
-      "short edges of the input ask for most of the " + in_words(estimate) + " elements or more to come; " +
-      (has_size ? "the sizes asked for" : "a least size of " + with_three_digits(least) + " asks for") + " about " +
+      "short edges of the input require most of the " + in_words(estimate) + " elements or more to come; " +
+      (has_size ? "the requested sizes need" : "a least size of " + with_three_digits(least) + " needs") + " about " +
       in_words(without) +
-      ": for fewer, ask for a least size, take no sizes from the input's edges, ask for sizes "
+      ": for fewer, set a least size, take no sizes from the input's edges, set sizes "
       "inside only, or allow surfaces a tolerance");
   context.note(LogLevel::warning, result.warnings.back());
 }

@@ -120,7 +120,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
       match = match_components(beside, fresh);
     }
     if (!match || !is_complete(*match, n_components)) {
-      context.note(LogLevel::debug, "not meshed anew: its components cannot be told");
+      context.note(LogLevel::debug, "not meshed anew: its components cannot be identified");
       return std::nullopt;
     }
     for (Index& c : fresh.component) c = (*match)[c];

@@ -20,7 +20,7 @@
 
 namespace geomesh::geomodel {
 
-/// What a job produced.
+/// Outcome of a job.
 struct JobResult {
   std::vector<std::filesystem::path> files;  ///< paths of the written files in order; the report is the last
   std::vector<std::string> warnings;

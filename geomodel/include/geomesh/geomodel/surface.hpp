@@ -65,7 +65,7 @@ struct PointSet {
   std::vector<Vec3> points;
 };
 
-/// What a file says about its coordinates, before they were converted to metres with elevation up.
+/// A file's statements about its coordinates, before they were converted to metres with elevation up.
 struct SourceFrame {
   std::string unit;         ///< unit as written ("m", "ft", ...); empty if the file names none
   std::string z_unit;       ///< where it differs

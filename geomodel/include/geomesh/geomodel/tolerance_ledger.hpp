@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// What one stage used of the tolerance. Lengths in the model's unit.
+/// Share of the tolerance that one stage used. Lengths in the model's unit.
 struct ToleranceUse {
   /// Stage that moved surfaces: "gridding", "smoothing", "resampling", "level sets", "settling", "order and thickness",
   /// "merging", "remeshing".

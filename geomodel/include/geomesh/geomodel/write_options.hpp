@@ -16,7 +16,7 @@ enum class GroupChoice {
   both
 };
 
-/// Of VTK files.
+/// Compression of VTK files.
 enum class Compression {
   none,
   fast,  ///< zlib, level 1

@@ -53,7 +53,7 @@ std::string merged_text(const Spot& spot, const std::vector<TriangulatedSurface>
 
 std::string vanished_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
   return name_of(surfaces, spot.surface_a) + ": " + std::to_string(spot.count) +
-         " facets too thin to be kept went into their neighbours" + near(spot);
+         " facets too thin to be kept were merged into their neighbours" + near(spot);
 }
 
 std::string border_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces, std::size_t n_pieces) {

@@ -25,7 +25,7 @@ void MemoryUse::refuse(const Vec3& place) const {
   throw Error(ErrorKind::cannot_mesh,
               "triangles meet in so many places, near " + to_text(place) +
                   " among others, that intersecting the surfaces would take more than " + bound +
-                  " of memory: do surfaces lie on each other over a wide area, or are there triangles that cross most "
+                  " of memory: do surfaces coincide over a wide area, or are there triangles that cross most "
                   "others? Leave such "
                   "surfaces out, or make them coarser",
               {{}, {}, {}, {place}});

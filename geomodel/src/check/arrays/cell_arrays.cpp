@@ -70,7 +70,7 @@ void check_cell_arrays(const ClaimedFaces& claimed, double ulp, CheckResult& res
   check_shapes(mesh, ulp, wrong);
   check_sizes(mesh, claimed.claim().size_growth, wrong);
   missing.report(result, "arrays of mesh.cell_arrays are not there");
-  wrong.report(result, "cells have another shape than their array tells, or a size that is none or that jumps");
+  wrong.report(result, "cells have another shape than their array reports, or a size that is none or that jumps");
 }
 
 }  // namespace geomesh::geomodel::checking

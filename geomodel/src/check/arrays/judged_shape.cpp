@@ -71,7 +71,7 @@ JudgedShape judged_shape(const std::array<Vec3, 4>& p, double ulp) {
   }
   const double of_products =
       epsilons_of_products * std::numeric_limits<double>::epsilon() * s.longest_edge * s.longest_edge;
-  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // floats tell nothing
+  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // floats do not decide
     s.turn = std::numeric_limits<double>::infinity();
     return s;
   }

@@ -80,7 +80,7 @@ void check_report(const ClaimedFaces& claimed, const JudgedCurves* curves, const
     differs.add(0, {});
   differs.report(result,
                  "entries of the report beside the mesh are not what the mesh holds (regions, surfaces, curves), or it "
-                 "tells a displacement by rounding beyond what rounding does");
+                 "reports a displacement by rounding beyond what rounding does");
   result.checks_done.emplace_back("the report's regions, surfaces and curves are those of the mesh");
 }
 

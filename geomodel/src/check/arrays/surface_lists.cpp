@@ -63,7 +63,7 @@ void check_set_names(const FacesFile& faces, CheckResult& result) {
   wrong.report(result, "sets of surfaces are not in the order of ids or do not bear their members' names");
 }
 
-/// Where several surfaces coincide, the face must lie on each of them; the first is checked by its source triangle.
+/// A face in which several surfaces coincide must lie on each of them; the first is checked by its source triangle.
 void check_members(const ClaimedFaces& claimed, double rounding, CheckResult& result) {
   FaultCollector off("faces_off_their_surface");
   std::map<Index, std::optional<TriangleSet>> sets;

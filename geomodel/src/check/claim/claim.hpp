@@ -19,7 +19,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// What the project specifies about the names of regions.
+/// The project's specification of the names of regions.
 struct ClaimedNames {
   std::vector<std::string> column;  ///< alternating units and horizons, youngest first; may be empty
   std::vector<NamedPoint> seeds;    ///< points that name their region, in the mesh's frame
@@ -34,7 +34,7 @@ struct ClaimedNames {
   double min_volume = 0;
 };
 
-/// What the rules of the model may remove from one surface. Rows refer to Claim::surfaces.
+/// Parts of one surface that the rules of the model may remove. Rows refer to `Claim::surfaces`.
 struct TrimRules {
   std::vector<Index> above, below;    ///< surfaces above (below) which parts may be removed, compared on the vertical
   double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Derives the specification from a project or from surface files, declared in check/claim/claim.hpp.
+// Derives the specification from a project or from surface files, declared in `check/claim/claim.hpp`.
 #include <algorithm>
 #include <cmath>
 

@@ -20,7 +20,7 @@ class TakenByRules {
   /// Returns whether p, a point of triangle `triangle` of the surface, may be absent: outside the volume, or because of
   /// a rule. Pieces are removed as a whole, and may extend over another block, so heights across faults count.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
-  /// The same without regard to throw, because of which any part of a horizon may be removed.
+  /// Like the function above, but without regard to throw, because of which any part of a horizon may be removed.
   bool may_be_away_but_for_throw(Index surface, Index triangle, const Vec3& p) const;
   /// Returns whether p, a point of the surface, is beyond one of the surfaces that cut it by rule, so that its piece
   /// may be removed. A horizon is not beyond one that lies across a fault on the vertical, since that belongs to

@@ -42,7 +42,7 @@ struct MeshWays {
 
 /// A face of a horizon that has the same region on both sides.
 struct InnerFace {
-  Index face;         ///< of claimed.candidates()
+  Index face;         ///< of `claimed.candidates()`
   Index over, under;  ///< cells
 };
 

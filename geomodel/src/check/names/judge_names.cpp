@@ -240,14 +240,14 @@ void NameJudge::check_blocks(CheckResult& result) const {
 void NameJudge::check(CheckResult& result) {
   check_same_everywhere(result);
   if (!read_rows(result)) {
-    result.checks_done.push_back("region names were judged; suffixes and ids were not (" +
+    result.checks_done.push_back("region names were checked; suffixes and ids were not (" +
                                  std::to_string(n_undecided_) + " regions too close to call)");
     return;
   }
   number_unnamed();
   if (claimed_.claim().names.merges_small) {
     result.checks_done.emplace_back(
-        "region names are those of the project; small regions were merged: suffixes and ids were not judged");
+        "region names are those of the project; small regions were merged: suffixes and ids were not checked");
     return;
   }
   check_blocks(result);

@@ -190,7 +190,7 @@ class SplitJoiner {
     wrong.report(result, "places have not one node for each sector that the split surfaces divide about them");
     result.checks_done.push_back("split surfaces: " + std::to_string(split_.size()) +
                                  " faces, each there once on either side; one node for each sector about a place. "
-                                 "The rest was judged with the sides joined");
+                                 "The rest was checked with the sides joined");
   }
 
   /// Prisms extend from the minus face, as seen from within the prism, to the plus face.

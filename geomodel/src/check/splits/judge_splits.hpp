@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// What a project requests for the two sides of split faults.
+/// A project's requests for the two sides of split faults.
 struct AskedSplits {
   std::vector<std::string> surfaces;
   /// Whether there is a prism between the two sides of each face, except if all its nodes are at a tip.

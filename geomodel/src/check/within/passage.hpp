@@ -55,7 +55,7 @@ class FollowedSurface {
   TriangleSet set_;
 };
 
-/// What is evaluated at each point of a line that is no farther from the other surface than the depth.
+/// Functions that are evaluated at each point of a line that is no farther from the other surface than the depth.
 struct AlongLine {
   std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended there
   /// Called with all points that are examined, at most a quarter of the depth apart.

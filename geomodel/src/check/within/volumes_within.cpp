@@ -83,7 +83,7 @@ void VolumesWithin::check_regions(const nlohmann::json& report, CheckResult& res
   const auto told = told_volumes(report);
   if (told.empty()) {
     result.checks_done.emplace_back(
-        "no report with the regions' volumes in the input stands beside the mesh: these were not judged");
+        "no report with the regions' volumes in the input stands beside the mesh: these were not checked");
     return;
   }
   FaultCollector wrong("region_volumes");

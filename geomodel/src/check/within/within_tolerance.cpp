@@ -166,7 +166,7 @@ void SurfacesWithin::report(CheckResult& result) {
                 allowed_.both(), worst_input_);
   input_off_.report(result, text + joined(input_names_) + ")");
   if (!pass) {
-    result.checks_done.emplace_back("distances between surfaces and input were judged, both ways");
+    result.checks_done.emplace_back("distances between surfaces and input were checked, both ways");
     return;
   }
   result.checks_done.push_back("from mesh to input: " + words(faces_, allowed_.both()));

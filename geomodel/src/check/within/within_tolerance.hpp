@@ -23,7 +23,7 @@ struct Allowed {
 /// One surface of the specification (or all of them, if faces have no names) with the mesh faces that represent it.
 struct SurfacePair {
   std::string name;
-  std::vector<Index> rows;   ///< of claim.surfaces
+  std::vector<Index> rows;   ///< of `claim.surfaces`
   std::vector<Index> faces;  ///< rows of the candidate faces
 };
 /// Pairs surfaces with their faces. Faces on the sides of the volume, up to `rounding`, represent none.

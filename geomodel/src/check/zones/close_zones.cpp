@@ -249,7 +249,7 @@ std::optional<ClosedFiles> close_zones(const JudgedMesh& mesh, const FacesFile& 
   result.faults.push_back(
       {"wrong_fault_zones",
        "1 array is missing or wrong: before_zones of the mesh, or mesh_point of its faces, by which zones are closed "
-       "again to judge the rest",
+       "again to check the rest",
        1,
        {},
        {}});

@@ -51,7 +51,7 @@ class ZoneJudge {
                   "places of fault zones are not as the project asks: no such region between two walls of the fault, "
                   "another thickness, or another number of layers");
     result.checks_done.push_back(std::to_string(zones_.size()) +
-                                 " fault zones: walls as far apart and with as many layers between as asked" +
+                                 " fault zones: walls as far apart and with as many layers between as requested" +
                                  seen_text_);
   }
 
@@ -94,7 +94,7 @@ class ZoneJudge {
   void judge_volume(std::size_t z) {
     const double ratio = seen_[z].volume.value() / seen_[z].due.value();
     char text[160];
-    std::snprintf(text, sizeof text, "; %.60s is %.4g thick in the mean, %.4g asked", zones_[z].fault.c_str(),
+    std::snprintf(text, sizeof text, "; %.60s is %.4g thick in the mean, %.4g requested", zones_[z].fault.c_str(),
                   ratio * zones_[z].thickness, zones_[z].thickness);
     seen_text_ += text;
     if (!(std::abs(ratio - 1) <= most_in_all)) wrong_.add(z, mesh_.point(*seen_[z].minus.begin()));

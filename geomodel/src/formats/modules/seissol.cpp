@@ -47,7 +47,7 @@ class Conditions {
     for (const NamedSurface& surface : mesh_.surfaces) {
       if (surface.kind != SurfaceKind::fault || !used.contains(surface.id)) continue;
       if (next > last_condition)
-        throw Error(ErrorKind::usage, "seissol: the file tells at most " + std::to_string(of_fault_.size()) +
+        throw Error(ErrorKind::usage, "seissol: the file can distinguish at most " + std::to_string(of_fault_.size()) +
                                           " faults apart; give several faults one name, or leave some out");
       of_fault_[surface.id] = next;
       next = next == first_fault ? further_faults : next + 1;

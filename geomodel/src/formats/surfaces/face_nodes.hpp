@@ -30,7 +30,7 @@ inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_
   return nodes;
 }
 
-/// Of all faces.
+/// Nodes of all faces.
 inline FaceNodes face_nodes(const SolverMesh& mesh) {
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

@@ -3,7 +3,7 @@
 /// A scalar field given at the nodes of a regular grid and trilinear in each cell. Beyond the grid, the cells at the
 /// border are extrapolated.
 ///
-/// Bounds are exact up to rounding: in one cell the field is linear in each coordinate alone, and stays so when a
+/// Bounds are exact up to rounding: in one cell the field is linear in each coordinate alone, and remains so when a
 /// linear function is subtracted. Such a function takes its extremes over a box at the corners of the box.
 #pragma once
 

@@ -86,7 +86,7 @@ ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& z
   if (!zones.zones.empty()) {
     mesh = open_project_zones(mesh, zones.zones, zones.rules);
     require_valid(mesh, model.built.z_scale, threads);
-    journal.note("fault zones were opened once the mesh was made; shapes are told of the mesh without them");
+    journal.note("fault zones were opened once the mesh was made; shapes are those of the mesh without them");
   }
   if (options.order == ElementOrder::second && used.refine && used.honour == Honour::tolerance)
     mesh.curved_edges = curved_edges(mesh, model.arranged.surfaces, used.tolerance.left());
@@ -170,7 +170,7 @@ JobResult stop_early(const RecordsSoFar& records, const OutputPlan& plan, const 
       result.files.push_back(std::move(file));
   }
   write_reports(plan, report, recorder, journal, result);
-  result.summary.push_back("stopped after " + recorder.stop_after() + ", as asked");
+  result.summary.push_back("stopped after " + recorder.stop_after() + ", as requested");
   return result;
 }
 

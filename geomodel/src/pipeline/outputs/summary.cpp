@@ -101,7 +101,7 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   const std::string& unit = mesh.unit;
   std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
   if (r.size.base.global > 0) text += ", of " + short_words(r.size.base.global) + " " + unit + " requested";
-  if (r.derive_size) text += " (derived from the model; mesh: {size: L} asks for others)";
+  if (r.derive_size) text += " (derived from the model; mesh: {size: L} sets others)";
   if (r.tolerance.follows_sizes())
     text += "; surfaces are within " + short_words(r.tolerance.requested()) + " " + unit +
             " of the input (mesh: {honour: exact} keeps them)";
@@ -111,16 +111,16 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   return text;
 }
 
-/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 (3 forced by the input); 2 edges ...".
+/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
 std::string shapes(const QualityReport& quality) {
   char text[160];
   std::snprintf(text, sizeof text,
-                "smallest dihedral angle above 24.85 degrees in %.4g %% of the tetrahedra, below 8 in %zu (%zu forced "
+                "smallest dihedral angle above 24.85 degrees in %.4g %% of the tetrahedra, below 8 in %zu (%zu imposed "
                 "by the input)",
                 100 * quality.measured.whole.share_above_24_85, quality.measured.n_bad, quality.measured.n_bad_forced);
   if (quality.short_edges.n == 0) return text;
-  return text + ("; " + grouped_words(quality.short_edges.n)) + " edges below a third of the size asked there (" +
-         grouped_words(quality.short_edges.n_forced) + " forced by the input)";
+  return text + ("; " + grouped_words(quality.short_edges.n)) + " edges below a third of the size requested there (" +
+         grouped_words(quality.short_edges.n_forced) + " imposed by the input)";
 }
 
 }  // namespace

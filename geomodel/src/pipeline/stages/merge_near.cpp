@@ -98,10 +98,10 @@ class NearMerging {
     if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
     const std::string pockets = merging.pockets_closed == 0
                                     ? std::string()
-                                    : "; " + std::to_string(merging.pockets_closed) + " thinner pockets were closed";
-    journal_.note("surfaces that meet were brought together at " + std::to_string(n) +
-                  " places where they were nearer than " + short_words(distance) + " " + unit_ + " to each other" +
-                  pockets + "; nothing moved by more than " + short_words(merging.displacement.largest) + " " + unit_);
+                                    : "; " + std::to_string(merging.pockets_closed) + " thinner voids were closed";
+    journal_.note("surfaces that meet were merged at " + std::to_string(n) + " places where they were nearer than " +
+                  short_words(distance) + " " + unit_ + " to each other" + pockets + "; nothing moved by more than " +
+                  short_words(merging.displacement.largest) + " " + unit_);
   }
 
   /// Records what `merge_within` allowed, or what mending moved without any tolerance.

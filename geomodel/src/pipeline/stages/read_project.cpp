@@ -40,7 +40,7 @@ void refuse_scaling(const Project& project) {
                 where + "mesh.mode: conforming, whose mesh would be Delaunay in the scaled space alone");
   if (project.mesh.refinement.refine)
     throw Error(ErrorKind::usage, where +
-                                      "refinement (mesh.size, quality, honour or refine), which would judge sizes, "
+                                      "refinement (mesh.size, quality, honour or refine), which would check sizes, "
                                       "shapes and the tolerance in the scaled "
                                       "space; leave out one of them");
 }
@@ -71,10 +71,10 @@ void tell_sizes(const Inputs& model, Journal& journal) {
   const RefinementSettings& r = model.refinement;
   if (r.derive_size)
     journal.note("edges of about " + short_words(r.size.base.global) + " " + model.unit +
-                 ": nothing asks for a size (mesh: {size: L}), so the model's volume does, for about " +
+                 ": no size is requested (mesh: {size: L}), so it follows from the model's volume, for about " +
                  short_words(r.derived_elements) + " elements");
   if (r.tolerance.follows_sizes())
-    journal.note("surfaces may be off the input by a twentieth of the size asked at the place, here " +
+    journal.note("surfaces may be off the input by a twentieth of the size requested at the place, here " +
                  short_words(r.tolerance.left()) + " " + model.unit +
                  " at most, and by half of the gap to the next at most");
 }

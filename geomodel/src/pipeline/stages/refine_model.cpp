@@ -153,7 +153,7 @@ std::string names_of_facets(const ModelRecords& model, const std::vector<Index>&
 std::string words_of_kept(const ModelRecords& model, const RefineResult& result) {
   if (result.all_kept) {
     return "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
-           "short edges and needles of the input stay, and force elements as poor. Ask for smaller sizes or another "
+           "short edges and needles of the input are kept, so elements as poor remain. Choose smaller sizes or another "
            "tolerance";
   }
   if (!result.kept.empty()) {
@@ -237,9 +237,9 @@ std::string contradiction(const RefinementSettings& settings, const RecoverOptio
       std::find(settings.cell_arrays.begin(), settings.cell_arrays.end(), "size") != settings.cell_arrays.end();
   for (auto at = settings.cell_arrays.begin(); at != settings.cell_arrays.end(); ++at)
     if (std::find(settings.cell_arrays.begin(), at, *at) != at)
-      return "the cell array '" + *at + "' is asked for twice";
+      return "the cell array '" + *at + "' is requested twice";
   if (!settings.refine)
-    return wants_size ? "the cell array 'size' holds the asked sizes, which are there only where the mesh is refined"
+    return wants_size ? "the cell array 'size' holds the requested sizes, which exist only where the mesh is refined"
                       : "";
   if (!settings.sizes_on_surfaces) {
     if (settings.honour == Honour::tolerance)

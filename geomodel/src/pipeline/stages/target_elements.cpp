@@ -223,11 +223,11 @@ void announce_count(const CountedOptions& counted, const std::string& unit, Jour
     text += "; elements in gaps between surfaces may be flat, because more than " +
             rounded_count(most_over_target * used.derived_elements) +
             " would come, whatever the size, if each gap had layers of its own and sizes grew no faster (mesh: {size: "
-            "{gap_layers: 0.4}} asks for them)";
+            "{gap_layers: 0.4}} requests them)";
   if (counted.gradation_scale > 1)
     text += "; sizes grow by " + short_words(options.size.gradation) +
             " a unit of distance away from where they are small (mesh: {size: {gradation: " +
-            short_words(options.size.gradation / counted.gradation_scale) + "}} asks for more elements there)";
+            short_words(options.size.gradation / counted.gradation_scale) + "}} requests more elements there)";
   const double total = counted.estimate.total(), limit = static_cast<double>(options.max_elements);
   if (total > limit)
     throw Error(ErrorKind::cannot_mesh, text + ". That is more than the limit of " + count_words(limit) +
@@ -280,8 +280,8 @@ RefinedToCount refine_to_count(const ModelRecords& model, const ConstrainedTetra
   journal.keep_warnings(result.warnings);
   if (!search.is_near(best, near_enough))
     journal.warn("target_elements: " + short_words(best.count) + " elements came out and not " + short_words(target) +
-                 ", whatever the size: the surfaces alone ask for others");
-  journal.note("target_elements: sizes are " + short_words(best.scale.size) + " times those asked for" +
+                 ", whatever the size: the surfaces alone require others");
+  journal.note("target_elements: sizes are " + short_words(best.scale.size) + " times those requested" +
                (best.scale.gradation > 1
                     ? ", and grow " + short_words(best.scale.gradation) + " times as fast away from small ones"
                     : ""));

@@ -63,7 +63,7 @@ std::string file_was_meant(const std::filesystem::path& file) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  // The same name with another extension or case is preferred to one that differs in letters.
+  // A name that differs in extension or case alone is preferred to one that differs in letters.
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
       return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);

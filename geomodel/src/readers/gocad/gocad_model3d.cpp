@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Where a face of the model was found.
+/// Place in the file at which a face of the model was found.
 struct FoundFace {
   Index surface;      ///< row in contents.surfaces
   Index first, last;  ///< triangles

@@ -31,7 +31,7 @@ class Records {
     if (left < 8) fail(what, "the file ends");
     const std::size_t length = read_big<std::uint32_t>(file_.bytes, at_);
     if (length > left - 8)
-      fail(what, "a record of " + std::to_string(length) + " bytes goes beyond the end of the file");
+      fail(what, "a record of " + std::to_string(length) + " bytes extends beyond the end of the file");
     if (read_big<std::uint32_t>(file_.bytes, at_ + 4 + length) != length)
       fail(what, "a record has two different lengths");
     const std::size_t begin = at_ + 4;

@@ -243,7 +243,7 @@ class OmfReader {
     if (!lattice) {
       contents_.warnings.push_back("surface '" + name +
                                    "' is a grid, and the format leaves open along which axis its nodes run first, "
-                                   "which its heights do not tell either: it is left out; export it as triangles");
+                                   "which its heights do not show either: it is left out; export it as triangles");
       return;
     }
     const Vec3 &first = lattice->nodes.front(), &right = lattice->nodes[1], &up = lattice->nodes[lattice->n_columns];

@@ -105,7 +105,7 @@ Vec3 head_of_path(const InputFile& file, const WellReading& reading) {
   }
   if (!found[0] || !found[1] || !found[2])
     file.fail(
-        "a deviation survey tells directions alone: say where its measured depth is zero, with head: [x, y, z] "
+        "a deviation survey holds directions alone: say where its measured depth is zero, with head: [x, y, z] "
         "in the entry of the well (z: elevation of the rotary table or of the ground)");
   return {*found[0], *found[1], reading.head_is_depth ? -*found[2] : *found[2]};
 }

@@ -23,7 +23,7 @@ void scale_contents(FileContents& contents, const AxisScale& scale);
 /// Throws Error{invalid_input} if a unit is one of time or unknown.
 void convert_by_frame(const InputFile& file, FileContents& contents);
 
-/// What the name of a column (without its unit) says about z.
+/// Meaning of a column's name (without its unit) for z.
 struct HeightColumn {
   bool is_height = false;
   bool depth = false;

@@ -29,7 +29,7 @@ struct Quantity {
 };
 
 /// Returns the least dihedral angle, the edge length, and what the mesh carries: arrays of cells and points, attributes
-/// of units. There are at most a dozen, so that a page stays small. The range of an array excludes the outermost
+/// of units. There are at most a dozen, so that a page remains small. The range of an array excludes the outermost
 /// hundredth at both ends.
 std::vector<Quantity> quantities_of(const ModelMesh& mesh);
 

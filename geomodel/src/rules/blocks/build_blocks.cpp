@@ -72,7 +72,7 @@ void leave_out_where_it_runs_on(const TriangulatedSurface& horizon, PartingFault
   for (const std::string& name : left_out)
     log.warnings.push_back(
         "horizon " + horizon.name + ": it runs on across " + name + " as one sheet, " +
-        (kept.faults.empty() ? "and no throw is restored: it stays as given" : "so that it has no throw there") +
+        (kept.faults.empty() ? "and no throw is restored: it is kept as given" : "so that it has no throw there") +
         " (give it block by block)");
   parting = std::move(kept);
 }
@@ -165,7 +165,7 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
     why = part();
   }
   if (!why.empty()) {
-    tell("it stays as given, and no throw is restored");
+    tell("it is kept as given, and no throw is restored");
     built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
     parting = {};
   }

@@ -73,8 +73,9 @@ void warn_of_open_ends(const Parting& p, FieldOfHorizon field) {
     for (const Piece& piece : pieces_of(p.soup, is_mine, {faults[k]}, &sides, BeyondEnd::has_a_side, others))
       if (piece.above > 0 && piece.below > 0)
         p.warnings.push_back("horizon " + p.surfaces[field.horizon].name + ": the surface of " +
-                             p.rules.of(field.horizon).field_parts[field.part].field + " goes round the end of fault " +
-                             p.surfaces[faults[k]].name + ", near " + to_text(p.soup.centre(piece.largest)) +
+                             p.rules.of(field.horizon).field_parts[field.part].field +
+                             " passes round the end of fault " + p.surfaces[faults[k]].name + ", near " +
+                             to_text(p.soup.centre(piece.largest)) +
                              ", so that the fault does not bound its domain; continue the fault (extent: to_box)");
   }
 }

@@ -129,7 +129,7 @@ class Restorer {
     for (std::size_t f = 0; f < faults_.size(); ++f)
       if (ramps_[f].is_there() && !throws[f].fits(ramps_[f])) {
         log_.warnings.push_back("horizon " + horizon_.name + ": throw smeared across " + faults_[f]->name +
-                                " is not restored, and the ramps stay: what lies beside it gives a throw of " +
+                                " is not restored, and the ramps are kept: what lies beside it gives a throw of " +
                                 to_text(throws[f].mean) + " m on average, the ramp " +
                                 to_text(median(ramps_[f].steps)) + " m");
         horizon_ = before;
