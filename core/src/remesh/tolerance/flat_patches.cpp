@@ -95,7 +95,7 @@ bool FlatPatches::are_straight_between_ends(const std::vector<CurvePiece>& befor
                                             const std::vector<CurvePiece>& after) const {
   const auto is_straight = [&](const CurvePiece& c) {
     const auto from = ends_of(before, c.curve), to = ends_of(after, c.curve);
-    if (!from || !to || !std::ranges::is_permutation(*from, *to)) return false;
+    if (!from || !to || !std::is_permutation(from->begin(), from->end(), to->begin(), to->end())) return false;
     const Vec3 way = (*from)[1] - (*from)[0];
     const double reach = length(way);
     if (!(reach > 0)) return false;
