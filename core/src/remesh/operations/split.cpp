@@ -11,7 +11,7 @@ Vec3 Toolbox::normal_at(VertexIndex v) {
   if (guard.exact()) return guard.normal(patch, p);
   NearestFacet& nearest = nearest_facet[v];
   if (nearest.patch != patch || !(nearest.place == p)) nearest = {p, patch, guard.nearest_facet(patch, p)};
-  return guard.normal_of(nearest.facet);
+  return guard.normal_of(nearest.facet, p);
 }
 
 SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {
