@@ -52,7 +52,11 @@ def run(program, arguments, limit):
 
 
 def outcome_of(seed, folder, program, limit, as_default=False, light=False, options=False):
-    project = (RandomOptions if options else RandomModel)(seed, as_default, light).write(folder)
+    return judged_outcome((RandomOptions if options else RandomModel)(seed, as_default, light).write(folder), folder, program, limit, options)
+
+
+def judged_outcome(project, folder, program, limit, options=False):
+    """The outcome of a project in its folder, and why."""
     status, printed = run(program, [project, "--verbose", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it
         outcome = "asked" if estimated(printed) > LEAST_PACE * limit else "slow"

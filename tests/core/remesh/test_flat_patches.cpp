@@ -21,12 +21,11 @@ Vec3 at(double x, double y) { return {431000 + x, 6512000 + y, -1500 + 0.25 * x 
 /// Patch 0 lies in a plane; patch 1 is bent by a tenth of a degree.
 FlatPatches patches() {
   const Vec3 off{0, 0, 0.2};
-  SurfaceItems original;
-  original.faces = search::ClosestPointTrees({{{at(0, 0), at(100, 0), at(100, 100)}, 0, 0},
-                                              {{at(0, 0), at(100, 100), at(0, 100)}, 0, 1},
-                                              {{at(0, 0), at(100, 0), at(100, 100)}, 1, 2},
-                                              {{at(0, 0), at(100, 100), at(0, 100) + off}, 1, 3}},
-                                             2);
+  const search::TriangleSurfaces original({{{at(0, 0), at(100, 0), at(100, 100)}, 0, 0},
+                                           {{at(0, 0), at(100, 100), at(0, 100)}, 0, 1},
+                                           {{at(0, 0), at(100, 0), at(100, 100)}, 1, 2},
+                                           {{at(0, 0), at(100, 100), at(0, 100) + off}, 1, 3}},
+                                          2);
   return {original, 2, rounding};
 }
 

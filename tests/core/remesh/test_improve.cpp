@@ -97,7 +97,7 @@ TEST_CASE("Inner points too near to others go again where no shape falls below a
   const std::size_t n_added = over_cells(bench, 29, [&](Bench& b, CellIndex c) {
     const Tetrahedron& t = b.mesh.vertices(c);
     const Vec3 p = 0.7 * b.mesh.point(t[0]) + 0.1 * (b.mesh.point(t[1]) + b.mesh.point(t[2]) + b.mesh.point(t[3]));
-    return insert_inside(tools, p, c, {1e-3, 1e-6}).has_value();
+    return insert_inside(tools, p, c, {LocalLength(1e-3), 1e-6}).has_value();
   });
   REQUIRE(n_added > 10);
   const double crowded = worst();
@@ -117,7 +117,7 @@ TEST_CASE("Insertion inside and on surfaces keeps the mesh valid", "[improve]") 
   CHECK(over_cells(bench, 3, [](Bench& b, CellIndex c) {
           const Tetrahedron& t = b.mesh.vertices(c);
           const Vec3 p = 0.25 * (b.mesh.point(t[0]) + b.mesh.point(t[1]) + b.mesh.point(t[2]) + b.mesh.point(t[3]));
-          return insert_inside(b.tools, p, c, {1e-3, 1e-6}).has_value();
+          return insert_inside(b.tools, p, c, {LocalLength(1e-3), 1e-6}).has_value();
         }) > 5);
   CHECK(over_cells(bench, 3, [](Bench& b, CellIndex c) {
           for (unsigned i = 0; i < 4; ++i) {
@@ -125,7 +125,7 @@ TEST_CASE("Insertion inside and on surfaces keeps the mesh valid", "[improve]") 
             const Tetrahedron& t = b.mesh.vertices(c);
             const auto& f = face_vertices[i];
             const Vec3 p = (1.0 / 3) * (b.mesh.point(t[f[0]]) + b.mesh.point(t[f[1]]) + b.mesh.point(t[f[2]]));
-            if (insert_on_surface(b.tools, p, FaceRef(c, i), {1e-3, 1e-6})) return true;
+            if (insert_on_surface(b.tools, p, FaceRef(c, i), {LocalLength(1e-3), 1e-6})) return true;
           }
           return false;
         }) > 5);

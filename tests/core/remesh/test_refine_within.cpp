@@ -37,7 +37,7 @@ VertexIndex vertex_of_kind(const DomainMesh& mesh, VertexKind kind) {
 }
 
 /// Of faces alone: a result that is imported again has other numbers for its curves.
-Deviations verify_faces(const DomainMesh& mesh, const SurfaceItems& input, double tolerance) {
+Deviations verify_faces(const DomainMesh& mesh, const ReferenceModel& input, double tolerance) {
   Deviations found = verify_surfaces(mesh, input, LocalTolerance(tolerance), 2);
   std::erase_if(found.breaches, [](const Breach& b) { return b.on_curve; });
   return found;
@@ -85,7 +85,8 @@ std::size_t count_kind(const DomainMesh& mesh, VertexKind kind) {
 TEST_CASE("Whatever the tolerance, the result is proven to be within it both ways, and so are volumes", "[refine]") {
   const Model model = ball_in_box(5);
   const DomainMesh given = import_domain(model.plc, model.mesh, within(1, 1));
-  const SurfaceItems input = surface_items(given, given);
+  const search::TriangleSurfaces faces = faces_of(given), curves = curves_of(given);
+  const ReferenceModel input{faces, curves};
   const std::vector<double> before = component_volumes(model.mesh);
   double area = 0;
   for (const double a : facet_areas(model.plc, model.mesh)) area += a;
@@ -110,7 +111,8 @@ TEST_CASE("A vertex shifted by more than the tolerance is found, from the result
   const Model model = ball_in_box(4);
   const double tolerance = 0.01;
   const DomainMesh given = import_domain(model.plc, model.mesh, within(tolerance, 1));
-  const SurfaceItems input = surface_items(given, given);
+  const search::TriangleSurfaces faces = faces_of(given), curves = curves_of(given);
+  const ReferenceModel input{faces, curves};
   CHECK(verify_surfaces(given, input, LocalTolerance(tolerance), 1).breaches.empty());
   for (const VertexKind kind : {VertexKind::surface, VertexKind::curve}) {
     CAPTURE(static_cast<int>(kind));
@@ -258,7 +260,8 @@ TEST_CASE("What is off is mended by points on the input", "[refine]") {
   const SizeField size = build_size_field(model.plc, mesh, options, LocalTolerance()).all;
   RefineStatistics statistics;
   Toolbox tools(mesh, guard, size, statistics);
-  const SurfaceItems input = surface_items(given, given);
+  const search::TriangleSurfaces faces = faces_of(given), curves = curves_of(given);
+  const ReferenceModel input{faces, curves};
   REQUIRE(verify_faces(mesh, input, tolerance).breaches.empty());
   const std::size_t n_shifted = shift_surface_vertices(tools, 2.5 * tolerance);
   REQUIRE(n_shifted > 10);
@@ -280,7 +283,8 @@ TEST_CASE("Where splits alone may mend, no vertex moves", "[refine]") {
   for (const MendBy by : {MendBy::moves_and_splits, MendBy::splits}) {
     DomainMesh mesh = import_domain(model.plc, model.mesh, options);
     const SurfaceGuard guard(mesh, mesh, model.plc, Honour::tolerance, LocalTolerance(tolerance));
-    const SurfaceItems input = surface_items(mesh, mesh);
+    const search::TriangleSurfaces faces = faces_of(mesh), curves = curves_of(mesh);
+    const ReferenceModel input{faces, curves};
     const SizeField size({}, {});
     RefineStatistics statistics;
     Toolbox tools(mesh, guard, size, statistics);

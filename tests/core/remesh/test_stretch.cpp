@@ -33,7 +33,7 @@ std::vector<std::array<VertexIndex, 2>> short_edges_of(Toolbox& tools) {
     const Tetrahedron& t = tools.mesh.vertices(c);
     for (const auto& e : edge_vertices) {
       std::array<VertexIndex, 2> edge{std::min(t[e[0]], t[e[1]]), std::max(t[e[0]], t[e[1]])};
-      const double least = refine_ratios.promised_edge * tools.size_of_edge(edge[0], edge[1]);
+      const double least = tools.lengths.absolute(edge[0], edge[1], refine_ratios.promised_edge);
       if (distance(tools.mesh.point(edge[0]), tools.mesh.point(edge[1])) < least) found.push_back(edge);
     }
   }
@@ -87,7 +87,7 @@ TEST_CASE("A stretched edge is as long as asked, and no other edge becomes short
       const VertexIndex u = edge[turned], v = edge[!turned];
       const DomainMesh copy = mesh;
       const double before = worst_about(mesh, u);
-      const double length = refine_ratios.stretched_edge * b.tools.size_of_edge(u, v);
+      const double length = b.tools.lengths.absolute(u, v, refine_ratios.stretched_edge);
       const auto was_short = short_edges_of(b.tools);
       if (!std::ranges::binary_search(was_short, edge)) continue;  // a move before this one has mended it
       if (try_stretch(b.tools, u, v, length, floor)) {
@@ -130,7 +130,7 @@ TEST_CASE("A stretch that is mended leaves no cell worse than the worst or the r
   const RescueRule rule{mesh.measure().of_angle(20), 12, 30};
   std::size_t n_kept = 0;
   for (const auto& [u, v] : short_edges_of(b.tools)) {
-    const double before = worst_of(mesh), length = refine_ratios.stretched_edge * b.tools.size_of_edge(u, v);
+    const double before = worst_of(mesh), length = b.tools.lengths.absolute(u, v, refine_ratios.stretched_edge);
     n_kept += stretch_mending(b.tools, u, v, length, rule) || stretch_mending(b.tools, v, u, length, rule);
     CHECK(worst_of(mesh) >= std::min(before, rule.bad_shape));
     REQUIRE(mesh.validate() == "");

@@ -33,7 +33,7 @@ Index operate(Bench& b, std::mt19937& random) {
       case 1:
         return try_collapse(b.tools, u, v, CollapseRule::coarsen, 1e-3);
       case 2:
-        return insert_inside(b.tools, centre, c, {1e-3, 1e-6}).has_value();
+        return insert_inside(b.tools, centre, c, {LocalLength(1e-3), 1e-6}).has_value();
       case 3:
         return remove_edge(b.tools, c, u, v);
       case 4:

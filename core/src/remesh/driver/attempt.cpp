@@ -94,10 +94,8 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
 constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
 bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
-  return std::any_of(edge_vertices.begin(), edge_vertices.end(), [&](const auto& e) {
-    const double l = far_too_long * tools.size_of_edge(t[e[0]], t[e[1]]);
-    return squared_distance(tools.mesh.point(t[e[0]]), tools.mesh.point(t[e[1]])) > l * l;
-  });
+  return std::any_of(edge_vertices.begin(), edge_vertices.end(),
+                     [&](const auto& e) { return tools.lengths.is_longer(t[e[0]], t[e[1]], far_too_long); });
 }
 
 bool is_stuck(Toolbox& tools) {
@@ -131,7 +129,7 @@ void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const R
   for (unsigned round = 0; round < most_rounds && is_stuck(tools) && !has_borders_of_no_facet(tools.mesh); ++round) {
     input = export_domain(tools.mesh, input, context.threads);
     tools.mesh = {};
-    tools.vertex_size = {};
+    tools.lengths.forget_all();
     const bool is_fresh = mesh_anew(input, context);
     tools.mesh = import_domain(plc, input, options, patches);
     release_elements(input);

@@ -183,7 +183,7 @@ Constrained constrained_of(const DomainMesh& mesh) {
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
   constexpr double far_larger = 4;  // Sizes so large that almost every inner point is superfluous.
   constexpr unsigned rounds = 2;
-  const SizeField loose = tools.size.times(far_larger);
+  const SizeField loose = tools.lengths.field().times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
   apart.bad_cells_may_spread = true;
   for (unsigned round = 0; round < rounds; ++round) {

@@ -127,8 +127,9 @@ class Collapse {
     const double stretch = rule == CollapseRule::improve ? 1.8 : 1.4;
     for (const LinkFace& f : target_.link)
       for (const VertexIndex x : f.vertices) {
-        const double limit = stretch * tools_.size_of_edge(v_, x), l = squared_distance(p, mesh_.point(x));
-        if (l > limit * limit && l > squared_distance(mesh_.point(u_), mesh_.point(x))) return false;
+        const Vec3& q = mesh_.point(x);
+        if (tools_.lengths.is_longer(v_, x, stretch) && squared_distance(p, q) > squared_distance(mesh_.point(u_), q))
+          return false;
       }
     return true;
   }

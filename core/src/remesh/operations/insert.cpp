@@ -83,7 +83,7 @@ class SurfaceInsertion {
 
   /// Collects the faces of the patch whose circumcircle contains p, starting at the face that contains p; each is
   /// listed from both sides.
-  bool grow_on_surface(FaceRef home, double spacing) {
+  bool grow_on_surface(FaceRef home, const LocalLength& spacing) {
     std::vector<FaceRef> faces{home};
     const auto both = [&](FaceRef f) { return std::array{f, mesh_.cells().mirror(f)}; };
     const auto open = [&](FaceRef f) {
@@ -94,7 +94,7 @@ class SurfaceInsertion {
     for (std::size_t k = 0; k < faces.size() && faces.size() < 60; ++k) {
       const Triangle t = mesh_.face(faces[k]);
       for (unsigned j = 0; j < 3; ++j) {
-        if (squared_distance(mesh_.point(t[j]), p_) < spacing * spacing) return false;
+        if (spacing.exceeds(mesh_.point(t[j]) - p_)) return false;
         const FaceRef n = surface_neighbor(mesh_, faces[k], t[j], t[(j + 1) % 3]);
         if (!n.valid() || is_opened(n) || !in_circumcircle(mesh_.face(n))) continue;
         open(n);
@@ -108,7 +108,7 @@ class SurfaceInsertion {
   /// Finds the cells whose circumsphere contains p, without those that p does not see, if no vertex is nearer than
   /// `spacing`. A shape criterion in doubles selects the cells; visibility is decided exactly. Returns false if there
   /// is none.
-  bool find_cavity(double spacing) {
+  bool find_cavity(const LocalLength& spacing) {
     constexpr std::size_t most_cells = 400;
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
     Cavity cavity(mesh_.cells(), tools_.work.marks, tools_.work.cells, bases_);
@@ -157,11 +157,10 @@ class SurfaceInsertion {
 
   /// Returns whether p keeps its distance to all vertices of the cells, including those that would disappear inside the
   /// cavity.
-  bool keeps_spacing(double spacing) const {
-    const double limit = spacing * spacing;
+  bool keeps_spacing(const LocalLength& spacing) const {
     for (const CellIndex c : tools_.work.cells)
       for (const VertexIndex v : mesh_.vertices(c))
-        if (squared_distance(mesh_.point(v), p_) < limit) return false;
+        if (spacing.exceeds(mesh_.point(v) - p_)) return false;
     return true;
   }
 

@@ -91,9 +91,8 @@ class InsideInsertion {
   }
   template <class Vertices>
   bool keeps_spacing(const Vertices& vertices) const {
-    return std::none_of(vertices.begin(), vertices.end(), [&](VertexIndex v) {
-      return squared_distance(mesh_.point(v), p_) < rule_.spacing * rule_.spacing;
-    });
+    return std::none_of(vertices.begin(), vertices.end(),
+                        [&](VertexIndex v) { return rule_.spacing.exceeds(mesh_.point(v) - p_); });
   }
 
   void collect_border(const Cavity& cavity) {

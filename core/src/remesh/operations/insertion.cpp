@@ -86,13 +86,13 @@ bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex 
 
 bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, double room) {
   Index last = cavity.link[0].component;
-  double h = tools.size.at(p, last);
+  LocalLength size = tools.lengths.at(p, last);
   for (const LinkFace& f : cavity.link)
-    if (f.component != last) h = std::min(h, tools.size.at(p, last = f.component));
-  const double limit = room * h * room * h;
+    if (f.component != last) size = least(size, tools.lengths.at(p, last = f.component));
+  const LocalLength limit = room * size;
   return std::all_of(cavity.link.begin(), cavity.link.end(), [&](const LinkFace& f) {
-    return std::all_of(f.vertices.begin(), f.vertices.end(),
-                       [&](VertexIndex v) { return squared_distance(tools.mesh.point(v), p) >= limit; });
+    return std::none_of(f.vertices.begin(), f.vertices.end(),
+                        [&](VertexIndex v) { return limit.exceeds(tools.mesh.point(v) - p); });
   });
 }
 
@@ -101,15 +101,15 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
 bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
   if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;
-  const double limit = point_limits.thin_gap * tools.size.at(p, cavity.link[0].component);
+  const LocalLength limit = point_limits.thin_gap * tools.lengths.at(p, cavity.link[0].component);
   std::vector<Vec3> ways;  // to surfaces
   const auto closes_gap = [&](CellIndex c, unsigned i) {
     const auto [q, r, s] = mesh.places(mesh.face(c, i));
     const Vec3 way = search::closest_on_triangle(p, q, r, s) - p;
-    const double l = length(way);
-    if (!(l < limit)) return false;
-    const bool closes =
-        std::any_of(ways.begin(), ways.end(), [&](const Vec3& w) { return dot(way, w) < 0 && l + length(w) < limit; });
+    const double l = limit.measure(way);
+    if (!(l < 1)) return false;
+    const bool closes = std::any_of(ways.begin(), ways.end(),
+                                    [&](const Vec3& w) { return dot(way, w) < 0 && l + limit.measure(w) < 1; });
     ways.push_back(way);
     return closes;
   };

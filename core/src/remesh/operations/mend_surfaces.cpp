@@ -102,7 +102,7 @@ class Mender {
       gather_star(mesh_, v, tools_.work.marks, tools_.work.cavity);
       mesh_.move_vertex(v, target_);
       for (const CellIndex c : tools_.work.cavity.cells) mesh_.refresh_shape(c);
-      tools_.forget_size(v);
+      tools_.lengths.forget(v);
     });
   }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "geomesh/core/refine.hpp"
+#include "remesh/lengths/relative_lengths.hpp"
 #include "remesh/tolerance/surface_guard.hpp"
 
 namespace geomesh::remesh {
@@ -16,10 +17,9 @@ namespace geomesh::remesh {
 struct Toolbox {
   DomainMesh& mesh;
   const SurfaceGuard& guard;
-  const SizeField& size;
   RefineStatistics& statistics;
   Workspace work;
-  std::vector<double> vertex_size;  ///< target size of each vertex; negative if not yet evaluated
+  RelativeLengths lengths;
   /// The nearest item of each vertex in its patch, with the place for which it was found. It is needed often, so it is
   /// kept.
   struct NearestFacet {
@@ -37,22 +37,7 @@ struct Toolbox {
   MeshBlocks::Rules block_rules;
 
   Toolbox(DomainMesh& m, const SurfaceGuard& g, const SizeField& s, RefineStatistics& st)
-      : mesh(m), guard(g), size(s), statistics(st) {}
-  /// The target size at a vertex, evaluated at its place for the component of one of its cells. It is kept until
-  /// forget_size is called.
-  double size_at(VertexIndex v) {
-    if (v >= vertex_size.size() || vertex_size[v] < 0) [[unlikely]]
-      ask_size(v);
-    return vertex_size[v];
-  }
-  /// Evaluates all sizes of vertices that are not yet known, in parallel. Afterwards size_at changes nothing.
-  void know_sizes(unsigned threads);
-  /// Stores the size at the vertex, which has been evaluated elsewhere.
-  void set_size(VertexIndex v, double size);
-  void forget_size(VertexIndex v) {
-    if (v < vertex_size.size()) vertex_size[v] = -1;
-  }
-  double size_of_edge(VertexIndex a, VertexIndex b) { return 0.5 * (size_at(a) + size_at(b)); }
+      : mesh(m), guard(g), statistics(st), lengths(m, s) {}
   /// Normal of the input surface at a vertex on a surface. Can be called for several vertices concurrently, once there
   /// is room for all.
   Vec3 normal_at(VertexIndex v);
@@ -87,15 +72,6 @@ struct Toolbox {
     if (!borders_stay) return false;
     return curve != no_index || (!cavity.spokes.empty() && mesh.patch_of_facet(cavity.spokes[0].facet) == hull_patch);
   }
-  /// The mean of the sizes at the cell's vertices.
-  double size_of_cell(CellIndex c) {
-    double sum = 0;
-    for (const VertexIndex v : mesh.vertices(c)) sum += size_at(v);
-    return sum / 4;
-  }
-
- private:
-  void ask_size(VertexIndex v);
 };
 
 /// Splits the edge (a, b) of cell c at its midpoint, or at `place`, a point of its curve or patch. The new vertex lies
@@ -133,7 +109,7 @@ struct Sphere {
 };
 
 struct InsertionRule {
-  double spacing = 0;                         ///< no vertex of the cavity may be nearer to the point than this
+  LocalLength spacing;                        ///< no vertex of the cavity may be nearer to the point than this
   double min_shape = 0;                       ///< the worst new shape must be above this
   const PodArray<Sphere>* spheres = nullptr;  ///< spheres of all live cells, if the caller has them
 };

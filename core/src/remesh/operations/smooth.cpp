@@ -174,7 +174,7 @@ class Smoother {
       return false;
     mesh_.move_vertex(v_, p);
     for (std::size_t k = 0; k < cavity_.cells.size(); ++k) mesh_.set_shape(cavity_.cells[k], shapes[k]);
-    tools_.forget_size(v_);
+    tools_.lengths.forget(v_);
     return true;
   }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Splits an edge at its middle. Declared in remesh/operations/operations.hpp.
-#include "common/parallel.hpp"
 #include "quality/measure/shape.hpp"
 #include "remesh/operations/operations.hpp"
 
@@ -12,25 +11,7 @@ Vec3 Toolbox::normal_at(VertexIndex v) {
   if (guard.exact()) return guard.normal(patch, p);
   NearestFacet& nearest = nearest_facet[v];
   if (nearest.patch != patch || !(nearest.place == p)) nearest = {p, patch, guard.nearest_facet(patch, p)};
-  return guard.normal_of(nearest.facet);
-}
-
-void Toolbox::ask_size(VertexIndex v) { set_size(v, size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)))); }
-
-void Toolbox::know_sizes(unsigned threads) {
-  const bool asks_caller =
-      size.limits().background != nullptr;  // A function of the caller is evaluated on one thread only.
-  if (vertex_size.size() < mesh.n_vertices()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 16 + 1, -1);
-  for_each_index(mesh.n_vertices(), asks_caller ? 1 : thread_count(threads), [&](std::size_t i) {
-    const auto v = static_cast<VertexIndex>(i);
-    if (vertex_size[v] < 0 && mesh.kind(v) != VertexKind::dead)
-      vertex_size[v] = size.at(mesh.point(v), mesh.component(mesh.incident_cell(v)));
-  });
-}
-
-void Toolbox::set_size(VertexIndex v, double h) {
-  if (v >= vertex_size.size()) vertex_size.resize(mesh.n_vertices() + mesh.n_vertices() / 4 + 1, -1);
-  vertex_size[v] = h;
+  return guard.normal_of(nearest.facet, p);
 }
 
 SurfacePart surface_of(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p) {

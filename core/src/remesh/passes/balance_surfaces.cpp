@@ -36,7 +36,7 @@ class Mover {
     if (!may_move(p, mesh_.point(v), cavity)) return false;
     mesh_.move_vertex(v, p);
     for (const CellIndex c : cavity.cells) mesh_.refresh_shape(c);
-    tools_.forget_size(v);
+    tools_.lengths.forget(v);
     return true;
   }
 

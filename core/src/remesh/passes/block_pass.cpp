@@ -94,7 +94,7 @@ void BlockPass::note_counts(std::string_view name) const {
 void BlockPass::visit_block(BlockEdit& block, const std::vector<VertexIndex>& vertices,
                             std::vector<VertexIndex>& stopped, RefineStatistics& statistics, const Visit& visit) {
   Workspace& scratch = scratch_.local();
-  Toolbox own(tools_.mesh, tools_.guard, tools_.size, statistics);
+  Toolbox own(tools_.mesh, tools_.guard, tools_.lengths.field(), statistics);
   own.bad_cells_may_spread = tools_.bad_cells_may_spread;
   own.borders_stay = tools_.borders_stay;
   own.points_in_thin_gaps = tools_.points_in_thin_gaps;

@@ -40,7 +40,7 @@ class ComponentRefiner {
     for (MeshPart& part : tools.mesh.take_apart()) {
       Work& work = works_.emplace_back();
       work.part = std::move(part);
-      work.tools.emplace(work.part.mesh, tools.guard, tools.size, work.statistics);
+      work.tools.emplace(work.part.mesh, tools.guard, tools.lengths.field(), work.statistics);
       work.n_cells = work.part.mesh.n_cells();
       work.volume = volume_of(work.part.mesh);
     }
@@ -49,9 +49,7 @@ class ComponentRefiner {
   std::size_t run() {
     const std::vector<std::size_t> order = largest_first();
     std::atomic<std::size_t> next = 0;
-    const bool asks_caller =
-        tools_.size.limits().background != nullptr;  // A function of the caller is evaluated on one thread only.
-    const unsigned threads = asks_caller ? 1 : thread_count(context_.threads);
+    const unsigned threads = tools_.lengths.asks_caller() ? 1 : thread_count(context_.threads);
     for_each_task(std::min<std::size_t>(threads, order.size()), threads, [&](std::size_t) {
       for (std::size_t k; (k = next++) < order.size();) refine(works_[order[k]]);
     });
@@ -91,22 +89,23 @@ class ComponentRefiner {
     if (n_cells > max_cells_) throw_too_many_cells(max_cells_);
   }
 
-  /// Returns the number of new points. Their sizes are already known.
+  /// Returns the number of new points. The sizes at them are already known.
   std::size_t put_together() {
     std::vector<MeshPart> parts;
-    std::vector<double> sizes;
+    std::vector<double> known;
     for (Work& work : works_) {
-      for (auto v = static_cast<VertexIndex>(work.part.vertices.size()); v < work.part.mesh.n_vertices(); ++v)
-        sizes.push_back(work.tools->size_at(v));
+      const std::vector<double> of_part =
+          work.tools->lengths.known_from(static_cast<VertexIndex>(work.part.vertices.size()));
+      known.insert(known.end(), of_part.begin(), of_part.end());
       tools_.statistics.points_inside += work.statistics.points_inside;
       work.tools.reset();
       parts.push_back(std::move(work.part));
     }
-    auto v = static_cast<VertexIndex>(tools_.mesh.n_vertices());
+    const auto first = static_cast<VertexIndex>(tools_.mesh.n_vertices());
     tools_.mesh.put_together(std::move(parts), context_.threads);
-    for (const double size : sizes) tools_.set_size(v++, size);
+    tools_.lengths.add_known(first, known);
     check_limit(tools_.mesh.n_cells());
-    return sizes.size();
+    return known.size();
   }
 
   Toolbox& tools_;

@@ -68,7 +68,7 @@ class InsideRefiner {
 
   /// Returns the large cells.
   std::vector<CellIndex> measure_all(unsigned threads) {
-    tools_.know_sizes(threads);
+    tools_.lengths.evaluate(threads);
     make_room();
     for_each_index(mesh_.n_slots(), thread_count(threads), [&](std::size_t c) {
       if (mesh_.is_live(static_cast<CellIndex>(c))) measure(static_cast<CellIndex>(c));
@@ -88,7 +88,7 @@ class InsideRefiner {
   void measure(CellIndex c) {
     const Sphere s = circumsphere(mesh_, c);
     if (keeps_spheres_) spheres_[c] = s;
-    large_[c] = !(s.radius <= refine_ratios.large_cell * tools_.size_of_cell(c));
+    large_[c] = !(s.radius <= refine_ratios.large_cell * tools_.lengths.size_of_cell(c));
   }
   Sphere sphere_of(CellIndex c) const { return keeps_spheres_ ? spheres_[c] : circumsphere(mesh_, c); }
   bool is_large(CellIndex c) const { return large_[c]; }
@@ -101,7 +101,8 @@ class InsideRefiner {
     std::vector<std::pair<int, CellIndex>> keyed;
     keyed.reserve(cells.size());
     for (const CellIndex c : cells)
-      keyed.push_back({static_cast<int>(std::floor(classes_a_doubling * std::log2(tools_.size_of_cell(c)))), c});
+      keyed.push_back(
+          {static_cast<int>(std::floor(classes_a_doubling * std::log2(tools_.lengths.size_of_cell(c)))), c});
     std::sort(keyed.begin(), keyed.end());
     for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
   }
@@ -151,7 +152,7 @@ class InsideRefiner {
   bool crowds_corner(const Vec3& p, CellIndex c) {
     const Tetrahedron& t = mesh_.vertices(c);
     double h = std::numeric_limits<double>::infinity();
-    for (const VertexIndex v : t) h = std::min(h, tools_.size_at(v));
+    for (const VertexIndex v : t) h = std::min(h, tools_.lengths.size_at(v));
     const double limit = spacing_ratio * spacing_ratio * h * h;
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
   }
@@ -159,7 +160,7 @@ class InsideRefiner {
   /// The smaller one of the size at p and `at_most`.
   double size_near(const Vec3& p, CellIndex c, double at_most = std::numeric_limits<double>::infinity()) {
     const VertexIndex v = mesh_.vertices(c)[0];
-    return tools_.size.at_beside(p, mesh_.component(c), mesh_.point(v), tools_.size_at(v), at_most);
+    return tools_.lengths.field().at_beside(p, mesh_.component(c), mesh_.point(v), tools_.lengths.size_at(v), at_most);
   }
 
   /// Returns whether a vertex of the cell is too near to p, estimated by the sizes at the vertices and how fast sizes
@@ -169,7 +170,7 @@ class InsideRefiner {
     const Tetrahedron& t = mesh_.vertices(c);
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) {
       const double d = distance(mesh_.point(v), p);
-      return d < rounding * spacing_ratio * (tools_.size_at(v) - steepest_ * d);
+      return d < rounding * spacing_ratio * (tools_.lengths.size_at(v) - steepest_ * d);
     });
   }
 
@@ -188,8 +189,9 @@ class InsideRefiner {
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
     if (h >= crowded) return std::nullopt;
     const auto v = insert_in_cell(
-        tools_, p, *home, {spacing_ratio * h, refine_ratios.inside_shape, keeps_spheres_ ? &spheres_ : nullptr});
-    if (v) tools_.set_size(*v, h);
+        tools_, p, *home,
+        {LocalLength(spacing_ratio * h), refine_ratios.inside_shape, keeps_spheres_ ? &spheres_ : nullptr});
+    if (v) tools_.lengths.set_size(*v, h);
     return v;
   }
 
@@ -212,7 +214,7 @@ class InsideRefiner {
     const double nn = dot(n, n);
     if (!(nn > 0)) return std::nullopt;
     const Vec3 offset = offset_of_circumcentre(mesh_, t);
-    const double h = (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3, r2 = dot(offset, offset);
+    const double h = tools_.lengths.size_of_face(t), r2 = dot(offset, offset);
     if (r2 > h * h) return std::nullopt;                                             // The face itself is too large.
     const Vec3 base = mesh_.point(t[0]) + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
     const auto height_of = [&](double edge) {
@@ -244,7 +246,7 @@ class InsideRefiner {
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
-  const double steepest_ = tools_.size.steepest();
+  const double steepest_ = tools_.lengths.field().steepest();
   std::vector<std::uint64_t> starts_{0};  // the mesh's time at the start of each pass; passes count from 1
   bool keeps_spheres_;                    // if many points are inserted, the sphere of each cell is needed repeatedly
   PodArray<Sphere> spheres_;              // sphere of each cell, if kept

@@ -20,7 +20,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   std::optional<Toolbox> apart;
   const auto inside = [&]() -> Toolbox& {  // needed once surfaces have their target sizes
     if (!(options.sparse_growth > 0)) return tools;
-    sparse.emplace(sparse_sizes(tools.mesh, tools.size, options));
+    sparse.emplace(sparse_sizes(tools.mesh, tools.lengths.field(), options));
     apart.emplace(tools.mesh, tools.guard, *sparse, tools.statistics);
     apart->bad_cells_may_spread = tools.bad_cells_may_spread;
     return *apart;

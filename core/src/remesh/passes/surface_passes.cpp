@@ -15,7 +15,7 @@ namespace geomesh::remesh {
 namespace {
 
 struct MeasuredEdge {
-  double ratio;  ///< length divided by target size
+  double ratio;  ///< length relative to the target size
   VertexIndex a, b;
   bool operator<(const MeasuredEdge& o) const {
     return ratio != o.ratio ? ratio < o.ratio : std::pair(a, b) > std::pair(o.a, o.b);
@@ -84,7 +84,7 @@ class EdgeSplitter {
   bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) {
     const EdgeFaces faces = look_about(c, a, b);
     const Vec3 &p = mesh_.point(a), along = mesh_.point(b) - p;
-    const double limit = refine_ratios.hair * tools_.size_of_edge(a, b) * length(along);
+    const double limit = tools_.lengths.absolute(a, b, refine_ratios.hair) * length(along);
     return faces.n == 2 && std::all_of(faces.at.begin(), faces.at.end(), [&](std::size_t k) {
              return length(cross(along, mesh_.point(ring_[k]) - p)) <= limit;
            });
@@ -102,7 +102,7 @@ class EdgeSplitter {
       if (only != no_vertex && a != only && b != only && !on_constrained_face(mesh_, c, e[0], e[1])) continue;
       const bool is_of_curve = mesh_.curve_of(a, b) != no_index;
       if (which_ == LongEdges::of_curves ? !is_of_curve : !on_constrained_face(mesh_, c, e[0], e[1])) continue;
-      const double ratio = distance(mesh_.point(a), mesh_.point(b)) / tools_.size_of_edge(a, b);
+      const double ratio = tools_.lengths.length(a, b);
       if (ratio > refine_ratios.split_edge) queue_.push({ratio, a, b});
     }
   }
@@ -122,7 +122,7 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
                                       const RunContext& context) {
   constexpr std::size_t chunk = 16384;
   const DomainMesh& mesh = tools.mesh;
-  tools.know_sizes(context.threads);
+  tools.lengths.evaluate(context.threads);
   std::vector<std::vector<MeasuredEdge>> found((mesh.n_slots() + chunk - 1) / chunk);
   for_each_task(found.size(), thread_count(context.threads), [&](std::size_t k) {
     const auto end = static_cast<CellIndex>(std::min<std::size_t>(mesh.n_slots(), (k + 1) * chunk));
@@ -134,8 +134,7 @@ std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double r
         const bool is_inside = mesh.kind(a) == VertexKind::inside || mesh.kind(b) == VertexKind::inside;
         if (is_inside != (which == ShortEdges::inside)) continue;
         if (since > 0 && std::max(mesh.changed_at(a), mesh.changed_at(b)) <= since) continue;
-        const double size = tools.size_of_edge(a, b), squared = squared_distance(mesh.point(a), mesh.point(b));
-        if (squared < ratio * ratio * size * size) found[k].push_back({std::sqrt(squared) / size, a, b});
+        if (tools.lengths.is_shorter(a, b, ratio)) found[k].push_back({tools.lengths.length(a, b), a, b});
       }
     }
   });
@@ -200,9 +199,9 @@ std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule&
   const std::size_t n = collapse_edges(
       tools, edges, context, [&](VertexIndex u, VertexIndex v) { return collapse_mending(tools, u, v, rule); });
   return n + collapse_edges(tools, edges, context, [&](VertexIndex u, VertexIndex v) {
-           const double length = refine_ratios.stretched_edge * tools.size_of_edge(u, v);
-           return squared_distance(tools.mesh.point(u), tools.mesh.point(v)) < length * length &&
-                  stretch_mending(tools, u, v, length, rule);
+           constexpr double wanted = refine_ratios.stretched_edge;
+           return tools.lengths.is_shorter(u, v, wanted) &&
+                  stretch_mending(tools, u, v, tools.lengths.absolute(u, v, wanted), rule);
          });
 }
 

@@ -57,11 +57,10 @@ class SurfaceRefiner {
     }
   }
 
-  double size_of(const Triangle& t) { return (tools_.size_at(t[0]) + tools_.size_at(t[1]) + tools_.size_at(t[2])) / 3; }
   /// Returns whether the circumradius is too large and at least one edge is clearly longer than its target. Slim faces
   /// between short edges are left to other passes.
   bool is_large(const Triangle& t) {
-    const double h = size_of(t);
+    const double h = tools_.lengths.size_of_face(t);
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       longest = std::max(longest, squared_distance(mesh_.point(t[k]), mesh_.point(t[(k + 1) % 3])));
@@ -94,8 +93,8 @@ class SurfaceRefiner {
   }
 
   std::optional<VertexIndex> insert(const Vec3& p, const SurfaceItem& s) {
-    const double h = tools_.size.at(p, mesh_.component(s.face.cell()));
-    return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * h, refine_ratios.surface_shape});
+    const LocalLength size = tools_.lengths.at(p, mesh_.component(s.face.cell()));
+    return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * size, refine_ratios.surface_shape});
   }
 
   /// An edge belongs to the front if it is part of a curve or not longer than 1.2 times its size.
@@ -106,7 +105,7 @@ class SurfaceRefiner {
     for (unsigned k = 0; k < 3; ++k) {
       const Vec3 &a = mesh_.point(t[k]), &b = mesh_.point(t[(k + 1) % 3]), middle = 0.5 * (a + b),
                  inward = cross(n, b - a);
-      const double h = tools_.size_of_edge(t[k], t[(k + 1) % 3]), half = 0.25 * squared_distance(a, b),
+      const double h = tools_.lengths.absolute(t[k], t[(k + 1) % 3], 1), half = 0.25 * squared_distance(a, b),
                    l = length(inward);
       if (!(l > 0) || 4 * half > long_squared * h * h) continue;
       const Vec3 direction = (1 / l) * inward;

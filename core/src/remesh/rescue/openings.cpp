@@ -88,7 +88,8 @@ class Opening {
   }
 
   bool insert(CellIndex c) {
-    return insert_inside(tools_, place_in(mesh_.places(mesh_.vertices(c))), c, {0, opening_shape}).has_value();
+    return insert_inside(tools_, place_in(mesh_.places(mesh_.vertices(c))), c, {.min_shape = opening_shape})
+        .has_value();
   }
 
   bool insert_on_face(CellIndex c) {
@@ -97,7 +98,7 @@ class Opening {
       const unsigned i = (first + k) & 3u;
       if (!mesh_.tag(c, i).constrained()) continue;
       const Vec3 p = place_in(mesh_.places(mesh_.face(c, i)));
-      return insert_on_surface(tools_, p, FaceRef(c, i), {0, opening_shape}).has_value();
+      return insert_on_surface(tools_, p, FaceRef(c, i), {.min_shape = opening_shape}).has_value();
     }
     return false;
   }

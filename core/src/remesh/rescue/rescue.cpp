@@ -294,7 +294,7 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
     for (const CellIndex k : cells_about(tools, t))
       if (opens([&] {
             const Vec3 middle = tools.mesh.middle(tools.mesh.vertices(k));
-            return insert_inside(tools, middle, k, {.spacing = 0, .min_shape = opening_shape}).has_value();
+            return insert_inside(tools, middle, k, {.min_shape = opening_shape}).has_value();
           }))
         return true;
   }

@@ -51,9 +51,10 @@ class Stretch {
     for (const LinkFace& f : star_.link)
       for (const VertexIndex x : f.vertices) {
         if (x == v_) continue;
-        const double least = refine_ratios.promised_edge * tools_.size_of_edge(u_, x);
-        const double l = squared_distance(p, mesh_.point(x));
-        if (l < least * least && l < squared_distance(old_, mesh_.point(x))) return false;
+        const Vec3& q = mesh_.point(x);
+        if (tools_.lengths.is_shorter(u_, p, x, refine_ratios.promised_edge) &&
+            squared_distance(p, q) < squared_distance(old_, q))
+          return false;
       }
     return true;
   }
@@ -66,7 +67,7 @@ class Stretch {
   void commit(const Vec3& p) {
     mesh_.move_vertex(u_, p);
     for (const CellIndex c : star_.cells) mesh_.set_shape(c, mesh_.shape(mesh_.vertices(c)));
-    tools_.forget_size(u_);
+    tools_.lengths.forget(u_);
     ++tools_.statistics.smoothing_moves;
   }
 

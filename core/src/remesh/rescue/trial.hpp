@@ -24,7 +24,7 @@ class Trial {
   Trial& operator=(const Trial&) = delete;
   ~Trial() {
     if (!kept_) {
-      tools_.mesh.for_each_trial_vertex([&](VertexIndex v) { tools_.forget_size(v); });
+      tools_.mesh.for_each_trial_vertex([&](VertexIndex v) { tools_.lengths.forget(v); });
       tools_.mesh.undo_trial();
       tools_.statistics = statistics_;
     }

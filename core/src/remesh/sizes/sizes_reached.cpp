@@ -45,7 +45,7 @@ struct EdgeEnds {
 double share_of_edges_within_size(Toolbox& tools, unsigned asked_threads) {
   const unsigned threads = thread_count(asked_threads);
   const DomainMesh& mesh = tools.mesh;
-  tools.know_sizes(threads);
+  tools.lengths.evaluate(threads);
   EdgeEnds edges(mesh, threads);
   std::atomic<std::size_t> n = 0, within = 0;
   for_each_index(mesh.n_vertices(), threads, [&](std::size_t v) {
@@ -55,7 +55,7 @@ double share_of_edges_within_size(Toolbox& tools, unsigned asked_threads) {
     const auto last = std::unique(ends.begin(), ends.end());
     std::size_t n_within = 0;
     for (auto b = ends.begin(); b != last; ++b) {
-      const double ratio = distance(mesh.point(a), mesh.point(*b)) / tools.size_of_edge(a, *b);
+      const double ratio = tools.lengths.length(a, *b);
       n_within += ratio >= 0.5 && ratio <= 2;
     }
     n += static_cast<std::size_t>(last - ends.begin());

@@ -49,10 +49,10 @@ double signed_area(const std::array<Vec2, 3>& t) {
   return (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
 }
 
-FlatPatches::FlatPatches(const SurfaceItems& original, Index n_patches, double rounding)
+FlatPatches::FlatPatches(const search::TriangleSurfaces& original, Index n_patches, double rounding)
     : planes_(n_patches), rounding_(rounding) {
   std::vector<double> largest(n_patches, 0);
-  for (const auto& item : original.faces.items()) {
+  for (const auto& item : original.pieces()) {
     const Vec3 n = area_vector(item.corners);
     if (const double area = length(n); area > largest[item.group]) {
       largest[item.group] = area;
@@ -60,7 +60,7 @@ FlatPatches::FlatPatches(const SurfaceItems& original, Index n_patches, double r
     }
   }
   std::vector<bool> is_flat(n_patches, true);
-  for (const auto& item : original.faces.items())
+  for (const auto& item : original.pieces())
     if (!is_in_plane({item.corners, item.group})) is_flat[item.group] = false;
   for (Index p = 0; p < n_patches; ++p)
     if (!is_flat[p]) planes_[p] = {};

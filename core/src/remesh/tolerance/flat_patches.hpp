@@ -40,7 +40,7 @@ class FlatPatches {
  public:
   FlatPatches() = default;
   /// `original`: its faces, by patch. `rounding`: the distance from a plane that rounding alone makes. O(faces).
-  FlatPatches(const SurfaceItems& original, Index n_patches, double rounding);
+  FlatPatches(const search::TriangleSurfaces& original, Index n_patches, double rounding);
 
   /// Whether `after` covers what `before` does. Both have the same border but for their curves, and the same patches.
   /// False: a patch is not flat, a corner is off its plane, a face is turned over or has no area, or the curves are not

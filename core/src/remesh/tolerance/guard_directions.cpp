@@ -22,7 +22,7 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
     if (faces[k].patch != patch) continue;
     if (over[k] == no_index) return false;
     const auto& [a, b, c] = faces[k].corners;
-    const double s = dot(cross(b - a, c - a), planes_[over[k]].normal);
+    const double s = dot(cross(b - a, c - a), given_->normal(over[k], (1.0 / 3) * (a + b + c)));
     if (!(s * side >= 0) || s == 0) return false;
     side = s < 0 ? -1 : 1;
   }

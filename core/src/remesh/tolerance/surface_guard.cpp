@@ -112,8 +112,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     : honour_(honour),
       tolerance_(hold.margin * tolerance.greatest()),
       zones_(hold.zones),
-      proving_(Proving{
-          search::DistanceProver(proven_share * tolerance.greatest()), {}, {}, search::RecentPlaces(n_recent_places)}),
+      recent_(search::RecentPlaces(n_recent_places)),
       allowed_(std::move(tolerance)),
       reach_(allowed_.greatest()) {
   for (const Vec3& p : plc.points)
@@ -122,11 +121,16 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
     find_planes(mesh, plc);
     return;
   }
-  for (Index f = 0; f < plc.n_facets(); ++f)
-    planes_.push_back({unit(loop_normal(plc.points, plc.outer_loop(f))), plc.points[plc.outer_loop(f)[0]]});
-  given_ = surface_items(given, mesh);
+  given_ = hold.surfaces;
+  given_curves_ = curves_of(mesh);
   oriented_ = patches_oriented_alike(given);
-  flat_ = FlatPatches(given_, static_cast<Index>(given.n_patches()), rounding_);
+  if (!given_) {
+    std::vector<Vec3> normals;
+    for (Index f = 0; f < plc.n_facets(); ++f) normals.push_back(unit(loop_normal(plc.points, plc.outer_loop(f))));
+    const auto triangles = std::make_shared<search::TriangleSurfaces>(faces_of(given, std::move(normals)));
+    flat_ = FlatPatches(*triangles, static_cast<Index>(given.n_patches()), rounding_);
+    given_ = triangles;
+  }
   std::vector<search::ClosestPointTrees::Item> boxes;
   for (const TightZone& zone : zones_)
     boxes.push_back({{zone.box.min, zone.box.max, zone.box.max}, 0, static_cast<Index>(boxes.size())});
@@ -134,7 +138,7 @@ SurfaceGuard::SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, cons
 }
 
 double SurfaceGuard::share_about(std::span<const Vec3> points) const {
-  double least = allowed_.least_at(points, proving_.local().recent);
+  double least = allowed_.least_at(points, recent_.local());
   if (zones_.empty()) return least / reach_;
   Box3 box;
   for (const Vec3& p : points) box.add(p);
@@ -179,36 +183,22 @@ void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComp
   }
 }
 
-Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_.faces.closest(p, patch).item; }
+Index SurfaceGuard::nearest_facet(Index patch, const Vec3& p) const { return given_->closest(p, patch).item; }
 
 Vec3 SurfaceGuard::normal(Index patch, const Vec3& p) const {
-  return normal_of(exact() ? patch : nearest_facet(patch, p));
+  if (!exact()) return given_->normal(nearest_facet(patch, p), p);
+  return patch < planes_.size() ? planes_[patch].normal : Vec3{};
 }
 
-Vec3 SurfaceGuard::normal_of(Index row) const { return row < planes_.size() ? planes_[row].normal : Vec3{}; }
-
 Vec3 SurfaceGuard::project_to_patch(Index patch, const Vec3& p) const {
-  if (!exact()) return given_.faces.closest(p, patch).point;
+  if (!exact()) return given_->closest(p, patch).point;
   const Plane& plane = planes_[patch];
   Vec3 q = p - dot(p - plane.point, plane.normal) * plane.normal;
   if (plane.axis < 3) q[plane.axis] = plane.point[plane.axis];
   return q;
 }
 
-Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_.curves.closest(p, curve).point; }
-
-bool SurfaceGuard::is_even_about(const Box3& box, Index patch) const {
-  Vec3 sum;
-  Index n = 0;
-  const auto visit = [&](const auto& what) {
-    given_.faces.for_each_in(box, patch, [&](const auto& item) { what(planes_[item.id].normal); });
-  };
-  visit([&](const Vec3& normal) { sum = sum + normal, ++n; });
-  const double least = even_cosine * length(sum);
-  bool is_even = n > 0;
-  visit([&](const Vec3& normal) { is_even &= dot(normal, sum) >= least; });
-  return is_even;
-}
+Vec3 SurfaceGuard::project_to_curve(Index curve, const Vec3& p) const { return given_curves_.closest(p, curve).point; }
 
 bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                   const std::vector<SurfaceFace>& around) const {
@@ -219,7 +209,7 @@ bool SurfaceGuard::reference_near(const std::vector<SurfaceFace>& before, const 
     Box3 box;
     for (const SurfaceFace& f : before)
       if (f.patch == patch) box = joined(box, search::box_about(f.corners, tolerance_));
-    return is_even_about(box, patch) || samples_near(patch, box, before, after, around);
+    return given_->is_even(box, patch, even_cosine) || samples_near(patch, box, before, after, around);
   });
 }
 
@@ -227,7 +217,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
                                 const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const {
   const FaceSet old_faces(before, patch), new_faces(after, patch), others(around, patch);
   bool near = true;
-  given_.faces.for_each_in(box, patch, [&](const auto& item) {
+  given_->visit_pieces(box, patch, [&](const auto& item) {
     if (!near) return;
     for_each_reference_sample(item.corners, reach_, [&](const Vec3& p) {
       if (!near || !contains(box, p)) return;
@@ -243,12 +233,12 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
   for (const CurvePiece& c : after) {
     const double limit = share_about(std::array{c.a, c.b}) * tolerance_;
     for (const double t : {0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0})
-      if (!(given_.curves.closest((1 - t) * c.a + t * c.b, c.curve, limit).distance <= limit)) return false;
+      if (!(given_curves_.closest((1 - t) * c.a + t * c.b, c.curve, limit).distance <= limit)) return false;
   }
   // The removed curve edges must be within the tolerance of the new ones, which is tested at their ends and between.
   for (const CurvePiece& c : before)
     for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-      const Vec3 p = given_.curves.closest((1 - t) * c.a + t * c.b, c.curve).point;
+      const Vec3 p = given_curves_.closest((1 - t) * c.a + t * c.b, c.curve).point;
       double best = std::numeric_limits<double>::infinity();
       for (const CurvePiece& d : after)
         if (d.curve == c.curve) best = std::min(best, distance(p, search::closest_on_segment(p, d.a, d.b)));
@@ -258,19 +248,7 @@ bool SurfaceGuard::curves_near(const std::vector<CurvePiece>& before, const std:
 }
 
 bool SurfaceGuard::is_proven_within(const SurfaceFace& f, double limit, Index& over) const {
-  Proving& proving = proving_.local();
-  auto& [prover, nearby, rows, recent] = proving;
-  nearby.clear();
-  rows.clear();
-  limit *= share_about(f.corners);
-  prover.set_limit(limit);
-  given_.faces.for_each_row_in(search::box_about(f.corners, limit), f.patch, [&](Index row) {
-    proving.nearby.push_back({&given_.faces.prepared(row), given_.open_edges[row]});
-    proving.rows.push_back(row);
-  });
-  const bool is_within = prover.is_within(f.corners, nearby);
-  over = prover.sheet_row() == no_index ? no_index : given_.faces.items()[rows[prover.sheet_row()]].id;
-  return is_within;
+  return given_->within(f.corners, f.patch, limit * share_about(f.corners), over);
 }
 
 bool SurfaceGuard::is_proven_near_reference(const SurfaceFace& f) const {
@@ -331,13 +309,13 @@ bool SurfaceGuard::admits(const SurfacePart& before, const SurfacePart& after,
 }
 
 Deviations SurfaceGuard::deviations(const DomainMesh& mesh, unsigned threads, VerifiedSurfaces* before) const {
-  if (!exact()) return verify_surfaces(mesh, given_, allowed_, threads, before);
+  if (!exact()) return verify_surfaces(mesh, {*given_, given_curves_}, allowed_, threads, before);
   Deviations d;
-  for (const auto& face : face_items(mesh)) {
-    const Plane& plane = planes_[face.group];
-    for (const Vec3& p : face.corners)
+  mesh.for_each_facet_face([&](FaceRef f) {
+    const Plane& plane = planes_[mesh.patch_of(mesh.tag(f))];
+    for (const Vec3& p : mesh.places(mesh.face(f)))
       d.result_to_input = std::max(d.result_to_input, std::abs(dot(p - plane.point, plane.normal)));
-  }
+  });
   d.input_to_result = d.result_to_input;
   return d;
 }

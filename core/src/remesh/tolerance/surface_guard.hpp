@@ -6,10 +6,10 @@
 /// one input edge, and no face can leave its plane except by rounding. A strip a few roundings wide has no reliable
 /// plane in doubles, so a place must be on the removed faces as well.
 ///
-/// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL triangles of its
-/// patch (search/proven_distance.hpp); otherwise the change is refused. Within a flat patch it is admitted without that
-/// if the new faces cover what the removed ones did (flat_patches.hpp). In the other direction nothing is required if
-/// the original is a smooth sheet around the change. Elsewhere samples of the original patch near the removed faces
+/// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL surface of its
+/// patch (search/reference_surfaces.hpp); otherwise the change is refused. Within a flat patch it is admitted without
+/// that if the new faces cover what the removed ones did (flat_patches.hpp). In the other direction nothing is required
+/// if the original is a smooth sheet around the change. Elsewhere samples of the original patch near the removed faces
 /// must be within 0.7 of the tolerance of the new ones or their neighbours. They are at most eight tolerances apart if
 /// a triangle is not longer than a hundred. Curves are kept within 0.7 of it at samples both ways. Deviations do not
 /// add up over operations. No new face may be turned by 78 degrees or more from the original where it is nearest, which
@@ -20,7 +20,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,7 +29,7 @@
 #include "remesh/tolerance/flat_patches.hpp"
 #include "remesh/tolerance/local_tolerance.hpp"
 #include "remesh/tolerance/verify_surfaces.hpp"
-#include "search/proven_distance.hpp"
+#include "search/recent_places.hpp"
 
 namespace geomesh::remesh {
 
@@ -39,14 +39,16 @@ struct Hold {
   double margin = 0.7;
   std::vector<TightZone> zones;  ///< smaller tolerances apply in these zones
   unsigned run = 0;              ///< counted from 0; earlier runs had larger tolerances
+  /// The reference, by patch; none: the input's own triangles. Curves are always the input's.
+  std::shared_ptr<const search::ReferenceSurfaces> surfaces = nullptr;
 };
 
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
-  /// The reference consists of the faces of `given` and the curves of `mesh` as they are now. Both have the same
-  /// surfaces, but `mesh` may have more points, and lacks the edges between coplanar pieces. Planes are those of the
-  /// facets.
+  /// The reference consists of hold.surfaces, or the faces of `given`, and of the curves of `mesh` as they are now.
+  /// Both have the same surfaces, but `mesh` may have more points, and lacks the edges between coplanar pieces. Planes
+  /// are those of the facets.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
                LocalTolerance tolerance, const Hold& hold = {});
 
@@ -58,8 +60,8 @@ class SurfaceGuard {
   Vec3 normal(Index patch, const Vec3& p) const;
   /// Whether the patch's original lies in one plane. Not for exact.
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }
-  /// Normal by the nearest item: nearest_facet, in exact the patch.
-  Vec3 normal_of(Index row) const;
+  /// Returns that normal where the nearest facet is known.
+  Vec3 normal_of(Index facet, const Vec3& p) const { return given_->normal(facet, p); }
   /// p brought back to the patch (exact: to the facet's plane; without rounding where that is normal to an axis).
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// Projects p to the curve. Not for exact mode, in which vertices on curves do not move.
@@ -105,13 +107,12 @@ class SurfaceGuard {
   /// `over` receives a facet of the reference that is over the face if the reference is a single sheet over all of it,
   /// and no_index otherwise.
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
+  /// Returns whether the reference near the removed faces is near to the new ones. If the reference there is nearly the
+  /// graph of a function over a plane, and the new faces have the same border as the old ones and are near to it, they
+  /// cover it as seen along the plane's normal, because their border winds once around each of its points. So the
+  /// reference is equally near to the new faces, apart from the effect of its slope, and no samples are needed.
   bool reference_near(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                       const std::vector<SurfaceFace>& around) const;
-  /// Returns whether the reference in the box is nearly the graph of a function over a plane. If the new faces have the
-  /// same border as the old ones and are near to the reference, they then cover it as seen along the plane's normal,
-  /// because their border winds once around each of its points. So the reference is equally near to the new faces,
-  /// apart from the effect of its slope.
-  bool is_even_about(const Box3& box, Index patch) const;
   bool samples_near(Index patch, const Box3& box, const std::vector<SurfaceFace>& before,
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
@@ -124,20 +125,14 @@ class SurfaceGuard {
   double tolerance_ = 0;  // tolerance for samples outside of zones
   std::vector<TightZone> zones_;
   search::ClosestPointTrees zone_boxes_;  // stored as line segments between opposite corners
-  struct Proving {
-    search::DistanceProver prover;
-    std::vector<search::SheetTriangle> nearby;
-    std::vector<Index> rows;      // rows of `nearby` in given_.faces
-    search::RecentPlaces recent;  // of allowed_
-  };
-  mutable tbb::enumerable_thread_specific<Proving> proving_{
-      Proving{search::DistanceProver(0), {}, {}, search::RecentPlaces(1)}};  // scratch
-  LocalTolerance allowed_;                                                   // what is promised
+  mutable tbb::enumerable_thread_specific<search::RecentPlaces> recent_{search::RecentPlaces(1)};  // of allowed_
+  LocalTolerance allowed_;                                                                         // what is promised
   double reach_ = 0;            // largest tolerance of allowed_; places farther away do not matter
-  std::vector<Plane> planes_;   // for each patch in exact mode, otherwise for each facet
+  std::vector<Plane> planes_;   // for each patch; in exact mode only
   std::vector<bool> oriented_;  // for each patch, whether its reference faces are consistently oriented
-  SurfaceItems given_;
-  FlatPatches flat_;  // flat patches of given_
+  std::shared_ptr<const search::ReferenceSurfaces> given_;  // the faces
+  search::TriangleSurfaces given_curves_;
+  FlatPatches flat_;  // flat patches of given_, if it consists of triangles
 };
 
 /// Returns deterministic sample points of a triangle: corners, edge midpoints, centroid and six more.

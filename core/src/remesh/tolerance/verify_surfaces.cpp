@@ -8,7 +8,6 @@
 
 #include "common/parallel.hpp"
 #include "plc/find_crossing.hpp"
-#include "search/cover_proof.hpp"
 
 namespace geomesh::remesh {
 
@@ -71,15 +70,14 @@ struct KnownCovers {
 
 /// Collects what is known of items of the result that existed before, and of items of the input that were proven by
 /// items that still exist.
-KnownCovers known_covers(const search::ClosestPointTrees& before, const search::ClosestPointTrees& now,
-                         std::size_t n_groups, const search::ClosestPointTrees& input, double reach,
+KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_groups, const Items& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
-  const Difference d = difference(before.items(), now.items(), n_groups);
-  KnownCovers known{Known(now.items().size()), Known(input.items().size())};
+  const Difference d = difference(before, now, n_groups);
+  KnownCovers known{Known(now.size()), Known(input.size())};
   for (std::size_t i = 0; i < known.result.size(); ++i)
     if (d.same[i] != no_row) known.result[i] = covers.result[d.same[i]];
   for (std::size_t i = 0; i < known.input.size(); ++i) {
-    const auto& item = input.items()[i];
+    const auto& item = input[i];
     bool is_left = covers.input[i].is_proven;
     d.exchanged.for_each_in(search::box_about(item.corners, reach), item.group, [&](const auto&) { is_left = false; });
     if (is_left) known.input[i] = covers.input[i];
@@ -87,11 +85,9 @@ KnownCovers known_covers(const search::ClosestPointTrees& before, const search::
   return known;
 }
 
-/// The items to be verified, and the set against which they are verified.
+/// The surfaces whose pieces are verified, and those against which they are verified.
 struct Judgement {
-  const Items& items;
-  const search::ClosestPointTrees& set;
-  std::span<const std::uint8_t> open_edges;
+  const search::ReferenceSurfaces &judged, &set;
   Breach kind;
 };
 
@@ -102,19 +98,23 @@ struct Judge {
 
   /// Returns the largest distance found. `covers` is filled with what is known already and what is newly proven.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
-    const Items& items = what.items;
+    const Items& items = what.judged.pieces();
+    const double deviation = what.judged.deviation_of_pieces();
     covers.assign(items.size(), {});
     for_each_task((items.size() + chunk - 1) / chunk, threads, [&](std::size_t k) {
-      search::CoverProver prover(what.set, proven_share * tolerance.greatest(), what.open_edges);
       search::RecentPlaces recent;
+      std::vector<std::size_t> rows;
+      std::vector<search::DistanceQuestion> questions;
       for (std::size_t i = k * chunk; i < std::min(items.size(), (k + 1) * chunk); ++i) {
         if (!known.empty() && known[i]) {
           covers[i] = *known[i];
           continue;
         }
-        prover.set_limit(limit_of(items[i], what.kind, recent));
-        covers[i] = prover.judge(items[i].corners, items[i].group);
+        rows.push_back(i);
+        questions.push_back({items[i].corners, items[i].group, limit_of(items[i], what.kind, recent) - deviation, {}});
       }
+      what.set.within(questions);
+      for (std::size_t i = 0; i < rows.size(); ++i) covers[rows[i]] = questions[i].answer;
     });
     double largest = 0;
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -139,50 +139,43 @@ struct Judge {
 
 }  // namespace
 
-Items face_items(const DomainMesh& mesh) {
+search::TriangleSurfaces faces_of(const DomainMesh& mesh, std::vector<Vec3> normals) {
   Items items;
   mesh.for_each_facet_face([&](FaceRef f) {
     items.push_back({mesh.places(mesh.face(f)), mesh.patch_of(mesh.tag(f)), mesh.tag(f).facet()});
   });
-  return items;
+  return {std::move(items), mesh.n_patches(), std::move(normals)};
 }
 
-Items curve_items(const DomainMesh& mesh) {
+search::TriangleSurfaces curves_of(const DomainMesh& mesh) {
   Items items;
   for (const auto& [a, b] : mesh.curve_edges())
     items.push_back({mesh.places(Triangle{a, b, b}), mesh.curve_of(a, b), no_index});
-  return items;
+  return {std::move(items), mesh.n_curve_classes()};
 }
 
-SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of) {
-  SurfaceItems items{
-      {face_items(faces_of), faces_of.n_patches()}, {curve_items(curves_of), curves_of.n_curve_classes()}, {}};
-  items.open_edges = search::find_open_edges(items.faces.items());
-  return items;
-}
-
-Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
+Deviations verify_surfaces(const DomainMesh& mesh, const ReferenceModel& input, const LocalTolerance& tolerance,
                            unsigned threads, VerifiedSurfaces* before) {
   VerifiedSurfaces now;
-  now.result = surface_items(mesh, mesh);
+  now.result_faces = faces_of(mesh);
+  now.result_curves = curves_of(mesh);
   KnownCovers faces, curves;
   if (before && !before->faces.result.empty()) {
     const double reach = tolerance.greatest();
-    faces = known_covers(before->result.faces, now.result.faces, mesh.n_patches(), input.faces, reach, before->faces);
-    curves = known_covers(before->result.curves, now.result.curves, mesh.n_curve_classes(), input.curves, reach,
-                          before->curves);
+    faces = known_covers(before->result_faces.pieces(), now.result_faces.pieces(), mesh.n_patches(),
+                         input.faces.pieces(), reach, before->faces);
+    curves = known_covers(before->result_curves.pieces(), now.result_curves.pieces(), mesh.n_curve_classes(),
+                          input.curves.pieces(), reach, before->curves);
   }
   Deviations found;
   const Judge judge{tolerance, thread_count(threads), found.breaches};
-  found.result_to_input = std::max(
-      judge.largest({now.result.faces.items(), input.faces, input.open_edges, {}}, faces.result, now.faces.result),
-      judge.largest({now.result.curves.items(), input.curves, {}, {.on_curve = true}}, curves.result,
-                    now.curves.result));
+  found.result_to_input =
+      std::max(judge.largest({now.result_faces, input.faces, {}}, faces.result, now.faces.result),
+               judge.largest({now.result_curves, input.curves, {.on_curve = true}}, curves.result, now.curves.result));
   found.input_to_result =
-      std::max(judge.largest({input.faces.items(), now.result.faces, now.result.open_edges, {.of_input = true}},
-                             faces.input, now.faces.input),
-               judge.largest({input.curves.items(), now.result.curves, {}, {.on_curve = true, .of_input = true}},
-                             curves.input, now.curves.input));
+      std::max(judge.largest({input.faces, now.result_faces, {.of_input = true}}, faces.input, now.faces.input),
+               judge.largest({input.curves, now.result_curves, {.on_curve = true, .of_input = true}}, curves.input,
+                             now.curves.input));
   if (before) *before = std::move(now);
   return found;
 }

@@ -5,29 +5,19 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "remesh/domain/domain_mesh.hpp"
 #include "remesh/tolerance/local_tolerance.hpp"
-#include "search/closest_point.hpp"
-#include "search/cover_proof.hpp"
+#include "search/triangle_surfaces.hpp"
 
 namespace geomesh::remesh {
 
-/// Surfaces as triangles, grouped by patch, and curves as line segments, grouped by class.
-struct SurfaceItems {
-  search::ClosestPointTrees faces, curves;
-  std::vector<std::uint8_t> open_edges;  ///< of faces (search::find_open_edges)
-};
-/// Lists the faces of one mesh and the curves of another.
-SurfaceItems surface_items(const DomainMesh& faces_of, const DomainMesh& curves_of);
-
-/// Lists each constrained face once, except for faces that are part of no facet. The group is the patch, the id is the
-/// facet.
-std::vector<search::ClosestPointTrees::Item> face_items(const DomainMesh& mesh);
-/// Lists each edge of a curve. The group is the curve's class; there is no id.
-std::vector<search::ClosestPointTrees::Item> curve_items(const DomainMesh& mesh);
+/// The faces of a mesh, grouped by patch. The item of a face is its facet. Faces that are part of no facet are left
+/// out. `normals` are those of the facets.
+search::TriangleSurfaces faces_of(const DomainMesh& mesh, std::vector<Vec3> normals = {});
+/// The edges of a mesh's curves, grouped by class.
+search::TriangleSurfaces curves_of(const DomainMesh& mesh);
 
 /// A triangle or line piece of the input or of the result that is not proven to be within the tolerance of the other.
 struct Breach {
@@ -52,16 +42,21 @@ struct VerifiedSurfaces {
   struct Covers {
     std::vector<search::Cover> result, input;
   };
-  SurfaceItems result;
+  search::TriangleSurfaces result_faces, result_curves;
   Covers faces, curves;
 };
 
-/// Compares the faces and curve edges of the mesh with those of the same patch or curve of the input, in both
-/// directions. An item of the result must keep the smallest tolerance at its corners; an item of the input must keep an
-/// upper bound of the tolerances anywhere on it. Almost linear if both have similar sizes. Runs in parallel; the result
+/// The input with which a result is compared.
+struct ReferenceModel {
+  const search::ReferenceSurfaces &faces, &curves;
+};
+
+/// Compares the faces and curve edges of the mesh with the same patch or curve of the input, in both directions. A
+/// piece of the result must keep the smallest tolerance at its corners; a piece of the input must keep an upper bound
+/// of the tolerances anywhere on it. Almost linear if both have similar sizes. Runs in parallel; the result
 /// does not depend on the number of threads. What was proven `before` is not examined again if nothing has changed
 /// around it.
-Deviations verify_surfaces(const DomainMesh& mesh, const SurfaceItems& input, const LocalTolerance& tolerance,
+Deviations verify_surfaces(const DomainMesh& mesh, const ReferenceModel& input, const LocalTolerance& tolerance,
                            unsigned threads, VerifiedSurfaces* before = nullptr);
 
 /// A place in which a smaller tolerance applies.
