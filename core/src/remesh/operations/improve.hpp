@@ -43,9 +43,8 @@ struct MeanGoal {
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 
 /// Smooths v with its own temporary storage, so that several vertices can be smoothed concurrently, if no two of them
-/// share an edge and none evaluates sizes. The move is not counted in the statistics. Returns by how much it raised the
-/// sum of worths if that is the goal (otherwise 0), or nothing if v was not moved.
-std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
+/// share an edge and none evaluates sizes. The move is not counted in the statistics. Returns whether v was moved.
+bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work);
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980;
 /// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2,

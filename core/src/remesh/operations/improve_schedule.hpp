@@ -81,11 +81,11 @@ inline constexpr RescueLimits rescue_limits{};
 /// Parameters of each pass for one quality level. The defaults are those of the standard level.
 struct ImproveSchedule {
   // Passes that raise the mean.
-  unsigned mean_rounds = 2;  ///< before the repair, which sees the worst cells alone, and after one that left many poor
-  double mean_floor_angle = 30;    ///< no cell falls below this for the mean
-  double floor_percentile = 0.01;  ///< of all cells, 0..1: so many may be below that floor already
-  double much_gained = 3;          ///< of the least gain worth a move: vertices that gained more are examined again
-  double many_poor = 0.1;          ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
+  unsigned mean_rounds = 1;          ///< before the repair, which sees the worst cells alone
+  unsigned mean_rounds_if_poor = 2;  ///< before and after the repair where the mesh is poor altogether
+  double mean_floor_angle = 30;      ///< no cell falls below this for the mean
+  double floor_percentile = 0.01;    ///< of all cells, 0..1: so many may be below that floor already
+  double many_poor = 0.1;            ///< of all cells, 0..1, below `target_angle`: then the mesh is poor altogether
 
   // Repair, in which the worst cells come first.
   unsigned repair_rounds = 8;
@@ -113,22 +113,24 @@ struct ImproveSchedule {
   /// Degrees; solvers refuse cells below 1 degree, so these are repaired at a high cost for each cell.
   double flat_angle = 1.5;
   double few_bad = 0.01;  ///< share of all cells; if more are bad, the surfaces impose them
-  /// If few cells are below this angle, they are repaired like slivers. Removing points that are too near must not
-  /// create more.
-  double aim_angle = 20;
-  double few_below_aim = 2e-3;   ///< share of all cells; if more are below the aim, the surfaces impose them
+  /// Cells below these angles are repaired like slivers, one aim after the other, as long as they are `few`: a share of
+  /// all cells. If more are below, the surfaces impose them. Removing points that are too near must not create more.
+  struct Aim {
+    double angle, few;
+  };
+  std::array<Aim, 2> aims{{{20, 2e-3}, {25, 2e-4}}};
   unsigned thinning_rounds = 4;  ///< rounds that remove points which were put near others without gain
 };
 
 constexpr ImproveSchedule schedule_of(QualityLevel level) {
   ImproveSchedule s;                  // takes one to three times as long as refinement
   if (level == QualityLevel::fast) {  // takes about as long as refinement
-    s.mean_rounds = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
+    s.mean_rounds_if_poor = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
     s.target_angle = 20, s.insertion_angle = 0;
-    s.smoothing_steps = 6, s.least_rise = 1.05, s.much_gained = 6;
+    s.smoothing_steps = 6, s.least_rise = 1.05;
   } else if (level == QualityLevel::best) {  // until nothing improves
-    s.repair_rounds = 60, s.sliver_rounds = 20, s.poor_classes = 0;
-    s.target_angle = 36, s.insertion_angle = 30, s.aim_angle = 25;
+    s.mean_rounds = 2, s.repair_rounds = 60, s.sliver_rounds = 20, s.poor_classes = 0;
+    s.target_angle = 36, s.insertion_angle = 30, s.aims = {{{20, 2e-3}, {25, 2e-3}}};
     s.smoothing_steps = 20, s.least_rise = 1.0005, s.progress = 1.02;
   }
   return s;

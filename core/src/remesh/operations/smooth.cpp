@@ -36,9 +36,6 @@ class Smoother {
     return before < rule.good_enough && try_optimal(before, rule);
   }
 
-  /// The gain of the mean in the last call of run.
-  double gain() const { return gain_; }
-
   bool run_on_surface(double floor) {
     if (mesh_.kind(v_) != VertexKind::surface) return false;
     gather_star(mesh_, v_, work_.marks, cavity_);
@@ -124,10 +121,7 @@ class Smoother {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
     if (best == old_) return false;  // Otherwise the rounding of the projection would move the vertex.
-    const double was = problem_.link.sum_of_worths(old_, needed);
-    if (!place(project(best), needed)) return false;
-    gain_ = problem_.link.sum_of_worths(mesh_.point(v_), needed) - was;
-    return true;
+    return place(project(best), needed);
   }
 
   Vec3 surface_centroid() const {
@@ -185,7 +179,6 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
-  double gain_ = 0;
   std::array<Vec3, 2>
       ends_{};  // the two adjacent vertices on the curve, or the ends of the input edge in on_input_edge
 };
@@ -203,9 +196,8 @@ bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule) {
   return moved;
 }
 
-std::optional<double> smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
-  Smoother smoother(tools, v, work);
-  return smoother.run(rule) ? std::optional(smoother.gain()) : std::nullopt;
+bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule, Workspace& work) {
+  return Smoother(tools, v, work).run(rule);
 }
 
 }  // namespace geomesh::remesh

@@ -170,11 +170,15 @@ void mend_what_is_left(const Mending& mending) {
       "cells too flat for solvers mended by looking ahead",
       [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
       !tools.bad_cells_may_spread);
-  const RescueRule aim_rescue = rescue_below(measure.of_angle(schedule.aim_angle), schedule);
-  passes.once(
-      "the last poor cells mended by looking ahead",
-      [&] { rescue_flat_cells(tools, aim_rescue, rescue_limits.most_vain_poor, out_of_time); },
-      rescues_bad && share(count_below(mesh, aim_rescue.bad_shape), mesh) <= schedule.few_below_aim);
+  RescueRule aim_rescue = flat_rescue;
+  for (const ImproveSchedule::Aim& aim : schedule.aims) {
+    const RescueRule rule = rescue_below(measure.of_angle(aim.angle), schedule);
+    const bool are_few = share(count_below(mesh, rule.bad_shape), mesh) <= aim.few;
+    if (are_few || &aim == &schedule.aims.front()) aim_rescue = rule;
+    passes.once(
+        "the last poor cells mended by looking ahead",
+        [&] { rescue_flat_cells(tools, rule, rescue_limits.most_vain_poor, out_of_time); }, rescues_bad && are_few);
+  }
   const auto thin_mending = [&](ShortEdges which, std::uint64_t since) {
     return thin_out_mending(tools, which, aim_rescue, since, context);
   };
@@ -196,20 +200,21 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
   const bool rescues_bad = mends_bad_cells(tools, schedule);
   WorstFirstRepair repair(tools, schedule, out_of_time);
   RepairRounds rounds(tools, schedule, repair, may_add_points);
-  RaisedBefore raised{.gains = {}, .end = 0, .much_gained = schedule.much_gained};
-  const auto raise = [&](unsigned smoothing_steps, double poor = 1) {
+  const auto poor_share = [&] { return share(count_below(mesh, measure.of_angle(schedule.target_angle)), mesh); };
+  const auto raise = [&](unsigned round, unsigned smoothing_steps, double poor = 1) {
     const double least = tools.bad_cells_may_spread ? 0 : measure.bad();
     const double floor = std::clamp(shape_at_percentile(mesh, schedule.floor_percentile, context.threads), least,
                                     measure.of_angle(schedule.mean_floor_angle));
-    raise_mean(tools, floor, smoothing_steps, context, raised, poor);
-    return Next::again;
+    raise_mean(tools, floor, smoothing_steps, context, poor);
+    const bool is_poor = poor_share() > schedule.many_poor;
+    return round + 1 < (is_poor ? schedule.mean_rounds_if_poor : schedule.mean_rounds) ? Next::again : Next::done;
   };
   const PassRunner passes(mesh, context, out_of_time);
 
   mesh.sort_cells(context.threads);
   passes.run({.name = "the mean raised",
-              .round = [&](unsigned) { return raise(schedule.smoothing_steps / 2); },
-              .most_rounds = schedule.mean_rounds});
+              .round = [&](unsigned k) { return raise(k, schedule.smoothing_steps / 2); },
+              .most_rounds = schedule.mean_rounds_if_poor});
   passes.run({.name = "poor cells repaired, the worst first",
               .round = [&](unsigned k) { return rounds.round(k); },
               .most_rounds = schedule.repair_rounds});
@@ -220,14 +225,13 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .most_rounds = schedule.sliver_rounds});
   }
   mend_what_is_left({tools, schedule, passes, context, out_of_time});
-  const double poor_share = share(count_below(mesh, measure.of_angle(schedule.target_angle)), mesh);
   // Repair considers only the worst cells. Around the many that it has given up, the others are arbitrary, so their
   // mean is raised here.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
-              .round = [&](unsigned) { return raise(schedule.smoothing_steps, poor); },
-              .most_rounds = schedule.mean_rounds,
-              .applies = poor_share > schedule.many_poor});
+              .round = [&](unsigned k) { return raise(k, schedule.smoothing_steps, poor); },
+              .most_rounds = schedule.mean_rounds_if_poor,
+              .applies = poor_share() > schedule.many_poor});
   passes.once(
       "bad cells searched that nothing forces",
       [&] { rescue_free_cells(tools, rescue_below(measure.bad(), schedule), *judge, out_of_time); },

@@ -14,25 +14,14 @@ namespace geomesh::remesh {
 
 /// Smooths all vertices that may move, on the given number of threads (0: all cores), block by block and then between
 /// blocks. The result does not depend on the number of threads. It ends early if `out_of_time`, which one thread at a
-/// time calls now and then, returns true. Returns for each vertex by how much its move raised the sum of worths (0 if
-/// it was not moved or the sum is not the goal). `leaves(v)` returns whether v must not move. O(n log n).
-std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
-                               const std::function<bool()>& out_of_time,
-                               const std::function<bool(VertexIndex)>& leaves = {});
-
-/// State that one pass that raises the mean leaves to the next: the places worth examining again.
-struct RaisedBefore {
-  std::vector<double> gains;  ///< gain of each vertex's last move; empty before the first pass
-  std::uint64_t end = 0;      ///< the mesh's time at the end of the pass
-  double much_gained = 3;     ///< a vertex is examined again if it gained more than this many times the least gain
-};
+/// time calls now and then, returns true. `leaves(v)` returns whether v must not move. O(n log n).
+void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time,
+                const std::function<bool(VertexIndex)>& leaves = {});
 
 /// One pass of flips at inner edges and one of moves, which both raise the mean worth of shapes (MeanGoal); no shape
-/// falls below both `floor` and the worst one there. Worst-first repair does not improve mediocre cells. After the
-/// first pass only vertices with a cell below `poor` are visited, if something around them has changed or a neighbour's
-/// last move gained much.
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
-                double poor = 1);
+/// falls below both `floor` and the worst one there. Worst-first repair does not improve mediocre cells. Only vertices
+/// with a cell below `poor` are visited.
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, double poor = 1);
 
 /// Moves vertices of surfaces along the normal, so that as much volume lies between faces and input on one side as on
 /// the other. Vertices that lie on a convex surface have all faces on its inside. Before that, vertices of free borders

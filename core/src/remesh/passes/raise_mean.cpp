@@ -13,20 +13,15 @@ namespace {
 
 class MeanRaiser {
  public:
-  MeanRaiser(Toolbox& tools, double floor, RaisedBefore& before, double poor)
-      : tools_(tools),
-        mesh_(tools.mesh),
-        goal_{floor, mean_worth()},
-        least_gain_(tools_.bad_cells_may_spread ? 0.002
-                                                : 0.02),  // If most cells are poor, the mean is worth more time.
-        before_(before),
-        is_left_(find_left(poor)) {}
+  MeanRaiser(Toolbox& tools, double floor, double poor)
+      : tools_(tools), mesh_(tools.mesh), goal_{floor, mean_worth()}, is_left_(find_left(poor)) {}
 
   void run(unsigned smoothing_steps, const RunContext& context) {
     const std::uint64_t start = mesh_.tick();
+    const auto is_left = [&](VertexIndex v) { return !is_left_.empty() && is_left_[v]; };
     BlockPass blocks(tools_, context);
     std::vector<VertexIndex> vertices = mesh_.vertices_by_cells();
-    std::erase_if(vertices, [&](VertexIndex v) { return is_left_[v]; });
+    std::erase_if(vertices, is_left);
     blocks.run(std::move(vertices), tools_.block_rules.least_inside,
                [&](VertexIndex v, Toolbox& tools) { flip_about(v, tools); });
     blocks.note_counts("flips for the mean by blocks");
@@ -34,36 +29,24 @@ class MeanRaiser {
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
-    rule.least_gain = least_gain_;
+    // If most cells are poor, the mean is worth more time.
+    rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.015;
     const auto go_on = [&] {
       context.check_cancelled();
       return false;
     };
-    before_.gains = smooth_all(tools_, rule, context.threads, go_on,
-                               [&](VertexIndex v) { return is_left_[v] && mesh_.changed_at(v) <= start; });
-    before_.end = mesh_.tick();
+    smooth_all(tools_, rule, context.threads, go_on,
+               [&](VertexIndex v) { return is_left(v) && mesh_.changed_at(v) <= start; });
   }
 
  private:
-  /// For each vertex, whether nothing around it has changed.
+  /// For each vertex, whether all cells at it are good enough.
   std::vector<bool> find_left(double poor) const {
-    std::vector<bool> left(mesh_.n_vertices(), false);
-    if (before_.gains.empty()) return left;
-    std::vector<double> gain_about = before_.gains;
-    gain_about.resize(mesh_.n_vertices(), 0);
-    std::vector<bool> is_poor(mesh_.n_vertices(), false);
-    const double much = before_.much_gained * least_gain_;
-    for (const CellIndex c : mesh_.live_cells()) {
-      double most = 0;
-      for (const VertexIndex v : mesh_.vertices(c))
-        if (v < before_.gains.size()) most = std::max(most, before_.gains[v]);
-      for (const VertexIndex v : mesh_.vertices(c)) {
-        gain_about[v] = std::max(gain_about[v], most);
-        if (mesh_.shape_of(c) < poor) is_poor[v] = true;
-      }
-    }
-    for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
-      left[v] = !is_poor[v] || (mesh_.changed_at(v) <= before_.end && gain_about[v] <= much);
+    if (!(poor < 1)) return {};
+    std::vector<bool> left(mesh_.n_vertices(), true);
+    for (const CellIndex c : mesh_.live_cells())
+      if (mesh_.shape_of(c) < poor)
+        for (const VertexIndex v : mesh_.vertices(c)) left[v] = false;
     return left;
   }
 
@@ -105,9 +88,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  double least_gain_;
-  RaisedBefore& before_;
-  std::vector<bool> is_left_;
+  std::vector<bool> is_left_;  // by vertex; empty: none
   struct Lists {
     std::vector<CellIndex> star;
     std::vector<std::pair<VertexIndex, CellIndex>> edges;
@@ -123,9 +104,8 @@ class MeanRaiser {
 
 }  // namespace
 
-void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, RaisedBefore& before,
-                double poor) {
-  MeanRaiser(tools, floor, before, poor).run(smoothing_steps, context);
+void raise_mean(Toolbox& tools, double floor, unsigned smoothing_steps, const RunContext& context, double poor) {
+  MeanRaiser(tools, floor, poor).run(smoothing_steps, context);
 }
 
 }  // namespace geomesh::remesh

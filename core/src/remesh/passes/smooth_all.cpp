@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <optional>
 
 #include "common/parallel.hpp"
 #include "remesh/operations/improve.hpp"
@@ -93,15 +92,13 @@ void for_each_block(const DomainMesh& mesh, std::vector<VertexIndex> movable, un
   visit(blocks.between, scratch.local());
 }
 
-std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads,
-                               const std::function<bool()>& out_of_time,
-                               const std::function<bool(VertexIndex)>& leaves) {
+void smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned threads, const std::function<bool()>& out_of_time,
+                const std::function<bool(VertexIndex)>& leaves) {
   std::vector<VertexIndex> movable;
   for (VertexIndex v = 0; v < tools.mesh.n_vertices(); ++v)
     if (tools.mesh.kind(v) != VertexKind::dead && tools.mesh.kind(v) != VertexKind::corner && !(leaves && leaves(v)))
       movable.push_back(v);
   tools.make_room_for_normals();
-  std::vector<double> gains(tools.mesh.n_vertices(), 0);
   std::atomic<std::size_t> moved = 0;
   std::atomic<bool> ended = false;
   std::mutex looking;
@@ -113,14 +110,11 @@ std::vector<double> smooth_all(Toolbox& tools, const SmoothRule& rule, unsigned 
                        const std::lock_guard lock(looking);
                        if (out_of_time()) ended = true;
                      }
-                     const std::optional<double> gain = smooth_beside_others(tools, vertices[k], rule, work);
-                     n += gain.has_value();
-                     gains[vertices[k]] = gain.value_or(0);
+                     n += smooth_beside_others(tools, vertices[k], rule, work);
                    }
                    moved += n;
                  });
   tools.statistics.smoothing_moves += moved;
-  return gains;
 }
 
 }  // namespace geomesh::remesh
