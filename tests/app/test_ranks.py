@@ -10,11 +10,11 @@ import shutil
 import subprocess
 import sys
 
-from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, SOURCE, USAGE, ProgramTest, main
+from geomesh_program import BAD_INPUT, CANNOT_MESH, PROGRAM, SOURCE, USAGE, ProgramTest, has_module, main
 
 RANKS_PROGRAM = os.path.join(os.path.dirname(PROGRAM), "geomesh-mpi")
 NAME = "faulted_layers"
-FORMATS = "[vtu, exodus, msh]"
+FORMATS = "[vtu, exodus, msh]" if has_module("exodus") else "[vtu, msh]"
 
 
 class RanksTest(ProgramTest):
@@ -80,12 +80,12 @@ class OneMesh(RanksTest):
                 self.assertEqual(sum(r["tetrahedra"] for r in report["regions"]), report["tetrahedra"])
                 self.assertEqual(report["faces_between_ranks"] > 0, ranks > 1)
                 self.assertAlmostEqual(sum(r["volume"] for r in report["regions"]) / 9e10, 1, delta=1e-12)
-                for name in (".pvtu", "_1.msh", ".e.%d.0" % ranks):
+                for name in (".pvtu", "_1.msh", *((".e.%d.0" % ranks,) if has_module("exodus") else ())):
                     found = self.check(self.path("a%d" % ranks, NAME + name), *(("--project", project) if name == ".pvtu" else ()))
                     self.assertEqual(sum(r["tetrahedra"] for r in found["regions"]), report["tetrahedra"], name)
                 self.mesh(ranks, project, "b%d" % ranks)
                 first = self.digests("a%d" % ranks)
-                self.assertGreaterEqual(len(first), 3 * ranks)
+                self.assertGreaterEqual(len(first), len(FORMATS.split(",")) * ranks)
                 self.assertEqual(first, self.digests("b%d" % ranks))
         self.see_wrong_shapes_in_the_report(project, "a2")
         for ranks in (2, 4):
