@@ -67,7 +67,9 @@ void FlatPatch::sort_corners() {
 }
 
 std::span<const Index> FlatPatch::corners_at(VertexIndex v) const {
-  const auto [first, last] = std::ranges::equal_range(corners_, v, {}, [&](Index c) { return vertex(c); });
+  const auto at = [&](Index c) { return vertex(c); };
+  const auto first = std::ranges::lower_bound(corners_, v, {}, at),
+             last = std::ranges::upper_bound(corners_, v, {}, at);
   return std::span(corners_).subspan(static_cast<std::size_t>(first - corners_.begin()),
                                      static_cast<std::size_t>(last - first));
 }

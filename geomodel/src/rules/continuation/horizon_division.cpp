@@ -47,8 +47,10 @@ std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   for (std::size_t k = 0; k < sheet.size(); ++k) {
     const bool crosses = crosses_[sheet[k]];
     for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
-      for (const auto& [_, other] :
-           std::ranges::equal_range(at_edge_, MapEdge(std::minmax(a, b)), {}, &std::pair<MapEdge, Index>::first)) {
+      const MapEdge edge(std::minmax(a, b));
+      for (auto at = std::ranges::lower_bound(at_edge_, edge, {}, &std::pair<MapEdge, Index>::first);
+           at != at_edge_.end() && at->first == edge; ++at) {
+        const Index other = at->second;
         if (taken[other] || block_[other] != no_index) continue;
         if (crosses && !(crosses_[other] && framework_.overlaps(block, corners(other)))) continue;
         taken[other] = true;
