@@ -30,11 +30,11 @@ def used_alone(points, triangles):
 class Model(RandomModel):
     """A random model with parts left out."""
 
-    def __init__(self, seed, light):
-        super().__init__(seed, light=light)
-        self.mesh = re.search(r"(?m)^mesh: (.*)$", self.text).group(1)
+    mesh = None
 
     def mesh_text(self):
+        """As it was drawn once, because each call draws anew."""
+        self.mesh = self.mesh or super().mesh_text()
         return self.mesh
 
     def changed(self, **parts):
@@ -132,7 +132,7 @@ def main():
     options.add_argument("--limit", type=int, default=20, help="CPU seconds of one run")
     options.add_argument("--budget", type=int, default=400, help="most models that are tried")
     options = options.parse_args()
-    model = Minimiser(options.failing, options.passing, options.limit, options.budget).run(Model(options.seed, options.light))
+    model = Minimiser(options.failing, options.passing, options.limit, options.budget).run(Model(options.seed, light=options.light))
     if model is None:
         raise SystemExit("the one program passes, or the other one does not")
     shutil.rmtree(options.folder, ignore_errors=True)

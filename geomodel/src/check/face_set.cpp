@@ -85,12 +85,12 @@ void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>
 /// Checks that the listed faces around each region form a closed surface that encloses exactly its volume.
 void check_regions_closed(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                           const std::vector<const FacePair*>& found, CheckResult& result) {
-  struct Side {
+  struct RegionEdge {
     std::int32_t region;
     VertexIndex a, b;
     int direction;
   };
-  std::vector<Side> sides;
+  std::vector<RegionEdge> sides;
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     if (!found[f] || faces.region_minus[f] == faces.region_plus[f]) continue;
     for (int i = 0; i < 3; ++i) {
@@ -102,7 +102,7 @@ void check_regions_closed(const JudgedMesh& mesh, const FacesFile& faces, const 
         sides.push_back({faces.region_plus[f], std::min(a, b), std::max(a, b), -direction});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+  std::sort(sides.begin(), sides.end(), [](const RegionEdge& x, const RegionEdge& y) {
     return std::tie(x.region, x.a, x.b, x.direction) < std::tie(y.region, y.a, y.b, y.direction);
   });
   FaultCollector open("open_regions");

@@ -181,17 +181,17 @@ class ZoneOpener {
 
   /// If the fault ends at a side of the model, the zone appears there.
   void add_side_faces() {
-    struct Side {
+    struct ColumnEdge {
       std::size_t a, b;  ///< columns in the order of their prism
       std::size_t zone;
       unsigned uses = 0;
     };
-    std::map<std::pair<std::size_t, std::size_t>, Side> sides;
+    std::map<std::pair<std::size_t, std::size_t>, ColumnEdge> sides;
     for (const ZonePrism& prism : columns_.prisms)
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t a = prism.columns[i], b = prism.columns[(i + 1) % 3];
         if (columns_.columns[a].is_closed() && columns_.columns[b].is_closed()) continue;
-        ++sides.try_emplace({std::min(a, b), std::max(a, b)}, Side{a, b, prism.zone}).first->second.uses;
+        ++sides.try_emplace({std::min(a, b), std::max(a, b)}, ColumnEdge{a, b, prism.zone}).first->second.uses;
       }
     std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;  // a face of the model's boundary at each edge
     for (const auto& [key, side] : sides)

@@ -49,7 +49,7 @@ void Cavity::add_cell(CellIndex c) {
     const FaceRef face(c, i), outer = mesh.cells().mirror(face);
     if (is_of_dropped(face)) continue;
     if (contains(outer.cell()) && !mesh.is_locked(face))
-      std::erase_if(boundary_, [&](const Side& s) { return s.inner == outer; });
+      std::erase_if(boundary_, [&](const BoundaryFace& s) { return s.inner == outer; });
     else
       add_side(face);
   }
@@ -60,7 +60,7 @@ bool Cavity::is_valid() const {
   const TetMesh& cells = recovery_.mesh.cells();
   std::vector<std::uint64_t> kept;
   std::vector<VertexIndex> vertices;
-  for (const Side& s : boundary_)
+  for (const BoundaryFace& s : boundary_)
     for (unsigned i = 0; i < 3; ++i) {
       kept.push_back(edge_key(s.triangle[i], s.triangle[(i + 1) % 3]));
       vertices.push_back(s.triangle[i]);
@@ -84,12 +84,12 @@ bool Cavity::is_valid() const {
 
 std::vector<Triangle> Cavity::boundary() const {
   std::vector<Triangle> out;
-  for (const Side& s : boundary_) out.push_back(s.triangle);
+  for (const BoundaryFace& s : boundary_) out.push_back(s.triangle);
   return out;
 }
 
 bool Cavity::has_edge(VertexIndex a, VertexIndex b) const {
-  return std::any_of(boundary_.begin(), boundary_.end(), [&](const Side& s) {
+  return std::any_of(boundary_.begin(), boundary_.end(), [&](const BoundaryFace& s) {
     const Triangle& t = s.triangle;
     return (t[0] == a || t[1] == a || t[2] == a) && (t[0] == b || t[1] == b || t[2] == b);
   });
@@ -97,7 +97,7 @@ bool Cavity::has_edge(VertexIndex a, VertexIndex b) const {
 
 std::vector<VertexIndex> Cavity::neighbors(VertexIndex v) const {
   std::vector<VertexIndex> out;
-  for (const Side& s : boundary_)
+  for (const BoundaryFace& s : boundary_)
     if (std::find(s.triangle.begin(), s.triangle.end(), v) != s.triangle.end())
       for (VertexIndex w : s.triangle)
         if (w != v) out.push_back(w);
@@ -105,7 +105,7 @@ std::vector<VertexIndex> Cavity::neighbors(VertexIndex v) const {
   return out;
 }
 
-bool Cavity::may_grow_over(const Side& side) const {
+bool Cavity::may_grow_over(const BoundaryFace& side) const {
   const ConstrainedMesh& mesh = recovery_.mesh;
   if (!side.inner.valid() || mesh.is_locked(side.inner)) return false;
   const CellIndex n = mesh.cells().mirror(side.inner).cell();
@@ -114,7 +114,7 @@ bool Cavity::may_grow_over(const Side& side) const {
 
 /// Returns false, with the cavity unchanged, if growing would enclose a constraint.
 bool Cavity::grow_over(FaceRef face) {
-  const std::vector<Side> before = boundary_;
+  const std::vector<BoundaryFace> before = boundary_;
   add_cell(recovery_.mesh.cells().mirror(face).cell());
   if (!swallows_constraint(before)) return true;
   boundary_ = before;
@@ -124,9 +124,9 @@ bool Cavity::grow_over(FaceRef face) {
 
 /// Returns whether the last cell moved a vertex or a subsegment of the previous boundary inside. Only parts of the cell
 /// can be affected.
-bool Cavity::swallows_constraint(const std::vector<Side>& before) const {
+bool Cavity::swallows_constraint(const std::vector<BoundaryFace>& before) const {
   const CellIndex last = cells_.back();
-  for (const Side& side : before) {
+  for (const BoundaryFace& side : before) {
     if (!side.inner.valid() || recovery_.mesh.cells().mirror(side.inner).cell() != last ||
         recovery_.mesh.is_locked(side.inner))
       continue;
@@ -145,7 +145,7 @@ std::optional<std::vector<Tetrahedron>> Cavity::star_from(VertexIndex y, unsigne
   for (unsigned growth = 0;; ++growth) {
     out.clear();
     FaceRef hidden;
-    for (const Side& s : boundary_) {
+    for (const BoundaryFace& s : boundary_) {
       out.push_back({s.triangle[0], s.triangle[1], s.triangle[2], y});
       if (recovery_.mesh.positive(out.back())) continue;
       if (!may_grow_over(s)) return std::nullopt;

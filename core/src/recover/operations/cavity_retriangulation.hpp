@@ -44,14 +44,14 @@ class Cavity {
   std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
 
  private:
-  struct Side {
+  struct BoundaryFace {
     Triangle triangle;  ///< counter-clockwise as seen from inside
     FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
   };
 
-  bool may_grow_over(const Side& side) const;
+  bool may_grow_over(const BoundaryFace& side) const;
   bool grow_over(FaceRef face);
-  bool swallows_constraint(const std::vector<Side>& before) const;
+  bool swallows_constraint(const std::vector<BoundaryFace>& before) const;
   bool is_of_dropped(FaceRef face) const;
   void add_side(FaceRef face);
   void add_cell(CellIndex c);
@@ -59,7 +59,7 @@ class Cavity {
 
   const Recovery& recovery_;
   std::vector<CellIndex> cells_;
-  std::vector<Side> boundary_;
+  std::vector<BoundaryFace> boundary_;
   std::vector<CellIndex> forbidden_;
   VertexIndex dropped_;
 };

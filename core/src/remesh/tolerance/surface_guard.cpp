@@ -72,12 +72,12 @@ bool contains(const Box3& box, const Vec3& p) {
 
 /// For each patch, whether its faces have consistent orientations: no two of them pass an edge in the same direction.
 std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
-  struct Side {
+  struct DirectedEdge {
     Index patch;
     VertexIndex from, to;
-    auto operator<=>(const Side&) const = default;
+    auto operator<=>(const DirectedEdge&) const = default;
   };
-  std::vector<Side> sides;
+  std::vector<DirectedEdge> sides;
   mesh.for_each_facet_face([&](FaceRef f) {
     const Triangle t = mesh.facet_face(f);
     for (unsigned k = 0; k < 3; ++k) sides.push_back({mesh.patch_of(mesh.tag(f)), t[k], t[(k + 1) % 3]});

@@ -20,7 +20,8 @@ class EdgeBuckets {
     for_each_side(soup, [&](VertexIndex a, VertexIndex b, Index f) { edges_[next[a]++] = {b, f}; });
     for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
       std::sort(edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v]),
-                edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]), [](const Side& x, const Side& y) {
+                edges_.begin() + static_cast<std::ptrdiff_t>(begin_[v + 1]),
+                [](const FacetAtEdge& x, const FacetAtEdge& y) {
                   return x.other != y.other ? x.other < y.other : x.facet < y.facet;
                 });
   }
@@ -38,7 +39,7 @@ class EdgeBuckets {
   }
 
  private:
-  struct Side {
+  struct FacetAtEdge {
     VertexIndex other;
     Index facet;
   };
@@ -51,7 +52,7 @@ class EdgeBuckets {
       }
   }
   std::vector<std::size_t> begin_;
-  std::vector<Side> edges_;
+  std::vector<FacetAtEdge> edges_;
 };
 
 }  // namespace geomesh::geomodel::arrangement

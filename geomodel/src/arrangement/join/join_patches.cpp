@@ -23,12 +23,12 @@ class Patches {
  public:
   Patches(const Complex& complex, const std::vector<std::uint8_t>& may_join)
       : n_surfaces_(rows_in_use(complex)), joined_(complex.origins.items.size()) {
-    struct Side {
+    struct OriginAtEdge {
       Index surface;
       VertexIndex a, b;
       Index row;  ///< of the origin
     };
-    std::vector<Side> sides;
+    std::vector<OriginAtEdge> sides;
     for (Index f = 0; f < complex.facets.size(); ++f)
       for (Index row = complex.origins.offsets[f]; row < complex.origins.offsets[f + 1]; ++row) {
         const Index surface = complex.origins.items[row].surface;
@@ -38,8 +38,9 @@ class Patches {
           sides.push_back({surface, a, b, row});
         }
       }
-    const auto edge = [](const Side& s) { return std::tie(s.surface, s.a, s.b); };
-    std::sort(sides.begin(), sides.end(), [&](const Side& s, const Side& t) { return edge(s) < edge(t); });
+    const auto edge = [](const OriginAtEdge& s) { return std::tie(s.surface, s.a, s.b); };
+    std::sort(sides.begin(), sides.end(),
+              [&](const OriginAtEdge& s, const OriginAtEdge& t) { return edge(s) < edge(t); });
     for (std::size_t k = 1; k < sides.size(); ++k)
       if (edge(sides[k]) == edge(sides[k - 1])) joined_.unite(sides[k - 1].row, sides[k].row);
     number(sides.empty() ? std::vector<Index>{} : rows_of(sides), complex);

@@ -19,7 +19,7 @@ constexpr Index facet_of(Index side) { return side / 4; }
 constexpr Index edge_of(Index side) { return side % 4; }
 
 Neighbours find_neighbours(const Complex& complex) {
-  struct Side {
+  struct EdgeUse {
     VertexIndex other;
     Index side;
   };
@@ -28,7 +28,7 @@ Neighbours find_neighbours(const Complex& complex) {
   for (const Triangle& t : complex.facets)
     for (std::size_t k = 0; k < 3; ++k) ++begin[std::min(t[k], t[(k + 1) % 3]) + 2];
   for (std::size_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
-  std::vector<Side> sides(3 * n);
+  std::vector<EdgeUse> sides(3 * n);
   for (Index f = 0; f < n; ++f)
     for (Index k = 0; k < 3; ++k) {
       const VertexIndex a = complex.facets[f][k], b = complex.facets[f][(k + 1) % 3];
@@ -36,9 +36,10 @@ Neighbours find_neighbours(const Complex& complex) {
     }
   Neighbours neighbours(n, {no_index, no_index, no_index});
   parallel_for(complex.points.size(), [&](std::size_t v) {
-    const std::span<Side> at(sides.data() + begin[v], sides.data() + begin[v + 1]);
-    std::sort(at.begin(), at.end(),
-              [](const Side& a, const Side& b) { return a.other != b.other ? a.other < b.other : a.side < b.side; });
+    const std::span<EdgeUse> at(sides.data() + begin[v], sides.data() + begin[v + 1]);
+    std::sort(at.begin(), at.end(), [](const EdgeUse& a, const EdgeUse& b) {
+      return a.other != b.other ? a.other < b.other : a.side < b.side;
+    });
     for (std::size_t k = 0, end; k < at.size(); k = end) {
       for (end = k + 1; end < at.size() && at[end].other == at[k].other;) ++end;
       if (end != k + 2) continue;

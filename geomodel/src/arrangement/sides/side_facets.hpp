@@ -27,16 +27,16 @@ class SideFacets {
 
   /// Returns the edges between two sides, with a facet of each.
   std::map<EdgeKey, std::array<Index, 2>> creases(const Joining& joining) const {
-    struct Side {
+    struct SurfaceFacet {
       Index surface, facet;
     };
-    std::map<EdgeKey, Side> side_at;
+    std::map<EdgeKey, SurfaceFacet> first_at;
     std::map<EdgeKey, std::array<Index, 2>> creases;
     for (const Index f : facets_)
       for (const Origin& o : complex_.origins.of(f)) {
         if (o.surface < joining.first_side) continue;
         for (const EdgeKey& e : edges_of(complex_.facets[f])) {
-          const Side& first = side_at.try_emplace(e, Side{o.surface, f}).first->second;
+          const SurfaceFacet& first = first_at.try_emplace(e, SurfaceFacet{o.surface, f}).first->second;
           if (first.surface != o.surface) creases.try_emplace(e, std::array{first.facet, f});
         }
       }

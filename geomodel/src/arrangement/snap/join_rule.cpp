@@ -50,13 +50,13 @@ JoinRule::Set JoinRule::number(std::vector<Index> surfaces) {
 void JoinRule::index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box) {
   of_edge_.clear();
   if (!restricts_) return;
-  struct Side {
+  struct EdgeOfSurface {
     VertexIndex a, b;
     Index surface;
-    auto operator<=>(const Side&) const = default;
+    auto operator<=>(const EdgeOfSurface&) const = default;
   };
   const auto is_asked = [this](VertexIndex v) { return asked_.empty() || v >= asked_.size() || asked_[v] != 0; };
-  std::vector<Side> sides;
+  std::vector<EdgeOfSurface> sides;
   if (asked_.empty()) sides.reserve(3 * complex.facets.size());
   for (Index f = 0; f < complex.facets.size(); ++f) {
     Index last = no_index;  // origins of one surface are consecutive

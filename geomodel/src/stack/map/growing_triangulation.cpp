@@ -213,13 +213,13 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
 }
 
 void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change) {
-  struct Side {
+  struct CavityEdge {
     VertexIndex a, b;
     Index beyond, zone;
     bool lined;
   };
   const auto v = static_cast<VertexIndex>(points_.size());
-  std::vector<Side> sides;
+  std::vector<CavityEdge> sides;
   for (const Index c : change.emptied)
     for (std::size_t i = 0; i < 3; ++i) {
       const Cell& cell = cells_[c];
@@ -240,14 +240,14 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
       cells_.emplace_back();
       epoch_of_.push_back(0);
     }
-    const Side& s = sides[k];
+    const CavityEdge& s = sides[k];
     change.made.push_back(row);
     starts[s.a] = row;
     ends[s.b] = row;
   }
   cell_of_vertex_.push_back(change.made.front());
   for (std::size_t k = 0; k < sides.size(); ++k) {
-    const Side& s = sides[k];
+    const CavityEdge& s = sides[k];
     const Index row = change.made[k];
     if (s.beyond != no_index) {
       // The neighbouring cell still refers to a former cell: its side is found by the vertices.

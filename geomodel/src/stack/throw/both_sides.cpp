@@ -224,22 +224,23 @@ class StripTriangles {
 
 /// One block of each horizon (no_throw for those without), all on the same sides of the faults that they have in
 /// common.
-using Side = std::vector<Index>;
+using BlocksOnOneSide = std::vector<Index>;
 
 class SideFinder {
  public:
   explicit SideFinder(const std::vector<HorizonFaults>& faults) : faults_(faults) {}
   /// Returns all sides for which each horizon's block is among those given; horizons without blocks there have
   /// no_index.
-  std::vector<Side> sides_of(const std::vector<std::vector<Index>>& blocks) const {
-    std::vector<Side> sides;
-    Side side;
+  std::vector<BlocksOnOneSide> sides_of(const std::vector<std::vector<Index>>& blocks) const {
+    std::vector<BlocksOnOneSide> sides;
+    BlocksOnOneSide side;
     extend(blocks, side, sides);
     return sides;
   }
 
  private:
-  void extend(const std::vector<std::vector<Index>>& blocks, Side& side, std::vector<Side>& sides) const {
+  void extend(const std::vector<std::vector<Index>>& blocks, BlocksOnOneSide& side,
+              std::vector<BlocksOnOneSide>& sides) const {
     const std::size_t k = side.size();
     if (k == blocks.size()) {
       sides.push_back(side);
@@ -258,7 +259,7 @@ class SideFinder {
     extend(blocks, side, sides);
     side.pop_back();
   }
-  bool fits(const Side& side, std::size_t k, Index block) const {
+  bool fits(const BlocksOnOneSide& side, std::size_t k, Index block) const {
     if (block == no_throw) return true;
     for (std::size_t j = 0; j < side.size(); ++j) {
       if (side[j] >= no_throw) continue;
@@ -371,7 +372,7 @@ class BothSides {
       const Triangle& v = sheets_.triangles[t];
       for (std::size_t k = 0; k < n_; ++k)
         blocks[k] = strips_.has_throw(k) ? strips_.blocks(k, t) : std::vector<Index>{no_throw};
-      for (const Side& side : finder_.sides_of(blocks))
+      for (const BlocksOnOneSide& side : finder_.sides_of(blocks))
         for (std::size_t k = 0; k + 1 < n_; ++k) {
           double thickness = 0;
           for (const VertexIndex w : v) thickness += (height(w, k, side[k]) - height(w, k + 1, side[k + 1])) / 3;
@@ -385,10 +386,10 @@ class BothSides {
   void settle(VertexIndex v, const std::vector<std::set<Index>>& sets) {
     std::vector<std::vector<Index>> blocks;
     for (const std::set<Index>& set : sets) blocks.emplace_back(set.begin(), set.end());
-    for (const Side& side : finder_.sides_of(blocks)) settle(v, side);
+    for (const BlocksOnOneSide& side : finder_.sides_of(blocks)) settle(v, side);
   }
 
-  void settle(VertexIndex v, const Side& side) {
+  void settle(VertexIndex v, const BlocksOnOneSide& side) {
     std::vector<double> given(n_);
     std::vector<char> stays(n_), is_against_rule(n_, 0);
     Keepers keepers = in_.options.keepers;
