@@ -42,28 +42,16 @@ class Cavity {
   }
 
   /// Adds each cell for which takes(cell) is true and that can be reached through faces for which may_cross(face) is
-  /// true and that have cells on both sides. Ends soon after there are `most` cells. will_ask(cell) is called shortly
-  /// before takes(cell), so that memory can be fetched meanwhile.
-  template <class MayCross, class Takes, class WillAsk>
-  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes, const WillAsk& will_ask) {
-    const auto announce = [&](CellIndex c) {
-      for (const FaceRef n : mesh_.cells()[c].neighbors)
-        if (n.valid()) will_ask(n.cell());
-    };
-    for (const CellIndex c : bases_) announce(c);
+  /// true and that have cells on both sides. Ends soon after there are `most` cells.
+  template <class MayCross, class Takes>
+  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
     for (std::size_t k = 0; k < cells_.size() && cells_.size() < most; ++k)
       for (unsigned i = 0; i < 4; ++i) {
         const FaceRef f(cells_[k], i);
         if (!may_cross(f)) continue;
         const CellIndex n = mesh_.mirror(f).cell();
-        if (has(n) || !takes(n)) continue;
-        add(n);
-        announce(n);
+        if (!has(n) && takes(n)) add(n);
       }
-  }
-  template <class MayCross, class Takes>
-  void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
-    grow(most, may_cross, takes, [](CellIndex) {});
   }
 
   /// Gives up cells with a border face for which sees(face) is false, then those whose faces are at the border because

@@ -98,38 +98,6 @@ void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const New
       removed, added.size(), make, [&](CellIndex c) { note_cell(c); }, note_removal);
 }
 
-void DomainMesh::replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
-                                 std::span<const double> shapes, std::vector<CellIndex>& created) {
-  const Index component = attributes_.component[removed[0]];
-  std::vector<NewCell> added;
-  if (border.size() > StarLinks::most_faces) {
-    for (std::size_t k = 0; k < border.size(); ++k) {
-      const Triangle& f = border[k].vertices;
-      added.push_back({{f[0], f[1], f[2], apex}, component, {}, shapes[k]});
-    }
-    return replace(removed, added, created);
-  }
-  border_tags_.clear();
-  for (const StarFace& f : border) {
-    border_tags_.push_back(tag(f.inner.cell(), f.inner.face()));
-    if (f.outer.valid()) note_cell(f.outer.cell());
-  }
-  for (const CellIndex c : removed) {
-    note_cell(c);
-    if (journal_.is_open) journal_.note_freed(c);
-    mesh_.free_cell(c);
-  }
-  created.clear();
-  for (std::size_t k = 0; k < border.size(); ++k) {
-    const auto& [f, inner, outer] = border[k];
-    const CellIndex c = add_cell({f[0], f[1], f[2], apex}, component, shapes[k]);
-    attributes_.tags[c][3] = border_tags_[k];
-    if (outer.valid()) mesh_.link({c, 3}, outer);
-    created.push_back(c);
-  }
-  star_links_.link(mesh_, border, created);
-}
-
 void DomainMesh::remove_vertex(VertexIndex v) {
   note_vertex(v);
   kinds_[v] = VertexKind::dead;

@@ -10,7 +10,8 @@
 ///
 /// There is one operation that changes connectivity: `replace`. Every local operation (split, collapse, flip,
 /// insertion) computes the two sets, checks each new cell with the exact predicate, and calls it: so no operation can
-/// make crossings, and what is not admissible is refused before anything is changed.
+/// make crossings, and what is not admissible is refused before anything is changed. Points that are inserted by
+/// thousands go through walled_mesh.hpp instead.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +24,6 @@
 #include "remesh/domain/mesh_blocks.hpp"
 #include "remesh/domain/mesh_elements.hpp"
 #include "remesh/domain/mesh_journal.hpp"
-#include "remesh/domain/star_links.hpp"
 
 namespace geomesh::remesh {
 
@@ -67,6 +67,7 @@ struct DomainAttributes {
 };
 
 struct MeshPart;
+class WalledMesh;
 
 class DomainMesh : public EditableMesh<DomainAttributes> {
  public:
@@ -161,10 +162,6 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// permitted.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
                BlockEdit& block);
-  /// Replaces cells of one component, with no constrained face inside, by the star of `apex`: one cell for each face of
-  /// their border, in that order. `shapes` holds the shapes of the new cells and may be longer. O(k).
-  void replace_by_star(std::span<const CellIndex> removed, std::span<const StarFace> border, VertexIndex apex,
-                       std::span<const double> shapes, std::vector<CellIndex>& created);
   /// Removes a vertex that no live cell uses.
   void remove_vertex(VertexIndex v);
 
@@ -280,6 +277,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::string validate(unsigned threads = 1) const;
 
  private:
+  friend class WalledMesh;
   void fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                  std::vector<VertexIndex>& row, MeshPart& part) const;
   using OpenFace = std::pair<FaceKey, FaceRef>;
@@ -317,8 +315,6 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   EdgeMap curves_;
 
   MeshJournal journal_;
-  StarLinks star_links_;
-  std::vector<FaceTag> border_tags_;  // scratch
 };
 
 /// Returns whether a cell at one of the vertices was created, or one of its vertices moved, since that time of the

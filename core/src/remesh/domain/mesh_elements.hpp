@@ -69,8 +69,6 @@ struct NewCell {
 /// A face on the border of the removed cells. The tetrahedron (vertices, apex) will be a positive cell.
 struct StarFace {
   Triangle vertices;
-  FaceRef inner;  ///< the face as part of a removed cell
-  FaceRef outer;  ///< the face as part of a kept cell; invalid if there is none
 };
 
 }  // namespace geomesh::remesh

@@ -25,14 +25,16 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
   return (0.5 / dot(n, n)) * (dot(u, u) * cross(v, n) + dot(v, v) * cross(n, u));
 }
 
+namespace {
+
+/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face is in the way or the
+/// walk takes too long.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
   const auto end = mesh.walk(
       p, start, 1000, [&] { return turn++ & 3u; }, [&](FaceRef f) { return mesh.tag(f).constrained(); });
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
 }
-
-namespace {
 
 /// Inserts a point by a constrained Delaunay cavity that has no part of a surface or curve inside, and its star.
 /// Circumspheres in floating point select the cells; visibility is decided exactly.
@@ -48,12 +50,7 @@ class InsideInsertion {
     const std::array bases{home};
     Cavity cavity(mesh_.cells(), work_.marks, work_.cells, bases);
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
-    const auto fetch = [&](CellIndex c) {
-      __builtin_prefetch(mesh_.cells().cells() + c);
-      if (rule_.spheres) __builtin_prefetch(rule_.spheres->data() + c);
-    };
-    cavity.grow(
-        most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); }, fetch);
+    cavity.grow(most_cells, may_cross, [&](CellIndex c) { return in_circumsphere(c); });
     collect_border(cavity);
     if (!std::all_of(border().begin(), border().end(), [&](const StarFace& f) { return mesh_.sees(p_, f.vertices); })) {
       if (!cavity.shrink(
@@ -78,7 +75,13 @@ class InsideInsertion {
 
   VertexIndex fill() {
     const VertexIndex v = mesh_.add_vertex(p_, VertexKind::inside);
-    mesh_.replace_by_star(work_.cells, border(), v, shapes_, work_.created);
+    const Index component = mesh_.component(work_.cells[0]);
+    work_.added.clear();
+    for (std::size_t k = 0; k < border().size(); ++k) {
+      const Triangle& f = border()[k].vertices;
+      work_.added.push_back({{f[0], f[1], f[2], v}, component, {}, shapes_[k]});
+    }
+    mesh_.replace(work_.cells, work_.added, work_.created);
     return v;
   }
 
@@ -86,7 +89,7 @@ class InsideInsertion {
   std::vector<StarFace>& border() { return work_.star; }
 
   bool in_circumsphere(CellIndex c) const {
-    const Sphere s = rule_.spheres ? (*rule_.spheres)[c] : circumsphere(mesh_, c);
+    const Sphere s = circumsphere(mesh_, c);
     return squared_distance(s.centre, p_) < s.radius * s.radius;
   }
   template <class Vertices>
@@ -102,7 +105,7 @@ class InsideInsertion {
       for (unsigned i = 0; i < 4; ++i) {
         const FaceRef n = cell.neighbors[i];
         if (n.valid() && cavity.has(n.cell()) && !mesh_.tag(c, i).constrained()) continue;
-        border().push_back({face_of(cell.vertices, i), FaceRef(c, i), n});
+        border().push_back({face_of(cell.vertices, i)});
       }
     }
   }
@@ -118,12 +121,8 @@ class InsideInsertion {
 
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule) {
   const std::optional<CellIndex> home = locate(tools.mesh, p, start);
-  return home ? insert_in_cell(tools, p, *home, rule) : std::nullopt;
-}
-
-std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule) {
   InsideInsertion insertion(tools, p, rule);
-  if (!insertion.find_cavity(home) || !insertion.has_shapes()) return std::nullopt;
+  if (!home || !insertion.find_cavity(*home) || !insertion.has_shapes()) return std::nullopt;
   ++tools.statistics.points_inside;
   return insertion.fill();
 }

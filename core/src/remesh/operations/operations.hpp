@@ -109,21 +109,14 @@ struct Sphere {
 };
 
 struct InsertionRule {
-  LocalLength spacing;                        ///< no vertex of the cavity may be nearer to the point than this
-  double min_shape = 0;                       ///< the worst new shape must be above this
-  const PodArray<Sphere>* spheres = nullptr;  ///< spheres of all live cells, if the caller has them
+  LocalLength spacing;   ///< no vertex of the cavity may be nearer to the point than this
+  double min_shape = 0;  ///< the worst new shape must be above this
 };
-
-/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face is in the way or the
-/// walk takes too long.
-std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start);
 
 /// Inserts p by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), which ends at constrained faces and is
 /// reduced until p sees its whole border. The point must be in the component of `start`, and the walk there must cross
 /// no constrained face.
 std::optional<VertexIndex> insert_inside(Toolbox& tools, const Vec3& p, CellIndex start, const InsertionRule& rule);
-/// Inserts p into the given cell, which contains it (see locate).
-std::optional<VertexIndex> insert_in_cell(Toolbox& tools, const Vec3& p, CellIndex home, const InsertionRule& rule);
 
 /// Inserts p, moved to the patch of the face `start`. One cavity is on the surface (faces of the patch whose
 /// circumcircle contains p), one in the cells on both sides. The full spacing is required from the surface's vertices,

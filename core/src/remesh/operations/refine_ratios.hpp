@@ -28,8 +28,7 @@ struct RefineRatios {
   /// Least squared height of a new point above its face, relative to the squared target edge.
   double least_height = 0.2;
   double least_way = 0.5;        ///< a new point moves towards the circumcentre by at least this share of the height
-  double inside_shape = 1e-3;    ///< least shape of a cell created by a new point inside
-  double surface_shape = 1e-7;   ///< the same for a point on a surface, around which more points will follow
+  double surface_shape = 1e-7;   ///< least shape of a cell created by a new point on a surface, where more follow
   double collapse_floor = 0.05;  ///< a contraction must not bring better shapes below this
   double regular_floor = 1e-3;   ///< the same for flips and moves on surfaces
   unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; the fourth changes one face in a hundred

@@ -74,6 +74,7 @@ class ComponentRefiner {
       work.n_cells = n_cells;
       report();
     };
+    work.part.mesh.sort_cells();
     refine_inside(*work.tools, max_cells_, context);
   }
 

@@ -5,7 +5,7 @@
 
 #include "common/geometry.hpp"
 #include "common/parallel.hpp"
-#include "common/sort_unique.hpp"
+#include "remesh/domain/walled_mesh.hpp"
 #include "remesh/operations/refine_ratios.hpp"
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/passes.hpp"
@@ -22,12 +22,10 @@ constexpr double spacing_ratio = refine_ratios.spacing;
 /// circumcentre is tried instead.
 class InsideRefiner {
  public:
-  InsideRefiner(Toolbox& tools, std::size_t max_cells, Insertions expected)
-      : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells), keeps_spheres_(expected == Insertions::many) {}
+  InsideRefiner(Toolbox& tools, std::size_t max_cells) : tools_(tools), mesh_(tools.mesh), max_cells_(max_cells) {}
 
   std::size_t run(const RunContext& context) {
-    mesh_.sort_cells(context.threads);
-    std::vector<CellIndex> large = measure_all(context.threads);
+    std::vector<CellIndex> large = open(context.threads);
     std::size_t total = 0;
     bool is_flipped = false;
     while (!large.empty()) {
@@ -35,8 +33,9 @@ class InsideRefiner {
       total += n_front;
       if (!is_flipped && n_front * refine_ratios.slow_front < large.size() && is_many(large.size())) {
         is_flipped = true;
+        walled_->close(context.threads);
         flip_towards_delaunay(tools_, context);
-        large = measure_all(context.threads);
+        large = open(context.threads);
         continue;
       }
       if (n_front * refine_ratios.idle_front > large.size()) continue;
@@ -49,6 +48,8 @@ class InsideRefiner {
       total += n_beyond;
       if (n_beyond == 0) break;
     }
+    walled_->close(context.threads);
+    tools_.statistics.points_inside += total;
     return total;
   }
 
@@ -57,41 +58,46 @@ class InsideRefiner {
   /// at those of cells beyond it.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
-  /// Two bytes suffice, and each cell stores three of these numbers. Passes beyond the largest number share it and the
-  /// start of the first of them, so that cells are only tried more often than necessary.
+  /// Two bytes suffice, and each cell stores three of these numbers. Passes beyond the largest number share it, so that
+  /// cells are only tried more often than necessary.
   using PassNumber = std::uint16_t;
-  static constexpr std::size_t last_pass = std::numeric_limits<PassNumber>::max();
+  static constexpr PassNumber last_pass = std::numeric_limits<PassNumber>::max();
 
   bool is_many(std::size_t n_large) const {
-    return static_cast<double>(n_large) > refine_ratios.many_stuck * static_cast<double>(mesh_.n_cells());
+    return static_cast<double>(n_large) > refine_ratios.many_stuck * static_cast<double>(walled_->n_cells());
   }
 
-  /// Returns the large cells.
-  std::vector<CellIndex> measure_all(unsigned threads) {
+  /// Opens the mesh for insertions and returns its large cells.
+  std::vector<CellIndex> open(unsigned threads) {
     tools_.lengths.evaluate(threads);
-    make_room();
-    for_each_index(mesh_.n_slots(), thread_count(threads), [&](std::size_t c) {
-      if (mesh_.is_live(static_cast<CellIndex>(c))) measure(static_cast<CellIndex>(c));
-    });
-    std::vector<CellIndex> large;
-    for (const CellIndex c : mesh_.live_cells())
-      if (is_large(c)) large.push_back(c);
+    walled_.emplace(mesh_);
+    tools_.lengths.set_size(static_cast<VertexIndex>(mesh_.n_vertices() - 1), 0);
+    changed_.assign(mesh_.n_vertices(), 0);
     refused_ = {};
+    for_each_index(walled_->n_slots(), thread_count(threads), [&](std::size_t c) {
+      if (walled_->is_cell(static_cast<CellIndex>(c))) is_large(static_cast<CellIndex>(c));
+    });
+    return large_cells();
+  }
+
+  std::vector<CellIndex> large_cells() {
+    std::vector<CellIndex> large;
+    for (CellIndex c = 0; c < walled_->n_slots(); ++c)
+      if (walled_->note(c) != small && walled_->is_cell(c) && is_large(c)) large.push_back(c);
     return large;
   }
 
-  void make_room() {
-    if (keeps_spheres_) spheres_.grow_to(mesh_.n_slots());
-    large_.grow_to(mesh_.n_slots());
+  /// Most cells are replaced before it matters whether they are large, so this is evaluated at the first call.
+  bool is_large(CellIndex c) {
+    if (walled_->note(c) == not_known) [[unlikely]]
+      walled_->set_note(c, circumsphere(mesh_, c).radius <= refine_ratios.large_cell * size_of_cell(c) ? small : large);
+    return walled_->note(c) == large;
   }
-  /// Evaluates whether a cell is large. Must be called for each new cell, once there is room for all cells.
-  void measure(CellIndex c) {
-    const Sphere s = circumsphere(mesh_, c);
-    if (keeps_spheres_) spheres_[c] = s;
-    large_[c] = !(s.radius <= refine_ratios.large_cell * tools_.lengths.size_of_cell(c));
+  double size_of_cell(CellIndex c) {
+    const Tetrahedron& t = walled_->vertices(c);
+    return 0.25 * (tools_.lengths.size_at(t[0]) + tools_.lengths.size_at(t[1]) + tools_.lengths.size_at(t[2]) +
+                   tools_.lengths.size_at(t[3]));
   }
-  Sphere sphere_of(CellIndex c) const { return keeps_spheres_ ? spheres_[c] : circumsphere(mesh_, c); }
-  bool is_large(CellIndex c) const { return large_[c]; }
 
   /// Small sizes come first, so that the front advances from fine to coarse, where points are seldom too near to
   /// others. Cells are ordered by classes of sizes, and within a class by slot, since cells created one after the other
@@ -101,56 +107,48 @@ class InsideRefiner {
     std::vector<std::pair<int, CellIndex>> keyed;
     keyed.reserve(cells.size());
     for (const CellIndex c : cells)
-      keyed.push_back(
-          {static_cast<int>(std::floor(classes_a_doubling * std::log2(tools_.lengths.size_of_cell(c)))), c});
+      keyed.push_back({static_cast<int>(std::floor(classes_a_doubling * std::log2(size_of_cell(c)))), c});
     std::sort(keyed.begin(), keyed.end());
     for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = keyed[k].second;
   }
 
   /// Visits each large cell once. Afterwards `large` lists the cells that are still large, including new ones.
   std::size_t pass(std::vector<CellIndex>& large, Kind kind, const RunContext& context) {
-    const auto number = static_cast<PassNumber>(std::min<std::size_t>(starts_.size(), last_pass));
-    const std::uint64_t start = mesh_.tick();
-    if (number == starts_.size()) starts_.push_back(start);
+    if (pass_ < last_pass) ++pass_;
     order_by_size(large);
-    std::vector<CellIndex> next;
     std::size_t n = 0;
     for (std::size_t k = 0; k < large.size(); ++k) {
-      if (k % 256 == 0) context.check_cancelled(), context.report(mesh_.n_cells(), 0);
+      if (k % 256 == 0) context.check_cancelled(), context.report(walled_->n_cells(), 0);
       const CellIndex c = large[k];
-      if (!mesh_.is_live(c) || !is_large(c)) continue;
-      PassNumber& refused = refusal(kind, c);
-      const bool is_in_vain = refused > 0 && !changed_since(mesh_, mesh_.vertices(c), starts_[refused]);
-      if (is_in_vain ||
-          !(kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front))) {
-        if (!is_in_vain) refused = number;
-        next.push_back(c);
-        continue;
+      if (!walled_->is_cell(c) || !is_large(c) || is_in_vain(refusal(kind, c), c)) continue;
+      if (kind == Kind::front ? insert_on_front(c) : insert_at_centre(c, kind == Kind::centre_at_front)) {
+        ++n;
+        if (walled_->n_cells() > max_cells_) throw_too_many_cells(max_cells_);
+      } else {
+        refusal(kind, c) = pass_;
       }
-      ++n;
-      make_room();
-      for (const CellIndex made : tools_.work.created) measure(made);
-      if (mesh_.n_cells() > max_cells_) throw_too_many_cells(max_cells_);
-      next.insert(next.end(), tools_.work.created.begin(), tools_.work.created.end());
     }
-    std::erase_if(next, [&](CellIndex c) { return !mesh_.is_live(c) || !is_large(c); });
-    sort_unique(next);
-    large = std::move(next);
+    large = large_cells();
     return n;
   }
 
-  /// For each kind of pass and each cell, the last pass that placed no point there, or 0 if none. The cell is tried
-  /// again if cells were created at one of its vertices since that pass began, or if its slot was reused.
+  /// For each kind of pass and each cell, the last pass that placed no point there, or 0 if none.
   PassNumber& refusal(Kind kind, CellIndex c) {
     std::vector<PassNumber>& refused = refused_[static_cast<std::size_t>(kind)];
-    if (c >= refused.size()) refused.resize(mesh_.n_slots() + mesh_.n_slots() / 4, 0);
+    if (c >= refused.size()) refused.resize(walled_->n_slots() + walled_->n_slots() / 4, 0);
     return refused[c];
+  }
+  /// A cell is tried again if cells were created at one of its vertices since that pass began, or if its slot was
+  /// reused.
+  bool is_in_vain(PassNumber refused, CellIndex c) const {
+    const Tetrahedron& t = walled_->vertices(c);
+    return refused > 0 && std::all_of(t.begin(), t.end(), [&](VertexIndex v) { return changed_[v] < refused; });
   }
 
   /// Returns whether p is nearer to a corner of the cell than any size at its corners would allow. Avoids evaluating
   /// the size at p.
   bool crowds_corner(const Vec3& p, CellIndex c) {
-    const Tetrahedron& t = mesh_.vertices(c);
+    const Tetrahedron& t = walled_->vertices(c);
     double h = std::numeric_limits<double>::infinity();
     for (const VertexIndex v : t) h = std::min(h, tools_.lengths.size_at(v));
     const double limit = spacing_ratio * spacing_ratio * h * h;
@@ -167,7 +165,7 @@ class InsideRefiner {
   /// may decrease. This decides most refusals without evaluating the size at p.
   bool surely_crowds(const Vec3& p, CellIndex c) {
     constexpr double rounding = 1 - 1e-9;
-    const Tetrahedron& t = mesh_.vertices(c);
+    const Tetrahedron& t = walled_->vertices(c);
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) {
       const double d = distance(mesh_.point(v), p);
       return d < rounding * spacing_ratio * (tools_.lengths.size_at(v) - steepest_ * d);
@@ -178,33 +176,36 @@ class InsideRefiner {
   double crowded_size(const Vec3& p, CellIndex c) const {
     constexpr double rounding = 1 + 1e-9;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const VertexIndex v : mesh_.vertices(c)) nearest = std::min(nearest, squared_distance(mesh_.point(v), p));
+    for (const VertexIndex v : walled_->vertices(c)) nearest = std::min(nearest, squared_distance(mesh_.point(v), p));
     return rounding / spacing_ratio * std::sqrt(nearest);
   }
 
-  std::optional<VertexIndex> insert(const Vec3& p, CellIndex c) {
-    if (crowds_corner(p, c)) return std::nullopt;
-    const std::optional<CellIndex> home = locate(mesh_, p, c);
-    if (!home || surely_crowds(p, *home)) return std::nullopt;
+  bool insert(const Vec3& p, CellIndex c) {
+    if (crowds_corner(p, c)) return false;
+    const std::optional<CellIndex> home = walled_->locate(p, c);
+    if (!home || surely_crowds(p, *home)) return false;
     const double crowded = crowded_size(p, *home), h = size_near(p, c, crowded);
-    if (h >= crowded) return std::nullopt;
-    const auto v = insert_in_cell(
-        tools_, p, *home,
-        {LocalLength(spacing_ratio * h), refine_ratios.inside_shape, keeps_spheres_ ? &spheres_ : nullptr});
-    if (v) tools_.lengths.set_size(*v, h);
-    return v;
+    if (h >= crowded) return false;
+    const auto v = walled_->insert(p, *home, spacing_ratio * h);
+    if (!v) return false;
+    tools_.lengths.set_size(*v, h);
+    changed_.push_back(pass_);
+    for (const VertexIndex w : walled_->link()) changed_[w] = pass_;
+    return true;
   }
 
-  std::optional<VertexIndex> insert_on_front(CellIndex c) {
-    const Vec3 centre = sphere_of(c).centre;
+  bool insert_on_front(CellIndex c) {
+    const Vec3 centre = circumsphere(mesh_, c).centre;
     for (unsigned i = 0; i < 4; ++i) {
-      const bool constrained = mesh_.tag(c, i).constrained();
-      if (!constrained && is_large(mesh_.cells().neighbor_cell(c, i))) continue;
+      if (!is_front(c, i)) continue;
       if (const auto p = ideal_apex(c, i, centre))
-        if (const auto v = insert(*p, c)) return v;
+        if (insert(*p, c)) return true;
     }
-    return std::nullopt;
+    return false;
   }
+
+  /// Returns whether the other side of the face is finished.
+  bool is_front(CellIndex c, unsigned i) { return walled_->is_wall(c, i) || !is_large(walled_->beyond(c, i)); }
 
   /// Returns the place above the circumcentre of face i at which the new edges have the target length (the mean of
   /// those at their ends), but not beyond the circumcentre of the cell, which is `centre`.
@@ -227,37 +228,33 @@ class InsideRefiner {
     return base + std::min(height, std::max(to_centre, refine_ratios.least_way * height)) * normal;
   }
 
-  bool is_on_front(CellIndex c) {
-    for (unsigned i = 0; i < 4; ++i)
-      if (mesh_.tag(c, i).constrained() || !is_large(mesh_.cells().neighbor_cell(c, i))) return true;
-    return false;
-  }
+  bool is_on_front(CellIndex c) { return is_front(c, 0) || is_front(c, 1) || is_front(c, 2) || is_front(c, 3); }
 
   /// As long as the front advances, only cells at the front get points. The front would reach points beyond it later,
   /// at an unsuitable distance.
-  std::optional<VertexIndex> insert_at_centre(CellIndex c, bool at_front) {
-    if (is_on_front(c) != at_front) return std::nullopt;
-    const Sphere s = sphere_of(c);
-    if (!(s.radius < 1e300)) return std::nullopt;
-    if (const auto v = insert(s.centre, c)) return v;
-    return insert(mesh_.middle(mesh_.vertices(c)), c);
+  bool insert_at_centre(CellIndex c, bool at_front) {
+    if (is_on_front(c) != at_front) return false;
+    const Sphere s = circumsphere(mesh_, c);
+    return s.radius < 1e300 && (insert(s.centre, c) || insert(mesh_.middle(walled_->vertices(c)), c));
   }
+
+  /// Meaning of the notes of the cells.
+  enum Note : unsigned { not_known, small, large };
 
   Toolbox& tools_;
   DomainMesh& mesh_;
   std::size_t max_cells_;
   const double steepest_ = tools_.lengths.field().steepest();
-  std::vector<std::uint64_t> starts_{0};  // the mesh's time at the start of each pass; passes count from 1
-  bool keeps_spheres_;                    // if many points are inserted, the sphere of each cell is needed repeatedly
-  PodArray<Sphere> spheres_;              // sphere of each cell, if kept
-  PodArray<std::uint8_t> large_;          // for each cell, whether its circumradius exceeds the target size
+  std::optional<WalledMesh> walled_;
+  PassNumber pass_ = 0;
+  std::vector<PassNumber> changed_;  // for each vertex, the last pass that created a cell at it
   std::array<std::vector<PassNumber>, 3> refused_;
 };
 
 }  // namespace
 
-std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context, Insertions expected) {
-  return InsideRefiner(tools, max_cells, expected).run(context);
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context) {
+  return InsideRefiner(tools, max_cells).run(context);
 }
 
 }  // namespace geomesh::remesh

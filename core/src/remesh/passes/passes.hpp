@@ -60,12 +60,8 @@ void make_surfaces_regular(Toolbox& tools, InVainOnSurfaces& in_vain, const RunC
 /// Inserts points on faces larger than the target size, advancing from curves and small faces.
 std::size_t refine_surfaces(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
-/// Whether many points will be inserted. If so, the cells are sorted first, and each one stores its circumsphere.
-enum class Insertions : bool { few, many };
-
 /// Inserts points into cells larger than the target size until no cell admits a further point.
-std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context,
-                          Insertions expected = Insertions::many);
+std::size_t refine_inside(Toolbox& tools, std::size_t max_cells, const RunContext& context);
 
 /// Refines all components concurrently; the result does not depend on the number of threads. If sizes are a
 /// function of the caller, one thread is used.

@@ -46,8 +46,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
     passes.once("short edges of surfaces taken out", collapse_on_surfaces);
     passes.once("surfaces made regular", make_regular);
     passes.once("cells flipped towards Delaunay", [&] { flip_towards_delaunay(tools, context, flipped); });
-    passes.once("points put inside where there is room",
-                [&] { refine_inside(inside(), most, context, Insertions::few); });
+    passes.once("points put inside where there is room", [&] { refine_inside(inside(), most, context); });
   }
   passes.once("short edges inside taken out", [&] { collapse_short_edges(tools, ShortEdges::inside, context); });
 }
