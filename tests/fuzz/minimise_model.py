@@ -13,6 +13,7 @@ import re
 import shutil
 import sys
 import tempfile
+import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
@@ -72,8 +73,8 @@ class Model(RandomModel):
 
 
 class Minimiser:
-    def __init__(self, failing, passing, limit, budget):
-        self.failing, self.passing, self.limit, self.budget = failing, passing, limit, budget
+    def __init__(self, failing, passing, limit, minutes):
+        self.failing, self.passing, self.limit, self.end = failing, passing, limit, time.monotonic() + 60 * minutes
         self.kind = None
 
     def outcome(self, model, program):
@@ -82,8 +83,7 @@ class Minimiser:
         return outcome, re.split("[:;(]", why)[0] if outcome == "wrong" else ""
 
     def is_kept(self, model):
-        self.budget -= 1
-        return self.budget >= 0 and self.outcome(model, self.failing) == self.kind and self.outcome(model, self.passing)[0] == "passes"
+        return time.monotonic() < self.end and self.outcome(model, self.failing) == self.kind and self.outcome(model, self.passing)[0] == "passes"
 
     def run(self, model):
         self.kind = self.outcome(model, self.failing)
@@ -91,12 +91,12 @@ class Minimiser:
         if self.kind[0] == "passes" or not self.is_kept(model):
             return None
         before = None
-        while before != model.text + repr(model.surfaces) and self.budget > 0:
+        while before != model.text + repr(model.surfaces) and time.monotonic() < self.end:
             before = model.text + repr(model.surfaces)
             model = self.without_parts(model)
             for k in range(len(model.surfaces)):
                 model = self.without_triangles(model, k)
-            print("%d triangles of %d surfaces; %d questions left" % (model.n_triangles(), len(model.surfaces), self.budget), flush=True)
+            print("%d triangles of %d surfaces" % (model.n_triangles(), len(model.surfaces)), flush=True)
         return model
 
     def without_parts(self, model):
@@ -130,9 +130,9 @@ def main():
     options.add_argument("--passing", default=os.path.join(HERE, "..", "..", "build", "release", "bin", "geomesh"), help="the program that passes")
     options.add_argument("--folder", required=True, help="of the model that is left")
     options.add_argument("--limit", type=int, default=20, help="CPU seconds of one run")
-    options.add_argument("--budget", type=int, default=400, help="most models that are tried")
+    options.add_argument("--minutes", type=float, default=10, help="after which what is left is written")
     options = options.parse_args()
-    model = Minimiser(options.failing, options.passing, options.limit, options.budget).run(Model(options.seed, light=options.light))
+    model = Minimiser(options.failing, options.passing, options.limit, options.minutes).run(Model(options.seed, light=options.light))
     if model is None:
         raise SystemExit("the one program passes, or the other one does not")
     shutil.rmtree(options.folder, ignore_errors=True)
