@@ -332,9 +332,8 @@ std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const Model
     if (!keeps_border(built, rules, row)) left.push_back(row);
   if (left.empty()) return std::nullopt;
   const std::vector<Index> truncating = truncating_horizons(built.rows.truncations);
-  const auto middle = std::ranges::stable_partition(left, [&](Index row) {
-                        return std::ranges::binary_search(truncating, row);
-                      }).begin();
+  const auto middle = std::stable_partition(left.begin(), left.end(),
+                                            [&](Index row) { return std::ranges::binary_search(truncating, row); });
   const std::vector<Index> first(left.begin(), middle);  // these become walls of the blocks below
   left.erase(left.begin(), middle);
   if (!first.empty()) {

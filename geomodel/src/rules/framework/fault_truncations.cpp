@@ -152,7 +152,7 @@ std::vector<Index> truncating_horizons(const std::vector<std::pair<Index, Index>
   std::vector<Index> rows;
   for (const auto& [_, horizon] : truncations) rows.push_back(horizon);
   std::ranges::sort(rows);
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   return rows;
 }
 
