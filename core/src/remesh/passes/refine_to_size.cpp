@@ -38,7 +38,6 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   }
   passes.once("cells flipped towards Delaunay", flip);
   passes.once("points put inside", [&] { refine_components_inside(inside(), most, context); });
-  if (sizes_surfaces(options)) passes.once("cells flipped towards Delaunay", flip);
   // Bisected faces have poor shapes. They can be improved only after their neighbourhood has been filled.
   if (n_split > 0) {
     const std::uint64_t flipped = tools.mesh.tick();
