@@ -12,6 +12,7 @@
 #include "remesh/operations/surface_repair.hpp"
 #include "remesh/passes/improve_passes.hpp"
 #include "remesh/passes/passes.hpp"
+#include "remesh/rescue/bad_cells.hpp"
 #include "remesh/sizes/sizes.hpp"
 #include "remesh/start/mesh_anew.hpp"
 #include "remesh/start/sample_surfaces.hpp"
@@ -145,7 +146,14 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
   const StageScope stage(context, "improve");
   improve_mesh(tools, options, context, &judge);
   if (options.balance_surfaces) balance_surfaces(tools, context);
+  const auto count_bad = [&] { return count_below(tools.mesh, tools.mesh.measure().bad()); };
+  const std::size_t n_bad = count_bad();
   Deviations found = hold_to_tolerance(tools, context);
+  // Vertices that are put where a surface was too far from the input may lie beside others.
+  if (count_bad() > n_bad) {
+    mend_bad_cells(tools, options, context);
+    found = hold_to_tolerance(tools, context);
+  }
   attempt.result.statistics.deviation_result_to_input = found.result_to_input;
   attempt.result.statistics.deviation_input_to_result = found.input_to_result;
   attempt.breaches = std::move(found.breaches);

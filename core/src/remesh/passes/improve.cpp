@@ -190,6 +190,13 @@ void mend_what_is_left(const Mending& mending) {
 
 }  // namespace
 
+void mend_bad_cells(Toolbox& tools, const RefineOptions& options, const RunContext& context) {
+  const ImproveSchedule schedule = schedule_of(options.quality);
+  const TimeBudget budget(options.time_budget, tools.statistics, context);
+  const OutOfTime out_of_time = [&] { return budget.is_spent(); };
+  mend_what_is_left({tools, schedule, PassRunner(tools.mesh, context, out_of_time), context, out_of_time});
+}
+
 void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext& context, const FreeCellJudge* judge) {
   DomainMesh& mesh = tools.mesh;
   const CellQuality& measure = mesh.measure();

@@ -30,7 +30,7 @@ class MeanRaiser {
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
     // If most cells are poor, the mean is worth more time.
-    rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.005;
+    rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.015;
     const auto go_on = [&] {
       context.check_cancelled();
       return false;
