@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t most_asked = 64;   // number of places sampled in a component
 constexpr double least_majority = 0.75;  // share of the volume around those samples that give an answer
-constexpr double least_telling = 0.25;   // share of the volume around all samples
 
 /// Which of the `possible` units the horizons allow around one of the largest tetrahedra of a component, and its
 /// volume.
@@ -56,12 +55,12 @@ UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& pos
   const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty range counts too
   const auto tells = [&](const UnitRange& units) { return units != possible; };
   const double of_one = volume_of(answers, tells_one), telling = volume_of(answers, tells);
-  for (Index unit = possible.first; unit <= possible.last && of_one >= least_telling * all; ++unit)
+  for (Index unit = possible.first; unit <= possible.last && of_one >= (1 - least_majority) * all; ++unit)
     if (volume_of(answers, [&](const UnitRange& units) {
           return units == UnitRange{unit, unit};
         }) >= least_majority * of_one)
       return {unit, unit};
-  if (telling == 0 || telling < least_telling * all) return possible;
+  if (telling == 0 || telling < (1 - least_majority) * all) return possible;
   const auto most = [&](const auto& counts) {
     return volume_of(answers, [&](const UnitRange& units) {
              return tells(units) && !units.empty() && counts(units);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "geomesh/core/predicates.hpp"
@@ -19,7 +20,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double lattice_of_size = 2;
-constexpr double area_of_size = 0.43;  // area of an equilateral triangle divided by the square of its edge
 // Factor on the number of triangles that the target size requires, above which a horizon has too many.
 constexpr double many_triangles = 4;
 constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
@@ -29,8 +29,6 @@ constexpr double room_of_thickness = 2;  // at pinch-out lines
 // Width over which a unit closes, as a multiple of the least thickness: an angle of 5 degrees.
 constexpr double row_of_thickness = 12;
 constexpr double most_shift = 0.15;  // shift of pinch-out lines by half of that width, at most this share of the size
-constexpr double edge_of_thickness = 24;  // largest length of edges in a unit, as a multiple of its thickness
-constexpr double joined_of_reach = 0.25;  // lines closer than this share of the border reach are merged
 
 double map_area(const MapBounds& b) { return (b.max.x - b.min.x) * (b.max.y - b.min.y); }
 
@@ -39,7 +37,8 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   std::size_t n = 0;
   for (const TriangulatedSurface* s : horizons)
     for (const Triangle& t : s->triangles) n += bounds.holds({s->points[t[0]].x, s->points[t[0]].y});
-  const double asked = static_cast<double>(horizons.size()) * map_area(bounds) / (area_of_size * size * size);
+  const double asked =
+      static_cast<double>(horizons.size()) * map_area(bounds) / (std::numbers::sqrt3 / 4 * size * size);
   return static_cast<double>(n) > many_triangles * asked;
 }
 
@@ -72,6 +71,7 @@ HorizonGroup::HorizonGroup(GroupMembers members, BuiltSurfaces& built, const Mod
   for (const BlockData& data : members_.data) horizons_.push_back(&data.single);
   layout_.bounds = members_.bounds;
   layout_.lattice = lattice_of_size * rules.stack.size;
+  layout_.size = rules.stack.size;
   add_borders(members_.data, layout_);
   strips_ = find_fault_strips(members_.data, layout_.bounds, rules.stack.size);
   layout_.keeps_lines = ends_inside();
@@ -205,7 +205,7 @@ double HorizonGroup::least_thickness() const {
 MapSheets HorizonGroup::draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options) {
   layout_.lines.insert(layout_.lines.end(), strips_.outlines.begin(), strips_.outlines.end());
   for (const ThinArea& area : areas) layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
-  layout_.joined_within = joined_of_reach * samples_->border_reach();
+  layout_.joined_within = samples_->border_reach();
   MapSheets sheets = approximate_sheets(*samples_, layout_, areas, options);
   close_units(sheets, *samples_, options, row_of_thickness * options.gap);
   centre_sheets(sheets, *samples_, areas, options);
@@ -257,7 +257,7 @@ void HorizonGroup::describe(const std::vector<ThinArea>& areas, const SheetOptio
 }
 
 void HorizonGroup::ask_for_sizes(double thickness) {
-  told_.sizes = sizes_of_thickness(sheets_, layout_.bounds, {rules_.stack.size, thickness, edge_of_thickness});
+  told_.sizes = sizes_of_thickness(sheets_, layout_.bounds, {rules_.stack.size, thickness, 2 * row_of_thickness});
   for (SizeSource& source : told_.sizes) {
     const Vec2 place = frame_.to_model(Vec2{source.point.x, source.point.y});
     source.point = {place.x, place.y, source.point.z};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "rules/planar/map_locator.hpp"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double far_over = 4;  // factor on the volume below, from which a horizon counts as lying over another
 constexpr double narrow = 3;    // factor on the size: islands narrower than this many elements cannot be resolved
-// Pi / 4: length of a line divided by the length of the lattice edges that it crosses.
-constexpr double length_of_edges = 0.785;
 
 Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
   Stack stack;
@@ -61,7 +60,7 @@ Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, 
   std::vector<std::optional<double>> row(n_columns), last(n_columns);
   Lie lie;
   const auto cross = [&](const std::optional<double>& a, const std::optional<double>& b) {
-    if (a && b && (*a < 0) != (*b < 0)) lie.crossing += length_of_edges * step;
+    if (a && b && (*a < 0) != (*b < 0)) lie.crossing += std::numbers::pi / 4 * step;
   };
   for (double y = bounds.min.y; y <= bounds.max.y; y += step) {
     for (std::size_t i = 0; i < n_columns; ++i) {

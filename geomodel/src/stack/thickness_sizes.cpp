@@ -13,7 +13,7 @@ std::vector<SizeSource> sizes_of_thickness(const MapSheets& sheets, const MapBou
   const double least = options.of_thickness * options.thickness;
   if (!(least < options.size) || sheets.n_horizons < 2) return {};
   const double area = (bounds.max.x - bounds.min.x) * (bounds.max.y - bounds.min.y);
-  const double step = std::max(least, std::sqrt(area / most_cells));
+  const double step = std::max(least, std::sqrt(area / most_places));
   const MapRaster raster(bounds, step);
   const SheetLocator locator(sheets);
   std::vector<SizeSource> sources;

@@ -13,9 +13,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Share of a block's area that must lie on one side of a fault for the fault to bound the block.
-constexpr double nearly_all = 0.9;
-
 /// For each fault, the side on which a block lies: 1 above, -1 below, 0 if the fault does not bound the block.
 class BlockSides {
  public:
@@ -32,8 +29,8 @@ class BlockSides {
           if (faults[f].is_above(place)) above += area;
         });
       }
-      if (above >= nearly_all * all) side_[f] = 1;
-      if (above <= (1 - nearly_all) * all) side_[f] = -1;
+      if (above >= (1 - least_of_sides) * all) side_[f] = 1;
+      if (above <= least_of_sides * all) side_[f] = -1;
     }
   }
   bool is_beyond(const Vec3& p, std::size_t fault) const {

@@ -20,8 +20,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Margin on either side of a ramp, in median edge lengths of the horizon in the map.
-constexpr double margin_of_ramp = 1;
 // Largest and least throw that is restored, as a share of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
 // Number of triangles; smaller pieces between ramps are treated as part of the ramps.
@@ -155,9 +153,8 @@ class Restorer {
       }
       if (!ramps_[f].is_there()) continue;
       const RampWidth width = ramps_[f].width(stretch_at(beside[v]->along, edge_));
-      inside[v] = beside[v]->across > -(width.below + margin_of_ramp) * edge_ &&
-                  beside[v]->across < (width.above + margin_of_ramp) * edge_;
-      widest_ = std::max(widest_, (width.below + width.above + 2 * margin_of_ramp) * edge_);
+      inside[v] = beside[v]->across > -(width.below + 1) * edge_ && beside[v]->across < (width.above + 1) * edge_;
+      widest_ = std::max(widest_, (width.below + width.above + 2) * edge_);
     }
     for (Index t = 0; t < in_strip_.size(); ++t) {
       if (goes_round(t)) continue;

@@ -20,7 +20,6 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Share of the greatest throw that may remain at the end of a fault without a warning.
 constexpr double most_throw_left = 0.5;
-constexpr double much_alone = 0.02;  // share of the horizon's area in the box
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
@@ -211,7 +210,7 @@ bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Inde
       if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area;
     });
   }
-  return alone > much_alone * all;
+  return alone > little_area * all;
 }
 
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,

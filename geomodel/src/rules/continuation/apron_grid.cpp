@@ -7,12 +7,11 @@
 #include "rules/planar/planar_fill.hpp"
 
 namespace geomesh::geomodel {
+
 namespace {
 
 /// Least spacing of grid points as a share of the distance: an apron has at most about ten rows.
 constexpr double least_step = 1.0 / 8;
-/// Grid points keep this share of their spacing as distance from the border.
-constexpr double room_at_border = 0.5;
 
 }  // namespace
 
@@ -73,9 +72,7 @@ void ApronGrid::add_grid() {
 
 void ApronGrid::add_node(const Vec2& p, double reach) {
   const auto nearest = chain_.nearest(p);
-  if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
-      !chain_.is_outside(p, *nearest))
-    return;
+  if (!nearest || nearest->distance < step_ / 2 || nearest->distance > reach || !chain_.is_outside(p, *nearest)) return;
   // Beyond the distance only the nearest place may see the node, and the border is open there.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;

@@ -10,18 +10,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Spacing of the grid as a share of the radius, chosen so that a disc which fits into a gap covers some grid points.
-constexpr double step_of_radius = 0.5;
 /// More grid points than this take seconds; the distance is then a tiny share of the model.
 constexpr double most_places = 1e6;
 
 }  // namespace
 
+/// The spacing of the grid is half of the radius, so that a disc which fits into a gap covers some grid points.
 BlockPlaces::BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet)
     : s_(setting),
       block_(block),
       radius_(setting.within / 2),
-      step_(step_of_radius * radius_),
+      step_(radius_ / 2),
       border_(setting.horizon, setting.division, sheet, setting.within, setting.fills_blocks),
       points_(border_.points()),
       distance_(points_.size(), 0),

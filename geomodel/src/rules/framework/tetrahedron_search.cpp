@@ -2,11 +2,12 @@
 #include "rules/framework/tetrahedron_search.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
+#include "common/by_rounding.hpp"
 #include "geomesh/core/predicates.hpp"
 #include "naming/sums.hpp"
 
@@ -15,11 +16,6 @@ namespace {
 
 /// The corners of each face, by the opposite corner, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// Number of planes of border faces that are tested. A box has six; a border with more costs time but does not change
-/// results.
-constexpr std::size_t most_planes = 64;
-/// Bound relative to the largest coordinate: greater than the error of two sums of three products with a unit vector.
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Returns positive on the side of the corner opposite the face.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
@@ -84,20 +80,22 @@ void TetrahedronSearch::find_neighbours() {
 }
 
 void TetrahedronSearch::find_planes(const std::vector<std::array<Index, 2>>& border) {
+  // A test of more planes than the search in a tree has steps would cost more than the search. A box has six.
+  const auto n_steps = static_cast<std::size_t>(2 * std::bit_width(tetrahedra_.size()));
   std::vector<Plane> seen;
   double largest = 0;
   for (const Vec3& p : points_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   for (const auto& [t, opposite] : border) {
-    if (seen.size() == most_planes) return;
+    if (seen.size() == n_steps) break;
     const std::array<Vec3, 4> at = corners(t);
     const auto& [i, j, k] = face_of[opposite];
     Vec3 outward = cross(at[j] - at[i], at[k] - at[i]);
     if (!(norm(outward) > 0)) continue;
     outward = (1 / norm(outward)) * outward;
     if (dot(outward, at[opposite] - at[i]) > 0) outward = -1.0 * outward;
-    const double offset = dot(outward, at[i]), off = rounding * largest;
+    const double offset = dot(outward, at[i]), off = by_rounding * largest;
     if (std::ranges::any_of(seen, [&](const Plane& plane) {
-          return norm(plane.outward - outward) <= std::sqrt(rounding) && std::abs(plane.offset - offset) <= off;
+          return norm(plane.outward - outward) <= std::sqrt(by_rounding) && std::abs(plane.offset - offset) <= off;
         }))
       continue;
     seen.push_back({outward, offset});

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double fit_radius = 3;    // in edges
 constexpr double along_counts = 2;  // factor on distances along the strike
-constexpr std::size_t fewest_to_fit = 6;
 
 /// Measures distances in the map from a place; distances along the strike have a larger weight.
 class AcrossStrike {

@@ -12,6 +12,9 @@
 
 namespace geomesh::geomodel {
 
+/// Least number of places from which a plane may be fitted, twice as many as it has unknowns, or a median taken.
+inline constexpr std::size_t fewest_to_fit = 6;
+
 /// Planes that are fitted with weights to the nodes of one side near a place (moving least squares; Levin, The
 /// approximation power of moving least-squares, Math. Comp. 67, 1998).
 class CarriedHeights {

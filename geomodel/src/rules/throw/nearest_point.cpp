@@ -9,11 +9,6 @@
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
-namespace {
-
-constexpr std::size_t few = 8;  // number of points that are searched linearly
-
-}  // namespace
 
 NearestPoint::NearestPoint(std::vector<Vec3> points)
     : points_(std::move(points)), rows_(points_.size()), axis_(points_.size(), 0) {
@@ -23,7 +18,7 @@ NearestPoint::NearestPoint(std::vector<Vec3> points)
 }
 
 void NearestPoint::build(std::size_t begin, std::size_t end) {
-  if (end - begin <= few) return;
+  if (end == begin) return;
   Box3 box;
   for (std::size_t i = begin; i < end; ++i) box.add(points_[rows_[i]]);
   std::size_t axis = 0;
@@ -48,10 +43,7 @@ void NearestPoint::look_at(Index row, const Vec3& p, Best& best) const {
 }
 
 void NearestPoint::find(std::size_t begin, std::size_t end, const Vec3& p, const Vec3& off, Best& best) const {
-  if (end - begin <= few) {
-    for (std::size_t i = begin; i < end; ++i) look_at(rows_[i], p, best);
-    return;
-  }
+  if (end == begin) return;
   const std::size_t middle = begin + (end - begin) / 2, axis = axis_[middle];
   look_at(rows_[middle], p, best);
   const double beyond = p[axis] - points_[rows_[middle]][axis];

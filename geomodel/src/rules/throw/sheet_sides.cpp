@@ -10,11 +10,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Least share of a sheet's area on each side of a fault across which it is considered to continue.
-constexpr double least_of_sides = 0.1;
-constexpr double least_beside_another = 0.25;  // the same share if another sheet lies on the smaller side
-constexpr double least_of_corner = 0.02;       // the same share if other faults separate its sheets
-constexpr double least_sheet = 0.005;          // smallest sheet that counts, as a share of the horizon's area
+// Least share of a sheet's area on each side of a fault across which it is considered to continue if another sheet lies
+// on the smaller side.
+constexpr double least_beside_another = 0.25;
+// Smallest sheet that counts, as a share of the horizon's area: less than the smallest of many fault blocks.
+constexpr double least_sheet = 0.005;
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   std::vector<Vec3> centres;
@@ -128,7 +128,7 @@ bool SheetSides::parts_any(std::size_t fault) const { return parts_alone(fault, 
 double SheetSides::largest_corner(std::size_t fault) const {
   double largest = 0;
   for (const auto& [own, sheet] : sheets_)
-    if (sheet.smaller(fault) > least_of_corner * sheet.area)
+    if (sheet.smaller(fault) > little_area * sheet.area)
       largest = std::max(largest, smaller_part(own, fault).alone / sheet.area);
   return largest;
 }
@@ -155,7 +155,7 @@ std::vector<bool> SheetSides::run_across() const {
   for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = !runs_across(f);
   const auto corner = [this](std::size_t f) { return largest_corner(f); };
   for (;;) {  // remove one fault at a time, because the remaining ones may then be needed to separate the sheets
-    const std::size_t next = least_needed(counts, least_of_corner, corner);
+    const std::size_t next = least_needed(counts, little_area, corner);
     if (next == n_faults_) break;
     counts[next] = false;
   }

@@ -18,6 +18,11 @@
 
 namespace geomesh::geomodel {
 
+/// Share of an area up to which a part of it counts as nothing: the margin of triangles that reach across a fault.
+inline constexpr double little_area = 0.02;
+/// Share of an area on one side of a fault up to which all of it counts as lying on the other side.
+inline constexpr double least_of_sides = 0.1;
+
 /// Returns pairs of triangles with a common edge (equal coordinates are merged).
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& surface);
 

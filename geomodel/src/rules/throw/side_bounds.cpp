@@ -9,11 +9,6 @@
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
-namespace {
-
-constexpr std::size_t few = 8;  // number of planes that are not divided further
-
-}  // namespace
 
 SideBounds::SideBounds(std::vector<SidedPlane> planes) {
   if (planes.empty()) return;
@@ -41,7 +36,7 @@ std::size_t SideBounds::build(std::vector<SidedPlane>& planes, std::size_t begin
     node.most_offset = std::max(node.most_offset, offset);
   }
   nodes_.push_back(node);
-  if (end - begin <= few) return row;
+  if (end - begin == 1) return row;
   std::size_t axis = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (box.max[k] - box.min[k] > box.max[axis] - box.min[axis]) axis = k;

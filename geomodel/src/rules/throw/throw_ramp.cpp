@@ -10,19 +10,12 @@
 
 #include "geomesh/geomodel/model_rules.hpp"
 #include "rules/planar/single_valued.hpp"
+#include "rules/throw/carried_heights.hpp"
 #include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-// Lengths in median edges of the horizon in the map: of a segment along the fault, and of the zones on both sides of a
-// ramp in which the slope beside it is measured.
-constexpr double stretch_length = 8;
-constexpr double ring_width = 8;
-// Distances from the fault, in the same unit, at which these zones begin; smaller ones are used if too few triangles
-// lie in a zone because other faults are near.
-constexpr std::array<long, 3> rings{8, 5, 3};
-constexpr std::size_t fewest_in_ring = 6;
 constexpr double sure_of_spread = 3;      // number of standard deviations of the slopes beside the ramp
 constexpr double sure_of_difference = 2;  // factor on the difference between the slopes on the two sides
 constexpr double least_slope = 0.02;      // least amount by which a ramp is steeper than its surroundings
@@ -45,16 +38,16 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
   std::map<long, std::vector<double>> bins;
   for (const SlopeBeside& s : slopes) {
     const double d = std::abs(s.across);
-    if (d > static_cast<double>(ring_from) && d <= static_cast<double>(ring_from) + ring_width)
+    if (d > static_cast<double>(ring_from) && d <= static_cast<double>(ring_from) + stretch_length)
       ring[s.across > 0 ? 1 : 0].push_back(s.slope);
     if (d < static_cast<double>(ring_from)) bins[static_cast<long>(std::floor(s.across))].push_back(s.slope);
   }
-  if (ring[0].size() < fewest_in_ring || ring[1].size() < fewest_in_ring) return std::nullopt;
+  if (ring[0].size() < fewest_to_fit || ring[1].size() < fewest_to_fit) return std::nullopt;
   const double low = median(ring[0]), high = median(ring[1]);
   for (const double s : ring[0]) off.push_back(std::abs(s - low));
   for (const double s : ring[1]) off.push_back(std::abs(s - high));
-  constexpr double normal_by_median = 1.4826, half_ring = 0.5 * ring_width;
-  const double middle = static_cast<double>(ring_from) + half_ring;
+  constexpr double normal_by_median = 1.4826;
+  const double middle = static_cast<double>(ring_from) + stretch_length / 2;
   const double spread = normal_by_median * median(off);
   std::map<long, double> excess;
   for (const auto& [bin, values] : bins) {
@@ -83,8 +76,8 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
 }
 
 std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
-  for (const long ring_from : rings)
-    if (const auto found = ramp_within(slopes, ring_from)) return found;
+  for (const double ring_from : rings)
+    if (const auto found = ramp_within(slopes, std::lround(ring_from))) return found;
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 /// Detects where a horizon runs across a fault as a ramp, with the ramp's width and height.
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <vector>
@@ -11,9 +12,14 @@
 
 namespace geomesh::geomodel {
 
-/// Distance from a fault up to which slopes of the horizon are examined, in median edge lengths of the horizon in the
-/// map.
-inline constexpr double furthest_beside = 16;
+/// Length in median edges of the horizon in the map of a segment along the fault, and width of the zones on both sides
+/// of a ramp in which the slope beside it is measured.
+inline constexpr double stretch_length = 8;
+/// Distances from the fault, in the same unit, at which these zones begin; smaller ones are used if too few triangles
+/// lie in a zone because other faults are near.
+inline constexpr std::array<double, 3> rings{stretch_length, 5, 3};
+/// Distance from a fault up to which slopes of the horizon are examined, in the same unit.
+inline constexpr double furthest_beside = rings.front() + stretch_length;
 
 /// Width of a ramp on the two sides of the fault, in edge lengths.
 struct RampWidth {

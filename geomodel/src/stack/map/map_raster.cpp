@@ -133,8 +133,8 @@ void fill_from_neighbours(MapRaster& raster) {
   }
 }
 
-void smooth(MapRaster& raster, int passes) {
-  for (int pass = 0; pass < passes; ++pass) {
+void smooth(MapRaster& raster) {
+  for (int pass = 0; pass < smoothing_passes; ++pass) {
     for (std::size_t j = 0; j < raster.n_rows; ++j)
       smooth_line(raster.values, j * raster.n_columns, raster.n_columns, 1);
     for (std::size_t i = 0; i < raster.n_columns; ++i) smooth_line(raster.values, i, raster.n_rows, raster.n_columns);
@@ -234,11 +234,10 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
 }  // namespace
 
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length) {
-  constexpr int passes = 4;
   std::vector<Vec2> smoothed = curve;
   const std::size_t n = curve.size();
   const bool closed = n > 3 && curve.front() == curve.back();
-  for (int pass = 0; pass < passes && n > 2; ++pass) {
+  for (int pass = 0; pass < smoothing_passes && n > 2; ++pass) {
     const std::vector<Vec2> before = smoothed;
     const auto mean = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
       return Vec2{0.25 * a.x + 0.5 * b.x + 0.25 * c.x, 0.25 * a.y + 0.5 * b.y + 0.25 * c.y};

@@ -9,8 +9,10 @@
 
 namespace geomesh::geomodel {
 
-/// Largest number of cells of a raster. More would take seconds and resolve features smaller than the elements.
-inline constexpr double most_cells = 1e6;
+/// Number of times that rasters and curves are averaged.
+inline constexpr int smoothing_passes = 4;
+/// Length of the pieces of such curves, as a share of the size.
+inline constexpr double line_piece = 0.7;
 
 /// Values at the centres of square cells; NaN means no value.
 struct MapRaster {
@@ -37,8 +39,8 @@ struct MapRaster {
 /// Cells without a value take that of the nearest cell, counted in steps along rows and columns.
 void fill_from_neighbours(MapRaster& raster);
 
-/// Applies the binomial mean over three cells in each direction `passes` times. All cells must have values.
-void smooth(MapRaster& raster, int passes);
+/// Applies the binomial mean over three cells in each direction `smoothing_passes` times. All cells must have values.
+void smooth(MapRaster& raster);
 
 /// Groups of cells, connected across sides, whose value is negative (`below`) or not.
 struct CellGroups {

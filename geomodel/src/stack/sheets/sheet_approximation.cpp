@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
 
 #include "common/by_rounding.hpp"
@@ -18,7 +19,6 @@ constexpr double vertex_is_off = 0.5;
 constexpr double near_vertex = 0.25;
 constexpr int most_rounds = 4;              // rounds in which points are added where edges are too far away
 constexpr double beside_of_spacing = 0.02;  // share of the spacing of samples by which a vertex lies beside its sample
-constexpr double golden_angle = 2.399963229728653;
 // Length from which a constraint segment may be halved, as a multiple of the spacing of samples.
 constexpr double shortest_of_spacing = 0.7;
 
@@ -297,6 +297,7 @@ class Approximation {
   std::pair<Vec2, Index> place_for(const Worst& worst) const {
     const Vec2 p = samples_.place(worst.sample);
     if (beside_ == 0) return {p, worst.cell};
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
     const double angle = golden_angle * static_cast<double>(worst.sample);
     const Vec2 beside{p.x + beside_ * std::cos(angle), p.y + beside_ * std::sin(angle)};
     const Index at = map_.locate(beside, worst.cell);

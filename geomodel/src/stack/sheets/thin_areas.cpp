@@ -5,22 +5,16 @@
 #include <cmath>
 
 #include "common/parallel.hpp"
+#include "stack/map/map_layout.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 constexpr double cells_a_size = 4;
-constexpr std::uint32_t few_samples = 4;  // of a cell
-constexpr int places_a_side = 3;          // number of places per side of a cell that has few samples
-constexpr int smoothing_passes = 4;
-constexpr std::size_t cells_a_task = 1024;
-constexpr double least_squares = 2;       // least area of an island, in squares of the size
-constexpr double surely_thin = 0.75;      // share of the least thickness below which a unit is certainly too thin
-constexpr double surely_thick = 1.5;      // share of the least thickness above which a unit is certainly thick enough
-constexpr double kept_however_small = 3;  // multiple of the least thickness from which an island is kept however small
-constexpr double line_piece = 0.7;        // of the size
-constexpr double led_from = 0.12;         // of the size
-constexpr double same_line = 0.35;        // of the size
+constexpr std::uint32_t places_a_side = 3;  // number of places per side of a cell that has fewer samples than places
+constexpr double least_squares = 2;         // least area of an island, in squares of the size
+constexpr double surely_thin = 0.75;        // share of the least thickness below which a unit is certainly too thin
+constexpr double surely_thick = 1.5;        // share of the least thickness above which a unit is certainly thick enough
 
 /// Averages each horizon's height over evenly spaced places of one cell; if some horizon is absent at all of them, uses
 /// the heights at the centre.
@@ -28,8 +22,8 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);
   int n = 0;
-  for (int j = 0; j < places_a_side; ++j)
-    for (int i = 0; i < places_a_side; ++i) {
+  for (std::uint32_t j = 0; j < places_a_side; ++j)
+    for (std::uint32_t i = 0; i < places_a_side; ++i) {
       const double u = (i + 0.5) / places_a_side - 0.5, v = (j + 0.5) / places_a_side - 0.5;
       samples.heights_at({centre.x + u * like.step, centre.y + v * like.step}, heights);
       if (std::any_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) continue;
@@ -56,15 +50,14 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
     ++counts[cell];
   }
   const auto fill = [&](std::size_t cell) {
-    if (counts[cell] < few_samples) {
+    if (counts[cell] < places_a_side * places_a_side) {
       average_places(samples, like, cell, means);
     } else {
       for (MapRaster& m : means) m.values[cell] /= counts[cell];
     }
   };
-  parallel_for((like.size() + cells_a_task - 1) / cells_a_task, [&](std::size_t task) {
-    const std::size_t end = std::min(like.size(), (task + 1) * cells_a_task);
-    for (std::size_t cell = task * cells_a_task; cell < end; ++cell) fill(cell);
+  parallel_for(like.n_rows, [&](std::size_t row) {
+    for (std::size_t i = 0; i < like.n_columns; ++i) fill(row * like.n_columns + i);
   });
   return means;
 }
@@ -78,7 +71,7 @@ std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
     fill_from_neighbours(thickness);
     const bool any =
         std::none_of(thickness.values.begin(), thickness.values.end(), [](double v) { return std::isnan(v); });
-    if (any) smooth(thickness, smoothing_passes);
+    if (any) smooth(thickness);
     result.push_back(std::move(thickness));
   }
   return result;
@@ -116,7 +109,7 @@ std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
   const std::size_t n_holes = turn(false, [&](const CellGroups& groups, std::size_t g) {
     const double thickness = options.thickness + groups.greatest[g],
                  area = cell * static_cast<double>(groups.n_cells[g]);
-    return thickness > kept_however_small * options.thickness ||
+    return thickness > 2 * surely_thick * options.thickness ||
            (area >= least && thickness > surely_thick * options.thickness);
   });
   return n_holes + turn(true, [&](const CellGroups& groups, std::size_t g) {
@@ -164,7 +157,7 @@ void draw_lines(std::vector<ThinArea>& areas, double size, double shift) {
     for (const std::vector<Vec2>& curve : zero_curves(area.excess)) {
       std::vector<Vec2> line;
       for (const Vec2& p : beside(smooth_curve(curve, line_piece * size), shift)) {
-        const Vec2 q = snapped(p, earlier, same_line * size);
+        const Vec2 q = snapped(p, earlier, 0.5 * line_piece * size);
         if (line.empty() || !(line.back() == q)) line.push_back(q);
       }
       if (line.size() < 2) continue;
@@ -173,7 +166,7 @@ void draw_lines(std::vector<ThinArea>& areas, double size, double shift) {
     }
   }
   for (ThinArea& area : areas)
-    for (std::vector<Vec2>& line : area.curves) line = led_through(line, points, led_from * size);
+    for (std::vector<Vec2>& line : area.curves) line = led_through(line, points, shortest_edge * size);
 }
 
 }  // namespace
@@ -185,7 +178,7 @@ bool ThinArea::any() const {
 std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds, const Keepers& keepers,
                                       const ThinAreaOptions& options) {
   const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
-  const double step = std::max(options.size / cells_a_size, std::sqrt(width * height / most_cells));
+  const double step = std::max(options.size / cells_a_size, std::sqrt(width * height / most_places));
   const MapRaster like(bounds.grown(2 * step), step);
   std::vector<MapRaster> thickness = thicknesses(cell_means(samples, like));
   put_in_order(thickness, keepers);

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double cells_a_size = 8;
 constexpr double margin_of_size = 0.3;
-constexpr double piece_of_size = 0.6;
-constexpr int smoothing_passes = 2;
 
 /// Marks with -1 the cells in which a horizon has no single block; returns whether it is entirely absent in one of
 /// them.
@@ -59,16 +57,16 @@ FaultStrips find_fault_strips(const std::vector<BlockData>& horizons, const MapB
   FaultStrips strips;
   if (std::none_of(horizons.begin(), horizons.end(), [](const BlockData& h) { return h.has_throw(); })) return strips;
   const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
-  const double step = std::max(size / cells_a_size, std::sqrt(width * height / most_cells));
+  const double step = std::max(size / cells_a_size, std::sqrt(width * height / most_places));
   strips.inside = MapRaster(bounds.grown(4 * step), step);
   std::fill(strips.inside.values.begin(), strips.inside.values.end(), 1.0);
   for (const BlockData& horizon : horizons)
     if (horizon.has_throw() && mark_cells(horizon, bounds, strips.inside)) strips.is_open = true;
   continue_beyond(strips.inside, bounds);
   widen(strips.inside, margin_of_size * size);
-  smooth(strips.inside, smoothing_passes);
+  smooth(strips.inside);
   for (const std::vector<Vec2>& curve : zero_curves(strips.inside))
-    strips.outlines.push_back(smooth_curve(curve, piece_of_size * size));
+    strips.outlines.push_back(smooth_curve(curve, line_piece * size));
   return strips;
 }
 

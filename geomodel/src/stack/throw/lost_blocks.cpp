@@ -11,7 +11,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr int places_across = 48;
-constexpr double most_lost = 0.02;
 
 template <class F>
 void for_each_place(const MapBounds& bounds, F&& visit) {
@@ -69,7 +68,7 @@ bool loses_blocks(const BlockData& before, const SidedHorizon& after, const Bloc
     const Index block = before.block_of_single[t];
     lost += across[block] || there[block].find(p).count == 0;
   });
-  return lost > most_lost * n;
+  return lost > little_area * n;
 }
 
 }  // namespace geomesh::geomodel
