@@ -97,7 +97,7 @@ class SmearedThrow(ProgramTest):
         self.horizon([(2000, 60)], 120)
         report, volumes = self.mesh(["f1"], "throw_at: [f1], smeared_throw: keep")
         self.assertEqual(sorted(volumes), ["lower__B1", "lower__B2", "upper__B1", "upper__B2"])
-        self.assertTrue(any("stays as given" in text for text in report["warnings"]), report["warnings"])
+        self.assertTrue(any("runs on across f1 as one sheet" in text for text in report["warnings"]), report["warnings"])
         self.assertFalse(any("smeared" in text for text in report["notes"]), report["notes"])
 
     def test_a_fault_that_ends_inside(self):

@@ -26,7 +26,7 @@ column: [upper, h, lower]
         self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
         report, volumes = self.mesh(self.SURFACES)
         self.assert_volumes(volumes, self.expected())
-        self.told(report, "notes", "horizon h, block 1", "ended at its faults")
+        self.told(report, "notes", "surface h: continued along", " of its border to f")
         self.assertFalse(any("stops short" in text for text in report["warnings"]), report["warnings"])
 
     def test_blocks_that_overshoot_the_fault(self):
@@ -55,12 +55,14 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 300, "lower__1": 300, "lower__2": 200})
         self.assertFalse(any("not applied" in text or "stops short" in text for text in report["warnings"]), report["warnings"])
 
-    def test_a_fault_that_does_not_divide_is_told(self):
+    def test_a_fault_that_ends_where_there_is_throw_is_told(self):
+        """It has ends all about. The horizon goes on from block to block as a step above and below the fault, in the fault's plane."""
         self.fault(low=4.5, high=5.5)
         self.surface("h", [(-1, 6), (4.0, 6)], [(5.2, 4), (11, 4)])
         report, volumes = self.mesh(self.SURFACES)
-        self.told(report, "warnings", "horizon h is not divided", "extent: to_box")
-        self.assertEqual(len(volumes), 1)
+        self.told(report, "warnings", "horizon h", "does not die out", "extent: to_box")
+        lower = self.expected()["lower__1"] + self.expected()["lower__2"]
+        self.assert_volumes(volumes, {"upper": 1000 - lower, "lower": lower})
 
     def test_a_horizon_of_which_all_crosses_a_fault_stays(self):
         """Two triangles cover the model; the fault ends inside, and both cross it."""
@@ -68,7 +70,7 @@ column: [upper, h, lower]
         self.write("h.ts", triangles_ts("h", [(-1, -1, 5), (11, -1, 5), (11, 11, 5), (-1, 11, 5)], [(0, 1, 2), (0, 2, 3)]))
         report, volumes = self.mesh(self.SURFACES)
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
-        self.told(report, "warnings", "horizon h", "stays as given")
+        self.assertFalse(any("horizon h" in text for text in report["warnings"]), report["warnings"])
 
     def test_a_fault_that_ends_below_the_horizon_does_not_part_it(self):
         self.fault(high=4.0)
@@ -86,6 +88,36 @@ column: [upper, h, lower]
         self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 160, "upper__3": 180, "lower__1": 180, "lower__2": 240, "lower__3": 120})
         self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
 
+    def test_a_sheet_that_runs_on_to_a_fault_out_of_the_list(self):
+        """Throw at g alone, which the list lacks: the larger sheet beyond g is no reason to take what lies between the faults."""
+        self.surface("f", [(3, -1), (3, 11)])
+        self.surface("g", [(6, -1), (6, 11)])
+        self.surface("h", [(-1, 6), (2, 6), (6, 6)], [(6, 4), (11, 4)])
+        report, volumes = self.mesh(self.SURFACES.replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
+        self.assert_volumes(volumes, {"upper__1": 120, "upper__2": 120, "upper__3": 240, "lower__1": 180, "lower__2": 180, "lower__3": 160})
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
+
+    def test_a_short_fault_that_cuts_off_the_corner_of_a_triangle(self):
+        """The horizon goes round both of its ends. The triangle's neighbours beside the corner cross what continues the fault."""
+        self.write("f.ts", triangles_ts("f", [(4.2, 3.4, -1), (6.6, 5.8, -1), (6.6, 5.8, 11), (4.2, 3.4, 11)], [(0, 1, 2), (0, 2, 3)]))
+        self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=3)))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assert_volumes(volumes, {"upper": 400, "lower": 600})
+        self.assertFalse(any("stops short" in text for text in report["warnings"]), report["warnings"])
+
+    def test_a_sheet_torn_beside_a_fault_up_to_its_end(self):
+        """The fault at x = 5.3 ends at y = 6. The horizon is torn at x = 6, so that its western side overshoots; east of it lies lower by up to 2."""
+        self.write("f.ts", triangles_ts("f", [(5.3, -1, -1), (5.3, 6, -1), (5.3, 6, 11), (5.3, -1, 11)], [(0, 1, 2), (0, 2, 3)]))
+        def side(columns, thrown):
+            points = [(x, y, 6 - (max(0, 6 - y) * 2 / 7 if thrown else 0)) for y in range(-1, 12) for x in columns]
+            n = len(columns)
+            return points, [t for j in range(12) for i in range(n - 1) for c in [j * n + i] for t in ((c, c + 1, c + n + 1), (c, c + n + 1, c + n))]
+        west, east = side(range(-1, 7), False), side(range(6, 12), True)
+        self.write("h.ts", triangles_ts("h", west[0] + east[0], west[1] + [tuple(v + len(west[0]) for v in t) for t in east[1]]))
+        report, volumes = self.mesh(self.SURFACES)
+        self.assertEqual(sorted(volumes), ["lower", "upper"])
+        self.assertAlmostEqual(volumes["lower"], 600 - 4.7 * 6 * 6 / 7, delta=0.2)  # 24 m3 are thrown
+
     def test_a_sheet_of_two_triangles_that_runs_on_across_one_of_the_faults(self):
         """A fifth of the eastern sheet lies west of g, though the middles of both its triangles lie east of it."""
         self.surface("f", [(3, -1), (3, 11)])
@@ -101,7 +133,7 @@ column: [upper, h, lower]
         self.write("h.ts", triangles_ts("h", *patch((-1, 11), (-1, 11), lambda y: 6, step=1)))
         report, volumes = self.mesh(self.SURFACES)
         self.assert_volumes(volumes, {"upper__1": 200, "upper__2": 200, "lower__1": 300, "lower__2": 300})
-        self.told(report, "warnings", "horizon h: it runs on across f as one sheet", "stays as given")
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
 
     def test_a_block_that_leaves_the_box_and_comes_back(self):
         """East of the fault h rises through the top of the box, and lies below it at the fault and at the side."""
@@ -116,7 +148,7 @@ column: [upper, h, lower]
         self.surface("f", [(3, -1), (3, 11)])
         self.surface("h", [(-1, 6), (3, 6)], [(3, 4), (7.2, 4)], [(6.8, 5), (11, 5)])
         report, volumes = self.mesh(self.SURFACES)
-        self.told(report, "warnings", "its border crosses itself in the map")
+        self.told(report, "warnings", "horizon h stops short along 2 borders", "upper and lower join there")
         self.assertAlmostEqual(sum(v for name, v in volumes.items() if name.split("__")[0] == "lower"), 180, delta=1e-8)
 
     def test_a_fault_that_cuts_a_corner_off_takes_nothing(self):
@@ -154,8 +186,8 @@ column: [upper, young, middle, old, lower]
         found = self.check(self.path("out", "model.vtu"), "--project", self.project, status=BAD_INPUT)
         self.assertIn("horizon_lost_beyond_faults", [fault["id"] for fault in found["faults"]])
 
-    def test_a_horizon_without_a_block_between_two_faults_stays(self):
-        """All of its triangles between the faults cross one of them, or where it goes on."""
+    def test_a_horizon_all_of_which_crosses_faults_between_two_of_them(self):
+        """All of its triangles between the faults cross one of them, or where it goes on. Nothing of it is lost there."""
         for name, x in (("f", 4), ("g", 6)):
             self.write(name + ".ts", plane_ts(name, [(x, -1, -1), (x, 4, -1), (x, 4, 11), (x, -1, 11)]))
         columns, rows = (-1, 2, 7.7, 11), (-1, 3, 7, 11)
@@ -163,7 +195,7 @@ column: [upper, young, middle, old, lower]
         self.write("h.ts", triangles_ts("h", [(x, y, 5) for y in rows for x in columns], [t for c in cells for t in ((c, c + 1, c + 5), (c, c + 5, c + 4))]))
         report, volumes = self.mesh(self.SURFACES.replace("[f]", "[f, g]").replace("column", "  - {name: g, kind: fault, file: g.ts}\ncolumn"))
         self.assert_volumes(volumes, {"upper": 500, "lower": 500})
-        self.told(report, "warnings", "horizon h", "no block is given between", "stays as given")
+        self.told(report, "warnings", "horizon h: it runs on across f as one sheet")
 
     def test_a_fault_that_is_none(self):
         self.fault()

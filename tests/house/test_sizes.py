@@ -131,8 +131,6 @@ ALLOWED = {
     "geomodel/src/solver_mesh/solver_mesh.cpp: class SolverMeshBuilder",
     "geomodel/src/solver_mesh/split_faults.cpp: class FaultSplitter",
     "geomodel/src/stack/sheets/centred_sheets.cpp: class Centring",
-    "geomodel/src/stack/throw/both_sides.cpp: class StripTriangles",
-    "geomodel/src/stack/throw/both_sides.cpp: class BothSides",
     "app/picture/scene.cpp: class SceneBuilder",
 }
 

@@ -185,9 +185,7 @@ json stack_json(const SettledStack& stack) {
                         {"mean_move", h.mean_move},
                         {"largest_move", h.largest_move},
                         {"where", to_json(h.place)},
-                        {"largest_off_elsewhere", h.largest_off},
-                        {"area_at_faults", h.area_at_faults},
-                        {"largest_move_at_faults", h.largest_move_at_faults}});
+                        {"largest_off_elsewhere", h.largest_off}});
   for (const SettledUnit& u : stack.units)
     units.push_back({{"name", u.name},
                      {"top", u.top},

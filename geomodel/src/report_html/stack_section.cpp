@@ -72,16 +72,14 @@ std::string horizons_table(const SettledStack& stack, const std::string& unit) {
   for (const std::string& head :
        {std::string("triangles given"), std::string("triangles now"), "shared with a neighbour, " + unit + "2",
         "cut above the topography, " + unit + "2", "moved, " + unit + "2", "mean move, " + unit,
-        "largest move, " + unit, "off elsewhere, " + unit, "made anew at faults, " + unit + "2",
-        "largest move there, " + unit})
+        "largest move, " + unit, "off elsewhere, " + unit})
     out += "<th class=\"n\">" + head + "</th>";
   out += "</tr>\n";
   for (const SettledHorizon& h : stack.horizons)
     out += "<tr><td>" + escape(h.name) + "</td>" + cell(grouped_words(h.n_triangles_given)) +
            cell(grouped_words(h.n_triangles)) + cell(number(h.area_merged)) + cell(number(h.area_above_topography)) +
            cell(number(h.area_moved)) + cell(number(h.mean_move)) + cell(number(h.largest_move)) +
-           cell(number(h.largest_off)) + cell(number(h.area_at_faults)) + cell(number(h.largest_move_at_faults)) +
-           "</tr>\n";
+           cell(number(h.largest_off)) + "</tr>\n";
   return out + "</table></div>\n";
 }
 

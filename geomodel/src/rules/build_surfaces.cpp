@@ -10,7 +10,7 @@
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/dyke.hpp"
 #include "rules/extend/extend.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/extend/fault_ends.hpp"
 #include "rules/thin_layers.hpp"
 #include "stack/settle_stack.hpp"
 
@@ -74,8 +74,8 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
   BuiltSurfaces built;
   built.surfaces = surfaces;
   built.rows.block_of_triangle.resize(surfaces.size());
-  built.rows.sides_of_block.resize(surfaces.size());
-  built.rows.on_both_sides.resize(surfaces.size());
+  built.rows.throw_blocks.resize(surfaces.size());
+  built.rows.field_of_block.resize(surfaces.size());
   built.rows.parted_at.resize(surfaces.size());
   const BuildLog log{built.notes, built.warnings};
   built.rows.n_given_triangles.reserve(surfaces.size());
@@ -109,7 +109,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if (surface.kind == SurfaceKind::body) {
       build_body(surface, rule, rules.box, log);
     } else if (rule.has_fault_domain()) {
-      part_by_fields(built, s, rules);
+      part_by_fields(built, static_cast<Index>(s), rules, log);
     } else if (!rule.throw_at.empty() && !surface.triangles.empty()) {
       build_blocks(built, s, rules, log);
     } else if (rule.extend != Extend::none && !rule.fills_blocks()) {

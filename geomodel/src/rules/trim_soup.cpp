@@ -11,6 +11,7 @@
 #include "naming/region_facts.hpp"
 #include "naming/sums.hpp"
 #include "rules/blocks/part_blocks.hpp"
+#include "rules/blocks/throw_blocks.hpp"
 #include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/end_on_faults.hpp"
 #include "rules/framework/fault_truncations.hpp"
@@ -19,7 +20,6 @@
 #include "rules/planar/height_vote.hpp"
 #include "rules/planar/map_locator.hpp"
 #include "rules/planar/pieces.hpp"
-#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 
@@ -137,37 +137,6 @@ struct Trimming {
                       ", near " + to_text(working.centre(largest)) + ")");
   }
 };
-
-/// Removes pieces beyond the target that consist only of the extension.
-void stop_at(Trimming& work, Index s, Index target) {
-  double area = 0;
-  std::size_t n = 0;
-  for (const Piece& piece : pieces_of(work.working, s, {target}, nullptr)) {
-    const bool given = std::any_of(piece.facets.begin(), piece.facets.end(),
-                                   [&](Index f) { return work.is_given(*work.working.origin_of(f, s)); });
-    if (given) continue;
-    area += work.remove(piece, s);
-    ++n;
-  }
-  if (n > 0)
-    work.notes.push_back("surface " + work.surfaces[s].name + " ends at " + work.surfaces[target].name + ": " +
-                         std::to_string(n) + " continued pieces beyond it removed (area " + to_text(area) + ")");
-}
-
-/// Applies stop_at, targets first: a surface that ends on another one must not continue beyond the remaining part of
-/// that one.
-void stop_continuations(Trimming& work) {
-  std::vector<bool> done(work.n_given(), false);
-  const std::function<void(Index)> stop = [&](Index s) {
-    if (s >= work.n_given() || done[s]) return;
-    done[s] = true;
-    const std::string target = work.rules.of(s).stop_at;
-    if (target.empty()) return;
-    stop(work.row_of(target));
-    stop_at(work, s, work.row_of(target));
-  };
-  for (Index s = 0; s < work.n_given(); ++s) stop(s);
-}
 
 /// Applies cut_units: removes pieces of a fault above or below the units that it cuts.
 void cut_units_alone(Trimming& work, Index s) {
@@ -295,19 +264,24 @@ void end_at_domain(Trimming& work, Index s) {
 
 /// Determines whether places lie in the domain of a field of surface `s`. A place near a bound may be assigned to
 /// either side.
-class DomainSides {
+class FieldDomain {
  public:
-  DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)
-      : part_(part), in_one_block_(parting.in_one_block) {
-    for (const auto& [fault, is_above] : part.sides) add(work, fault, is_above);
+  FieldDomain(const Trimming& work, Index s, Index part) : part_(part) {
+    if (s < work.built.field_of_block.size() && !work.built.field_of_block[s].empty()) {
+      between_ = work.built.throw_blocks[s];
+      field_of_block_ = work.built.field_of_block[s];
+    }
     const SurfaceRules rule = work.rules.of(s);
     for (const std::string& name : rule.holds_above) add(work, name, true);
     for (const std::string& name : rule.holds_below) add(work, name, false);
   }
 
-  bool hold(const Vec3& p) const {
-    for (const auto& [fault, is_above] : faults_)
-      if (fault.is_above(p) != is_above) return false;
+  bool holds(const Vec3& p) const {
+    if (between_ && owner_at(between_->framework, field_of_block_, p) != part_) return false;
+    for (const FaultBound& bound : faults_) {
+      const Index block = bound.between->framework.block_at(p);
+      if (block != no_index && bound.sides[block] == (bound.is_above ? -1 : 1)) return false;
+    }
     for (const auto& bound : horizons_) {
       const MapLocator& horizon = *bound.first;
       bool is_over = false, is_on_side = false;
@@ -317,27 +291,37 @@ class DomainSides {
       });
       if (is_over && !is_on_side) return false;
     }
-    return !part_.block || in_one_block_(p, *part_.block);
+    return true;
   }
 
  private:
   void add(const Trimming& work, const std::string& name, bool is_above) {
-    const TriangulatedSurface& surface = work.surfaces[work.row_of(name)];
+    const Index row = work.row_of(name);
+    const TriangulatedSurface& surface = work.surfaces[row];
     if (surface.triangles.empty()) return;
-    if (surface.kind == SurfaceKind::fault)
-      faults_.emplace_back(FaultSides(surface), is_above);
-    else
+    if (surface.kind == SurfaceKind::fault) {
+      const auto between = blocks_between(built_surfaces(work), work.rules, {row});
+      faults_.push_back({between, between->framework.sides_of(row), is_above});
+    } else {
       horizons_.emplace_back(std::make_unique<MapLocator>(surface), is_above);
+    }
   }
 
-  const FieldPart& part_;
-  const std::function<bool(const Vec3&, const Vec3&)>& in_one_block_;
-  std::vector<std::pair<FaultSides, bool>> faults_;
+  struct FaultBound {
+    std::shared_ptr<const HorizonBlocks> between;
+    std::vector<int> sides;  ///< per block
+    bool is_above;
+  };
+
+  Index part_;
+  std::shared_ptr<const HorizonBlocks> between_;  ///< null: no fault block bounds the field
+  std::vector<Index> field_of_block_;
+  std::vector<FaultBound> faults_;  ///< of a fault alone
   std::vector<std::pair<std::unique_ptr<MapLocator>, bool>> horizons_;
 };
 
 /// Warns of what was not proven about a field, if the model keeps some of it. Parts outside its domain do not matter.
-void warn_of_doubts(Trimming& work, const Parting& parting) {
+void warn_of_doubts(Trimming& work) {
   for (Index s = 0; s < work.n_given(); ++s) {
     const std::vector<FieldPart> parts = work.rules.of(s).field_parts;
     if (std::all_of(parts.begin(), parts.end(), [](const FieldPart& part) { return part.doubts.empty(); })) continue;
@@ -345,11 +329,12 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
     for (const auto& origins : work.working.origins)
       for (const PolygonSoup::Origin& o : origins)
         if (o.surface == s) is_kept[o.triangle] = true;
-    for (const FieldPart& part : parts) {
-      const DomainSides sides(work, s, part, parting);
-      for (const FieldPart::Doubt& doubt : part.doubts)
-        if (std::any_of(doubt.triangles.begin(), doubt.triangles.end(), [&](Index t) { return is_kept[t]; }) ||
-            std::any_of(doubt.places.begin(), doubt.places.end(), [&](const Vec3& p) { return sides.hold(p); }))
+    for (Index k = 0; k < parts.size(); ++k) {
+      if (parts[k].doubts.empty()) continue;
+      const FieldDomain domain(work, s, k);
+      for (const FieldPart::Doubt& doubt : parts[k].doubts)
+        if (std::ranges::any_of(doubt.triangles, [&](Index t) { return is_kept[t]; }) ||
+            std::ranges::any_of(doubt.places, [&](const Vec3& p) { return domain.holds(p); }))
           work.warnings.push_back(doubt.warning);
     }
   }
@@ -385,19 +370,13 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
-  std::optional<BlockFramework> blocks;  // made if a field is valid in one of the blocks
-  const auto in_one_block = [&](const Vec3& p, const Vec3& q) {
-    if (!blocks) blocks.emplace(built_surfaces(work), rules);
-    return blocks->block_at(p) == blocks->block_at(q);
-  };
-  const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings, in_one_block};
+  const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings};
   const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
   for (Index s = 0; s < work.n_given(); ++s)
     if (is_end(s)) part_blocks(parting, s);  // surfaces that end at it end at the remaining parts of its blocks
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
-  stop_continuations(work);
-  end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
+  end_faults(work.working, surfaces, built, rules, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at the remaining parts of the faults
@@ -413,7 +392,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   order_horizons(work);
   for (Index s = 0; s < work.n_given(); ++s) cut_units_alone(work, s);
   if (rules.trim_overshoot > 0) trim_overshoots(work);
-  warn_of_doubts(work, parting);
+  warn_of_doubts(work);
   return {work.working.result(), std::move(work.removed), std::move(work.notes), std::move(work.warnings)};
 }
 

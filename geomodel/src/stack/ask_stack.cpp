@@ -66,7 +66,7 @@ void ask_continuation(ModelRules& rules, const RefinementSettings& refinement, c
   const Vec3 extent = volume.bounds.max - volume.bounds.min;
   const double shorter = std::min(extent.x, extent.y), share = share_of_model * shorter;
   const double size = refinement.refine ? std::min(size_in_map(refinement.size, rules.column), shorter) : 0;
-  how.within_of_horizons = std::max(size, share);
+  how.within_of_horizons = how.within_by_size = std::max(size, share);
   how.within_of_faults = size > 0 ? std::min(size, share) : share;
   if (rules.continue_within >= 0) how.within_of_horizons = how.within_of_faults = rules.continue_within;
 }

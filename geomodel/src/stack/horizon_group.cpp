@@ -13,20 +13,16 @@
 #include "stack/sheets/centred_sheets.hpp"
 #include "stack/sheets/closing_rows.hpp"
 #include "stack/thickness_sizes.hpp"
-#include "stack/throw/lost_blocks.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
 constexpr double lattice_of_size = 2;
 constexpr double area_of_size = 0.43;  // area of an equilateral triangle divided by the square of its edge
-// Factor on the number of triangles that the target size requires, above which a horizon has too many.
 constexpr double many_triangles = 4;
 constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
-// Least thickness if none is given, as a share of the size; half of the tolerance if that is more.
 constexpr double thickness_of_size = 1.0 / 150;
 constexpr double room_of_thickness = 2;  // at pinch-out lines
-// Width over which a unit closes, as a multiple of the least thickness: an angle of 5 degrees.
 constexpr double row_of_thickness = 12;
 constexpr double most_shift = 0.15;  // shift of pinch-out lines by half of that width, at most this share of the size
 constexpr double edge_of_thickness = 24;  // largest length of edges in a unit, as a multiple of its thickness
@@ -43,12 +39,10 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Adds the border edges of horizons without throw that reach into the bounds, which those along a side do not.
-void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
+/// Borders of the horizons that reach into the bounds; those along a side of the bounds do not.
+void add_borders(const std::vector<TriangulatedSurface>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
-  for (const BlockData& horizon : horizons) {
-    if (horizon.has_throw()) continue;
-    const TriangulatedSurface& s = horizon.single;
+  for (const TriangulatedSurface& s : horizons) {
     for (const BorderEdge& e : border_edges(s)) {
       const Vec2 a{s.points[e.a].x, s.points[e.a].y}, b{s.points[e.b].x, s.points[e.b].y};
       const bool beside = std::max(a.x, b.x) <= near.min.x || std::min(a.x, b.x) >= near.max.x ||
@@ -69,18 +63,17 @@ void flush_heights_that_vanish(std::vector<Vec3>& points) {
 
 HorizonGroup::HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame)
     : members_(std::move(members)), built_(built), rules_(rules), frame_(frame) {
-  for (const BlockData& data : members_.data) horizons_.push_back(&data.single);
+  for (const TriangulatedSurface& data : members_.data) horizons_.push_back(&data);
   layout_.bounds = members_.bounds;
   layout_.lattice = lattice_of_size * rules.stack.size;
   add_borders(members_.data, layout_);
-  strips_ = find_fault_strips(members_.data, layout_.bounds, rules.stack.size);
   layout_.keeps_lines = ends_inside();
   samples_ = std::make_unique<MapSamples>(horizons_, layout_.bounds.grown(rules.stack.size));
 }
 
 std::size_t HorizonGroup::first_that_overhangs() const {
   for (std::size_t k = 0; k < horizons_.size(); ++k)
-    if (!members_.data[k].has_throw() && samples_->overhangs(k)) return k;
+    if (samples_->overhangs(k)) return k;
   return horizons_.size();
 }
 
@@ -98,14 +91,7 @@ Settling HorizonGroup::settle() {
       !cross_at_small_angle(*samples_, layout_.bounds, size))
     return Settling::not_needed;
   sheets_ = draw_sheets(areas, options);
-  sided_.resize(horizons_.size());
-  if (has_throw() && !add_sides(options)) return Settling::refused;
   describe(areas, options);
-  if (moves_alone()) {
-    built_.notes.push_back("horizon " + horizons_[0]->name +
-                           " is left as given: triangles of the size would not follow its blocks");
-    return Settling::refused;
-  }
   ask_for_sizes(thickness);
   return Settling::settled;
 }
@@ -137,21 +123,6 @@ TriangulatedSurface HorizonGroup::sheet(std::size_t horizon) const {
   return s;
 }
 
-TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const {
-  TriangulatedSurface s = given(horizon);
-  const bool is_up = faces_up(given(horizon), Frame{});
-  s.points = sided_[horizon].points;
-  s.triangles = sided_[horizon].triangles;
-  for (Vec3& p : s.points) {
-    const Vec2 q = frame_.to_model(Vec2{p.x, p.y});
-    p = {q.x, q.y, p.z};
-  }
-  flush_heights_that_vanish(s.points);
-  if (!is_up)
-    for (Triangle& t : s.triangles) std::swap(t[1], t[2]);
-  return s;
-}
-
 /// Returns whether neighbouring horizons, for which no rule says which one cuts the other, are in the wrong order at
 /// more than a few samples.
 bool HorizonGroup::crosses_by_mistake() const {
@@ -168,42 +139,12 @@ bool HorizonGroup::crosses_by_mistake() const {
   return false;
 }
 
-/// Returns the first horizon with throw that loses a block; the number of horizons if there is none.
-std::size_t HorizonGroup::first_lost() const {
-  for (std::size_t k = 0; k < sided_.size(); ++k)
-    if (has_throw(k) && loses_blocks(members_.data[k], sided_[k], {members_.faults[k], frame_, layout_.bounds}))
-      return k;
-  return sided_.size();
-}
-
-/// Returns the first horizon that would be moved, against the rules, by more than the tolerance because of one without
-/// throw; the number of horizons if there is none.
-std::size_t HorizonGroup::first_against_rule() const {
-  const auto at = std::find_if(sided_.begin(), sided_.end(),
-                               [&](const SidedHorizon& s) { return s.largest_against_rule > rules_.stack.tolerance; });
-  return static_cast<std::size_t>(at - sided_.begin());
-}
-
-/// A single horizon is not moved by the order of others, but it is moved where triangles of the target size do not
-/// follow its blocks.
-bool HorizonGroup::moves_alone() const {
-  const SettledHorizon& told = told_.horizons.front();
-  return members_.stack.units.empty() && has_throw() &&
-         std::max(told.largest_move, told.largest_move_at_faults) > rules_.stack.tolerance;
-}
-
-bool HorizonGroup::has_throw() const {
-  return std::any_of(members_.data.begin(), members_.data.end(),
-                     [](const BlockData& data) { return data.has_throw(); });
-}
-
 double HorizonGroup::least_thickness() const {
   if (rules_.min_thickness > 0) return rules_.min_thickness;
   return std::max(stack_share * rules_.stack.tolerance, thickness_of_size * rules_.stack.size);
 }
 
 MapSheets HorizonGroup::draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options) {
-  layout_.lines.insert(layout_.lines.end(), strips_.outlines.begin(), strips_.outlines.end());
   for (const ThinArea& area : areas) layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
   layout_.joined_within = joined_of_reach * samples_->border_reach();
   MapSheets sheets = approximate_sheets(*samples_, layout_, areas, options);
@@ -212,24 +153,9 @@ MapSheets HorizonGroup::draw_sheets(const std::vector<ThinArea>& areas, const Sh
   return sheets;
 }
 
-bool HorizonGroup::add_sides(const SheetOptions& options) {
-  sided_ = make_both_sides(sheets_, {members_.data, members_.faults, strips_, frame_, *rules_.box, options});
-  if (const std::size_t k = first_lost(); k < sided_.size()) {
-    built_.notes.push_back("the stack is left as given: triangles of the size would not hold the blocks of horizon " +
-                           horizons_[k]->name + " beside its faults");
-    return false;
-  }
-  if (const std::size_t k = first_against_rule(); k < sided_.size()) {
-    built_.notes.push_back("the stack is left as given: at the faults of horizon " + horizons_[k]->name +
-                           " one gives way to it that has no throw there (throw_at of that one)");
-    return false;
-  }
-  return true;
-}
-
 void HorizonGroup::describe(const std::vector<ThinArea>& areas, const SheetOptions& options) {
   const bool has_topography = !rules_.topography.empty() && given(0).name == rules_.topography;
-  SettledFrom from{*samples_, areas, frame_.bounds(rules_.stack.outline), options, strips_, has_topography, {}};
+  SettledFrom from{*samples_, areas, frame_.bounds(rules_.stack.outline), options, has_topography, {}};
   if (members_.counts)
     from.counts = [&](const Vec3& p) {
       const Vec2 q = frame_.to_model(Vec2{p.x, p.y});
@@ -243,11 +169,6 @@ void HorizonGroup::describe(const std::vector<ThinArea>& areas, const SheetOptio
     told.name = given(k).name;
     const Vec2 place = frame_.to_model(Vec2{told.place.x, told.place.y});
     told.place = {place.x, place.y, told.place.z};
-    if (!has_throw(k)) continue;
-    told.area_at_faults = sided_[k].area;
-    told.largest_move_at_faults = sided_[k].largest_move;
-    const Vec2 at_faults = frame_.to_model(Vec2{sided_[k].place.x, sided_[k].place.y});
-    told.place_at_faults = {at_faults.x, at_faults.y, sided_[k].place.z};
   }
   for (std::size_t k = 0; k < stack.units.size(); ++k) {
     told_.units[k].name = stack.units[k];

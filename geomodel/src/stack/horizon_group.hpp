@@ -13,16 +13,14 @@
 #include "stack/map/map_samples.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
 #include "stack/stack_members.hpp"
-#include "stack/throw/both_sides.hpp"
 
 namespace geomesh::geomodel {
 
 /// The horizons of a group, youngest first, and the area of the map where they are settled.
 struct GroupMembers {
   Stack stack;
-  std::vector<BlockData> data;        ///< data of each horizon, in the coordinate frame of the map
-  std::vector<HorizonFaults> faults;  ///< one a horizon
-  MapBounds bounds;                   ///< in the frame
+  std::vector<TriangulatedSurface> data;  ///< data of each horizon, in the coordinate frame of the map
+  MapBounds bounds;                       ///< in the frame
   /// Returns whether a place of the model counts for the areas, moves and volumes in the report. Empty: all places
   /// count.
   std::function<bool(const Vec3&)> counts{};
@@ -31,7 +29,6 @@ struct GroupMembers {
 enum class Settling {
   settled,
   not_needed,  ///< the group needs no settling
-  refused,     ///< settling is not possible, and a note says why
   overhangs,   ///< a horizon has more than one height over some place of the map
 };
 
@@ -43,7 +40,7 @@ class HorizonGroup {
 
   /// Returns whether a horizon ends inside the model. It may end exactly on a fault or body, and moving it would break
   /// that contact.
-  bool ends_inside() const { return !layout_.lines.empty() || strips_.is_open; }
+  bool ends_inside() const { return !layout_.lines.empty(); }
   /// Returns the first horizon with more than one height over some place of the map; the number of horizons if there is
   /// none.
   std::size_t first_that_overhangs() const;
@@ -52,24 +49,14 @@ class HorizonGroup {
   // The functions below require that the group was settled.
 
   SettledStack& told() { return told_; }
-  /// Returns a horizon without throw, in model coordinates and with its original orientation.
+  /// A horizon in the model, oriented as it was.
   TriangulatedSurface sheet(std::size_t horizon) const;
-  bool has_throw(std::size_t horizon) const { return members_.data[horizon].has_throw(); }
-  const SidedHorizon& sided(std::size_t horizon) const { return sided_[horizon]; }
-  /// Returns a horizon with throw, in model coordinates and with its original orientation.
-  TriangulatedSurface surface_with_throw(std::size_t horizon) const;
 
  private:
   const TriangulatedSurface& given(std::size_t horizon) const { return built_.surfaces[members_.stack.rows[horizon]]; }
   bool crosses_by_mistake() const;
-  std::size_t first_lost() const;
-  std::size_t first_against_rule() const;
-  bool moves_alone() const;
-  bool has_throw() const;
   double least_thickness() const;
   MapSheets draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options);
-  /// Adds both sides of faults. Returns false, with a note, if triangles of the target size are too coarse.
-  bool add_sides(const SheetOptions& options);
   void ask_for_sizes(double thickness);
   void describe(const std::vector<ThinArea>& areas, const SheetOptions& options);
 
@@ -77,12 +64,10 @@ class HorizonGroup {
   BuiltSurfaces& built_;
   const ModelRules& rules_;
   const MapFrame& frame_;
-  FaultStrips strips_;
   std::vector<const TriangulatedSurface*> horizons_;
   MapLayout layout_;
   std::unique_ptr<MapSamples> samples_;
   MapSheets sheets_;
-  std::vector<SidedHorizon> sided_;
   SettledStack told_;
 };
 

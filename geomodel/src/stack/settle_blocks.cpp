@@ -7,6 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "common/by_rounding.hpp"
+#include "naming/sums.hpp"
 #include "rules/continuation/block_sheets.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/continuation/horizon_division.hpp"
@@ -26,20 +28,24 @@ class BlockSheets {
       : continued_(std::move(continued)),
         given_(continued_),
         part_(rows.part_of_triangle[row]),
-        block_of_part_(rows.block_of_part[row]) {
+        block_of_part_(rows.block_of_part[row]),
+        throw_blocks_(rows.throw_blocks[row]) {
     if (part_.empty()) part_.assign(continued_.triangles.size(), given_part);
     given_.triangles.clear();
     for (Index t = 0; t < part_.size(); ++t)
       if (part_[t] == given_part) {
         given_.triangles.push_back(continued_.triangles[t]);
         row_of_given_.push_back(t);
+        if (throw_blocks_) held_.block.push_back(rows.block_of_triangle[row][t]);
       }
   }
 
   /// Finds the part of the horizon that lies in each block, and continues it there.
   void divide(Index row, const ModelRules& rules, const HorizonBlocks& blocks) {
     const BlockFramework& framework = blocks.framework;
-    const HorizonDivision division(given_, row, framework, blocks.cutters, {});
+    for (Index b = 0; throw_blocks_ && b < framework.n_blocks(); ++b)
+      held_.of_block.push_back(throw_blocks_->framework.block_at(framework.place_in(b)));
+    const HorizonDivision division(given_, row, framework, blocks.cutters, {}, held_);
     sheets_.resize(framework.n_blocks());
     rows_.resize(framework.n_blocks());
     std::vector<std::vector<Index>> at_corner(given_.points.size());
@@ -52,19 +58,29 @@ class BlockSheets {
         rows_[b].push_back(row_of_given_[t]);
         if (!division.crosses_wall(t)) continue;
         for (const VertexIndex v : division.triangles()[t])
-          with_margin.insert(at_corner[v].begin(), at_corner[v].end());
+          std::ranges::copy_if(at_corner[v], std::inserter(with_margin, with_margin.end()),
+                               [&](Index other) { return division.may_be_in(other, b); });
       }
       for (const Index t : with_margin) sheets_[b].given.push_back(t);
     }
-    const bool fills = std::ranges::count(blocks.fill_blocks, row) > 0;
-    if (rules.of(row).continues_by_default()) {
+    const bool has_throw = !rules.of(row).throw_at.empty();
+    const bool fills = has_throw || std::ranges::count(blocks.fill_blocks, row) > 0;
+    if (rules.of(row).continues_by_default() || has_throw) {
       const double within = rules.continuation.within_of_horizons;
       ends_at_ = lengths_before(given_, row, blocks.walls, rules.continuation.bounds, within);
       const BorderStates states = border_states(given_, row, blocks.walls, rules.continuation.bounds,
                                                 reach_of_horizon(rules.continuation, fills));
-      for (BlockExtension& made :
-           continue_in_blocks(given_, row, states, {framework, blocks.cutters, blocks.walls, within, fills, {}, true})
-               .extensions) {
+      for (BlockExtension& made : continue_in_blocks(given_, row, states,
+                                                     {framework,
+                                                      blocks.cutters,
+                                                      blocks.walls,
+                                                      within,
+                                                      fills,
+                                                      {},
+                                                      true,
+                                                      held_,
+                                                      reach_of_slope(rules, row, within)})
+                                      .extensions) {
         const Index block = made.block;
         sheets_[block].extension = std::move(made);
       }
@@ -81,6 +97,15 @@ class BlockSheets {
   /// border.
   Index block_of_part(Index part) const {
     return part == given_part || part > block_of_part_.size() ? no_index : block_of_part_[part - 1];
+  }
+  /// Whether something of what was given lies in a block.
+  bool reaches(Index block, const BlockFramework& framework) const {
+    return std::ranges::any_of(given_.triangles, [&](const Triangle& t) {
+      const std::vector<Vec3>& p = given_.points;
+      const auto areas = framework.areas({p[t[0]], p[t[1]], p[t[2]]});
+      const auto at = areas.find(block);
+      return at != areas.end() && at->second > by_rounding * triangle_area(p[t[0]], p[t[1]], p[t[2]]);
+    });
   }
   /// Returns the length in m of the border that ends at another surface, or shortly before it.
   double length_at(Index other) const {
@@ -117,6 +142,8 @@ class BlockSheets {
   };
   TriangulatedSurface continued_, given_;
   std::vector<Index> part_, block_of_part_, row_of_given_;
+  std::shared_ptr<const HorizonBlocks> throw_blocks_;  ///< null: the horizon has no list of faults with throw
+  HeldTriangles held_;
   std::map<Index, double> ends_at_;
   std::vector<Sheet> sheets_;             ///< per block
   std::vector<std::vector<Index>> rows_;  ///< per block
@@ -139,15 +166,17 @@ class Rebuilt {
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// Adds the parts in blocks that were not settled. Triangles that reach into another block end at the wall.
-  void keep(const std::set<Index>& settled) {
+  /// Adds what lies in blocks in which nothing was to be settled. Triangles that reach into another one end at the
+  /// wall.
+  /// `own`: those of the settled blocks in which this horizon was settled.
+  void keep(const std::set<Index>& settled, const std::set<Index>& own) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
       for (const Index t : sheets_.rows(b)) (settled.contains(b) ? is_remade : is_kept)[t] = true;
     const Index ending = n_parts_++;
     for (Index t = 0; t < is_kept.size(); ++t) {
       const Index part = sheets_.part()[t];
-      if (is_remade[t] && !is_kept[t]) continue;
+      if (!is_kept[t] && (is_remade[t] || is_made_anew(continued_.triangles[t], own))) continue;
       add(continued_.triangles[t], 0, part == given_part && is_remade[t] ? ending : part);
     }
   }
@@ -178,6 +207,7 @@ class Rebuilt {
     sort_by_part();
     built.rows.n_given_triangles[row] = static_cast<Index>(std::ranges::count(part_, given_part));
     built.rows.part_of_triangle[row] = std::move(part_);
+    built.rows.block_of_triangle[row].clear();
     built.surfaces[row] = std::move(surface_);
   }
 
@@ -207,6 +237,12 @@ class Rebuilt {
         if (is_at_wall[v]) reaches[t] = true;
     return reaches;
   }
+  /// Whether a triangle that no block's sheet has lies in blocks alone in which the horizon was settled.
+  bool is_made_anew(const Triangle& t, const std::set<Index>& own) const {
+    const auto& points = continued_.points;
+    const auto areas = blocks_.framework.areas({points[t[0]], points[t[1]], points[t[2]]});
+    return std::ranges::all_of(areas, [&](const auto& entry) { return own.contains(entry.first); });
+  }
   bool meets_wall(const Vec3& a, const Vec3& b) {
     const std::vector<Index> walls = blocks_.cutters.surfaces_on(a, b);
     walls_.insert(walls.begin(), walls.end());
@@ -228,6 +264,15 @@ class Rebuilt {
   std::set<Index> walls_;
 };
 
+/// Whether a triangle lies in the block, and meets no wall.
+bool has_triangle_within(const TriangulatedSurface& sheet, Index block, const HorizonBlocks& blocks) {
+  return std::ranges::any_of(sheet.triangles, [&](const Triangle& t) {
+    const Vec3 &a = sheet.points[t[0]], &b = sheet.points[t[1]], &c = sheet.points[t[2]];
+    const auto meets = [&](const Vec3& p, const Vec3& q) { return !blocks.cutters.surfaces_on(p, q).empty(); };
+    return blocks.framework.block_at((1.0 / 3) * (a + b + c)) == block && !meets(a, b) && !meets(b, c) && !meets(c, a);
+  });
+}
+
 /// Settles the stack of a model block by block.
 class BlockStack {
  public:
@@ -237,7 +282,8 @@ class BlockStack {
         rules_(rules),
         blocks_(blocks),
         frame_(rules.stack.outline, rules.stack.outline_is_box),
-        bounds_(frame_.bounds(rules.stack.outline)) {
+        bounds_(frame_.bounds(rules.stack.outline)),
+        has_throw_(std::ranges::any_of(stack.rows, [&](Index row) { return !built.rows.parted_at[row].empty(); })) {
     for (const Index row : stack.rows) {
       sheets_.emplace_back(built.surfaces[row], row, built.rows);
       sheets_.back().divide(row, rules, blocks);
@@ -266,17 +312,18 @@ class BlockStack {
 
  private:
   void settle_block(Index block) {
-    GroupMembers members{{}, {}, {}, bounds_of(block)};
+    GroupMembers members{{}, {}, bounds_of(block)};
     SettledBlock settled{block, {}, nullptr};
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) {
       const TriangulatedSurface sheet = sheets_[k].sheet(block);
+      if (sheet.triangles.empty() && has_throw_ && sheets_[k].reaches(block, blocks_.framework))
+        return leave(k, "has no triangle that its faults or bodies do not cut");
       if (sheet.triangles.empty()) continue;
       if (!is_single_valued(sheet)) return leave(k, "has more than one height over a place of the map");
       if (ends_at_wall(sheet, block)) return leave(k, "ends at a fault or body and is not continued through it");
       settled.horizons.push_back(k);
       members.stack.rows.push_back(stack_.rows[k]);
-      members.data.push_back(block_data(frame_.to_frame(sheet), {}, 0));
-      members.faults.emplace_back();
+      members.data.push_back(frame_.to_frame(sheet));
     }
     if (settled.horizons.empty()) return;
     for (std::size_t i = 0; i + 1 < settled.horizons.size(); ++i) {
@@ -291,7 +338,11 @@ class BlockStack {
     if (outcome == Settling::overhangs)
       leave(settled.horizons[settled.group->first_that_overhangs()],
             "has more than one height over a place of the map");
-    if (outcome == Settling::settled) settled_.push_back(std::move(settled));
+    if (outcome != Settling::settled) return;
+    for (std::size_t i = 0; has_throw_ && i < settled.horizons.size(); ++i)
+      if (!has_triangle_within(settled.group->sheet(i), block, blocks_))
+        return leave(settled.horizons[i], "would have no triangle of the size that faults or bodies do not cut");
+    settled_.push_back(std::move(settled));
   }
 
   void leave(std::size_t horizon, const std::string& why) {
@@ -344,7 +395,10 @@ class BlockStack {
     const Index row = stack_.rows[k];
     const std::size_t n_given = built_.surfaces[row].triangles.size();
     Rebuilt rebuilt(sheets_[k], blocks_, rules_.stack.tolerance);
-    rebuilt.keep(blocks);
+    std::set<Index> own;
+    for (const SettledBlock& s : settled_)
+      if (std::ranges::count(s.horizons, k) > 0) own.insert(s.block);
+    rebuilt.keep(blocks, own);
     for (const SettledBlock& s : settled_)
       for (std::size_t i = 0; i < s.horizons.size(); ++i)
         if (s.horizons[i] == k) rebuilt.add(s.group->sheet(i), s.block);
@@ -362,6 +416,7 @@ class BlockStack {
   const HorizonBlocks& blocks_;
   MapFrame frame_;
   MapBounds bounds_;
+  bool has_throw_;  ///< by a list of faults: their blocks may be narrower than the horizons' triangles
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
   std::size_t n_left_ = 0;  ///< number of blocks that cannot be settled
@@ -370,9 +425,8 @@ class BlockStack {
 
 }  // namespace
 
-bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules) {
-  return built.rows.truncations.empty() && rules.continuation.within_of_horizons > 0 &&
-         std::ranges::all_of(stack.rows, [&](Index row) { return built.rows.block_of_triangle[row].empty(); });
+bool can_be_settled_in_blocks(const BuiltSurfaces& built, const ModelRules& rules) {
+  return built.rows.truncations.empty() && rules.continuation.within_of_horizons > 0;
 }
 
 bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks) {

@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns false for horizons with throw by rule, which have their own blocks, and if a horizon truncates faults.
-bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules);
+/// False where a horizon truncates faults.
+bool can_be_settled_in_blocks(const BuiltSurfaces& built, const ModelRules& rules);
 
 /// In each block, the horizons with their continuations beyond its walls are settled on their own, as settle_stack does
 /// over the whole map. The parts beyond the walls are marked separately (BuiltRows::part_of_triangle) and are removed

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "rules/continuation/continue_to_walls.hpp"
+#include "rules/planar/single_valued.hpp"
 #include "stack/horizon_group.hpp"
 #include "stack/settle_blocks.hpp"
 #include "stack/stack_members.hpp"
@@ -10,7 +12,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Share of the size, as margin around an outline that is not a box along the axes.
 constexpr double margin_of_size = 0.25;
 
 /// Returns why the stack cannot be settled, in blocks or not; empty if it can.
@@ -24,34 +25,17 @@ std::string obstacle(const Stack& stack) {
 std::string obstacle_in_map(const Stack& stack, const BuiltSurfaces& built) {
   for (const Index row : stack.rows) {
     const TriangulatedSurface& s = built.surfaces[row];
-    if (!is_single_valued_by_block(s, built.rows.block_of_triangle[row], built.rows.n_given_triangles[row]))
-      return "horizon " + s.name + " has more than one height over a place of the map";
+    if (!is_single_valued(s)) return "horizon " + s.name + " has more than one height over a place of the map";
   }
   return "";
-}
-
-HorizonFaults faults_of(const BuiltSurfaces& built, Index row) {
-  HorizonFaults found;
-  if (built.rows.block_of_triangle[row].empty()) return found;
-  for (const Index s : built.rows.parted_at[row]) {
-    const auto n = static_cast<Index>(built.surfaces[s].triangles.size());
-    found.faults.push_back({&built.surfaces[s], std::min(n, built.rows.first_only_parting[s])});
-    found.rows.push_back(s);
-  }
-  found.sides = built.rows.sides_of_block[row];
-  return found;
 }
 
 /// Returns the stack's horizons with their data over the whole map.
 GroupMembers members_of(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules,
                         const MapFrame& frame) {
-  GroupMembers members{stack, {}, {}, frame.bounds(rules.stack.outline)};
+  GroupMembers members{stack, {}, frame.bounds(rules.stack.outline)};
   if (!rules.stack.outline_is_box) members.bounds = members.bounds.grown(margin_of_size * rules.stack.size);
-  for (const Index row : stack.rows) {
-    members.data.push_back(block_data(frame.to_frame(built.surfaces[row]), built.rows.block_of_triangle[row],
-                                      built.rows.n_given_triangles[row]));
-    members.faults.push_back(faults_of(built, row));
-  }
+  for (const Index row : stack.rows) members.data.push_back(frame.to_frame(built.surfaces[row]));
   return members;
 }
 
@@ -63,14 +47,9 @@ void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& bu
     told.n_triangles_given = s.triangles.size();
     built.rows.part_of_triangle[row].clear();  // settled horizons are rebuilt up to their walls
     built.rows.continued_to[row].clear();
-    if (group.has_throw(k)) {
-      s = group.surface_with_throw(k);
-      built.rows.n_given_triangles[row] = group.sided(k).n_single;
-      built.rows.block_of_triangle[row] = group.sided(k).block;
-    } else {
-      s = group.sheet(k);
-      built.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());
-    }
+    built.rows.block_of_triangle[row].clear();
+    s = group.sheet(k);
+    built.rows.n_given_triangles[row] = static_cast<Index>(s.triangles.size());
     told.n_triangles = s.triangles.size();
   }
 }
@@ -107,11 +86,18 @@ bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);
   if (why.empty()) {
-    if (blocks && !can_be_settled_in_blocks(stack, built, rules)) blocks = nullptr;
+    const bool may_be_in_blocks = can_be_settled_in_blocks(built, rules);
+    if (!may_be_in_blocks) blocks = nullptr;
     const bool has_walls = std::any_of(built.surfaces.begin(), built.surfaces.end(), can_be_ended_on);
     if (settle_map(stack, built, rules, !blocks && !has_walls, why)) return true;
     if (why.empty()) return false;
     if (blocks) return settle_in_blocks(stack, built, rules, *blocks);
+    const auto has_throw = [&](Index row) { return !built.rows.parted_at[row].empty(); };
+    const bool any_has_throw = std::ranges::any_of(stack.rows, has_throw);
+    if (may_be_in_blocks && any_has_throw) return settle_in_blocks(stack, built, rules, blocks_of_model(built, rules));
+    if (any_has_throw)
+      why += built.rows.truncations.empty() ? "; it is not settled in fault blocks where continue_within is 0"
+                                            : "; it is not settled in fault blocks where a horizon truncates faults";
   }
   built.notes.push_back("the stack is left as given: " + why);
   return false;

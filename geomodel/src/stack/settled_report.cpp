@@ -63,7 +63,7 @@ void measure_moves(const MapSheets& sheets, const SettledFrom& from, const Sheet
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const Vec2 p = samples.place(s);
     const SheetLocator::Place at = locator.find(p);
-    if (at.triangle == no_index || from.strips.holds(p)) continue;
+    if (at.triangle == no_index) continue;
     for (std::size_t k = 0; k < sheets.n_horizons; ++k) {
       const double given = samples.heights(s)[k], move = std::abs(locator.height(at, k) - given);
       if (std::isnan(move) || (from.counts && !from.counts({p.x, p.y, given}))) continue;
@@ -146,10 +146,6 @@ std::vector<std::string> notes_of(const SettledStack& stack) {
     if (h.area_moved > 0)
       text += "; moved over an area of " + to_text(h.area_moved) + " by " + to_text(h.mean_move) +
               " m in the mean, at most " + to_text(h.largest_move) + " m near " + to_text(h.place);
-    if (h.area_at_faults > 0)
-      text += "; made anew from both sides of its faults over an area of " + to_text(h.area_at_faults) +
-              ", where order moved it by " + to_text(h.largest_move_at_faults) + " m at most" +
-              (h.largest_move_at_faults > 0 ? " near " + to_text(h.place_at_faults) : std::string());
     notes.push_back(text);
   }
   for (const SettledUnit& u : stack.units)

@@ -8,7 +8,6 @@
 #include "geomesh/geomodel/stack.hpp"
 #include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "stack/sheets/sheet_approximation.hpp"
-#include "stack/throw/fault_strips.hpp"
 
 namespace geomesh::geomodel {
 
@@ -18,9 +17,6 @@ struct SettledFrom {
   const std::vector<ThinArea>& areas;
   MapBounds bounds;  ///< bounds of the maps of thickness
   const SheetOptions& options;
-  /// Strips in which moves are not measured, because the sheets there are the mean of both sides of a fault.
-  const FaultStrips& strips;
-  /// Whether the first horizon is the topography: parts above it are cut off and do not count as moved.
   bool has_topography;
   std::function<bool(const Vec3&)> counts{};  ///< whether a place of the frame counts; empty: all places count
 };

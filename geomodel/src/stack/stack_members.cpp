@@ -82,7 +82,7 @@ Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, 
 
 bool may_stand(const BuiltSurfaces& built, Index row, const ModelRules& rules) {
   const TriangulatedSurface& s = built.surfaces[row];
-  return s.kind == SurfaceKind::horizon && s.name != rules.floor && built.rows.block_of_triangle[row].empty() &&
+  return s.kind == SurfaceKind::horizon && s.name != rules.floor && built.rows.parted_at[row].empty() &&
          is_single_valued(s);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "geomesh/geomodel/model_rules.hpp"
 #include "naming/sums.hpp"
@@ -215,8 +216,27 @@ TEST_CASE("A horizon that truncates faults divides blocks, which know on which s
   built.rows.truncations = {{1, 0}};
   const BlockFramework framework(built, rules_of_box());
   require_blocks(framework, [](const Vec3& p) { return p.z > 7 ? 0 : p.x < 5 ? 1 : 2; });
-  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 9}), 0) == 1);
-  CHECK(framework.side_of_unconformity(framework.block_at({2, 5, 3}), 0) == -1);
-  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 0) == -1);
-  CHECK(framework.side_of_unconformity(framework.block_at({8, 5, 3}), 1) == 0);
+  CHECK(framework.side_of(framework.block_at({2, 5, 9}), 0) == 1);
+  CHECK(framework.side_of(framework.block_at({2, 5, 3}), 0) == -1);
+  CHECK(framework.side_of(framework.block_at({8, 5, 3}), 0) == -1);
+  CHECK(framework.side_of(framework.block_at({8, 5, 3}), 1) == 0);
+}
+
+TEST_CASE("Blocks beyond another fault lie on the side of those that they hang together with") {
+  const TriangulatedSurface second =
+      rectangle("g", {Vec3{7.9, -1, -1}, {7.9, side + 1, -1}, {9.1, side + 1, side + 1}, {9.1, -1, side + 1}});
+  const BlockFramework framework(built_of({leaning_fault(), second}), rules_of_box());
+  const auto side_at = [&](const Vec3& p, Index fault) { return framework.sides_of(fault)[framework.block_at(p)]; };
+  CHECK(framework.side_of(framework.block_at({9.5, 5, 1}), 0) == 0);
+  for (const auto& [x, of_first, of_second] : {std::tuple{1.0, 1, 1}, {7.0, -1, 1}, {9.5, -1, -1}}) {
+    CHECK(side_at({x, 5, 1}, 0) == of_first);
+    CHECK(side_at({x, 5, 1}, 1) == of_second);
+  }
+}
+
+TEST_CASE("A fault that ends inside the model has no sides") {
+  const TriangulatedSurface short_fault =
+      rectangle("f", {Vec3{4.9, -1, -1}, {4.9, 5, -1}, {6.1, 5, side + 1}, {6.1, -1, side + 1}});
+  const BlockFramework framework(built_of({short_fault}), rules_of_box());
+  CHECK(framework.sides_of(0) == std::vector<int>{0});
 }

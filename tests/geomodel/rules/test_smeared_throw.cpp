@@ -7,7 +7,7 @@
 #include <set>
 
 #include "rules/blocks/smeared_throw.hpp"
-#include "rules/fault_ends.hpp"
+#include "rules/extend/fault_ends.hpp"
 #include "rules/throw/fault_crossings.hpp"
 #include "rules/throw/throw_ramp.hpp"
 

@@ -38,7 +38,7 @@ TriangulatedSurface grid(const std::string& name, const Height& height) {
 BuiltSurfaces built_of(std::vector<TriangulatedSurface> surfaces) {
   BuiltSurfaces built;
   built.surfaces = std::move(surfaces);
-  built.rows.block_of_triangle.resize(built.surfaces.size());
+  built.rows.parted_at.resize(built.surfaces.size());
   return built;
 }
 
@@ -105,6 +105,6 @@ TEST_CASE("a horizon is not put over a column whose topography is said, or that 
   CHECK(find_stack(built, rules).rows == std::vector<Index>{2, 0, 1});
   CHECK(built.warnings.empty());
   rules.topography.clear();
-  built.rows.block_of_triangle[2].assign(built.surfaces[2].triangles.size(), 0);
+  built.rows.parted_at[2] = {0};
   CHECK(find_stack(built, rules).rows == std::vector<Index>{0, 1});
 }

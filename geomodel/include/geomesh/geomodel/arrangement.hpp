@@ -31,8 +31,6 @@ enum class SoupVertexKind : std::uint8_t { input, intersection, triple_point };
 struct PolygonSoup {
   std::vector<Vec3> points;
   std::vector<SoupVertexKind> kind;
-  /// Per point: row in the concatenated points of the input surfaces (the first of equal ones), or no_index for points
-  /// that were added.
   std::vector<Index> input_point;
 
   std::vector<Triangle> facets;
@@ -68,8 +66,6 @@ struct Spot {
   std::size_t count = 0;  ///< number of pairs of triangles, edges or other items found at this place
   double measure = 0;     ///< area (m2) or length (m) of what was found, for kinds that have one
   Vec3 place;
-  /// For forbidden crossings: area of the smaller of the two parts that lie beyond the other surface; 0 if nothing is
-  /// cut off.
   double area = 0;
   std::size_t n_pieces = 1;  ///< number of connected pieces of free borders
 };
@@ -80,10 +76,7 @@ std::string describe(const Spot& spot, const std::vector<TriangulatedSurface>& s
 std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces);
 
 struct ArrangementOptions {
-  std::optional<Box3>
-      /// Box to which surfaces are clipped; its sides become surfaces n .. n+5 in the order xmin xmax ymin ymax zmin
-      /// zmax.
-      box;
+  std::optional<Box3> box;
   /// Clip to a closed volume of another shape: its sides, together closed, oriented outwards and free of crossings, are
   /// then surfaces n, n+1
   /// ... in this order. Not together with a box.
@@ -102,8 +95,10 @@ struct ArrangementOptions {
   /// The part of each triangle, by surface; a surface without an entry, or with an empty one, is one part. Parts of one
   /// surface may be removed later, one without the other, so a facet that stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
-  /// Per surface: rows of the walls at which its added parts end, ascending. Whatever those walls cut off from part 0
-  /// is removed before anything is merged. Surfaces without an entry, or with an empty one, are not cut.
+  /// By surface: how many of its parts, the first ones, were given; the others continue them. No entry: one.
+  std::vector<Index> n_given_parts;
+  /// By surface: rows of the walls at which its continuations end, ascending. What the walls cut off from what was
+  /// given is removed before anything is merged. Surfaces without an entry, or with an empty one, lose nothing.
   std::vector<std::vector<Index>> ends_at;
   /// Largest memory in bytes that may be used; 0 means three quarters of the machine's memory. Each step estimates its
   /// need from measured sizes; if it exceeds the limit, arrange() throws Error{cannot_mesh} with the place.
@@ -118,7 +113,6 @@ struct Displacement {
 
 struct ArrangementResult {
   PolygonSoup soup;
-  /// Sides of the box (six) or of the given volume; side i has surface row n + i.
   std::vector<TriangulatedSurface> box_sides;
   Displacement rounding;
   /// Changes made by merging, within `tolerance` or at places too thin for any rounding.
@@ -130,7 +124,6 @@ struct ArrangementResult {
   /// Per input surface: area removed inside bodies with cuts_all, area removed outside the box, length of free border
   /// that is left.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
-  /// Area removed per surface by the caller of trim_soup; empty if no rule acts on the soup.
   std::vector<double> area_clipped_by_rules;
   std::vector<Spot> spots;
   std::vector<std::string> warnings;

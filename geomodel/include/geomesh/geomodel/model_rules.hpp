@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,7 +47,6 @@ enum class OnCrossing {
 /// The triangles of a horizon that come from one scalar field, and the sides of faults on which that field is valid.
 struct FieldPart {
   Index end = 0;  ///< one past the row of its last triangle; its first row is the end of the part before
-  /// Names of faults, each with whether the field is valid above (true) or below it.
   std::vector<std::pair<std::string, bool>> sides;
   std::optional<Vec3> block;  ///< a point in the fault block in which the field is valid
   std::string field;          ///< name of the field in messages: its file, or "its function"
@@ -63,7 +63,6 @@ struct FieldPart {
 struct SurfaceRules {
   Extend extend = Extend::none;  ///< how the surface is extended beyond the box
   double fill_holes = 0;         ///< holes with a border of at most this length (m) are filled; infinity: all holes
-  /// For faults: name of the fault or horizon at which the extension ends (`extent: to_fault NAME`).
   std::string stop_at;
   bool close_at_box =
       true;  ///< for bodies: whether open ends (rooted salt) are closed beyond the side of the box nearest to each end
@@ -71,13 +70,11 @@ struct SurfaceRules {
   /// the body's boundary.
   double thickness = 0;
   BaseRule base = BaseRule::conformable;  ///< how a horizon of the column cuts other horizons
-  /// For faults: consecutive units of the column that it cuts; if empty, it cuts all.
   std::vector<std::string> cut_units;
   /// For horizons given block by block: names of the faults that displace the horizon. The sheets of each block are
   /// extended (`extend`, flat if none is given) beyond these faults, and whatever then lies on the other side of one of
   /// them is removed.
   std::vector<std::string> throw_at;
-  /// Whether find_ramps adds faults to throw_at; if throw_at is still empty after that, the horizon fills its blocks.
   bool throw_auto = false;
   /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
   /// project lists none.
@@ -116,16 +113,15 @@ enum class ThinLayers {
 
 /// How far surfaces without rules of their own are continued to what bounds them.
 struct ContinuationRules {
-  /// Greatest distance in m over which horizons are continued; 0: borders are left as they are.
   double within_of_horizons = 0;
   double within_of_faults = 0;             ///< m
+  double within_by_size = 0;               ///< m; of horizons where nobody asks for another one
   Box3 bounds;                             ///< bounding box of the model volume
   std::vector<TriangulatedSurface> sides;  ///< sides of the model volume
 };
 
 struct ModelRules {
   std::optional<Box3> box;  ///< model box, required by extend and close_at_box
-  /// Rules of each surface, in the order of the surfaces; missing ones have the defaults.
   std::vector<SurfaceRules> surfaces;
   std::vector<std::string> column;  ///< as in Project: defines which horizons are older and younger
   std::string topography;  ///< name of the horizon that is the ground: parts of all other surfaces above it are removed
@@ -153,29 +149,28 @@ struct ModelRules {
   }
 };
 
+struct HorizonBlocks;
+
 /// Per surface, which of its triangles were given and which were made by rules.
 struct BuiltRows {
-  /// Number of given triangles per surface; the rows after them were made by rules.
   std::vector<Index> n_given_triangles;
-  std::vector<std::vector<Index>>
-      /// Per surface with throw_at: number of the block of each triangle from 0, or one of the two constants below;
-      /// empty for other surfaces.
-      block_of_triangle;
-  /// Per surface: rows of the faults that divide it into blocks, which are those of throw_at across which it does not
-  /// continue.
+  /// Per surface with a list of faults under throw_at: the block of each triangle, or of_every_block; the field (row of
+  /// SurfaceRules::field_parts) where fields hold on certain sides of faults. Empty for others.
+  std::vector<std::vector<Index>> block_of_triangle;
+  /// Per surface and block of throw_blocks: the field that holds there, or no_index. Empty for surfaces without fields
+  /// that hold on certain sides of faults.
+  std::vector<std::vector<Index>> field_of_block;
+  /// Per surface: the blocks of these faults alone, as if each went on through the model; null for others.
+  std::vector<std::shared_ptr<const HorizonBlocks>> throw_blocks;
+  /// The blocks of all faults; null while no horizon needs them.
+  std::shared_ptr<const HorizonBlocks> blocks_of_faults;
+  /// Per surface: rows of the faults that part it into these blocks, ascending.
   std::vector<std::vector<Index>> parted_at;
-  /// Per surface and block: whether the block lies above each fault of parted_at; empty for surfaces without blocks.
-  std::vector<std::vector<std::vector<bool>>> sides_of_block;
-  /// Per surface and block: the faults of parted_at on both sides of which the field of the block is valid. Empty for
-  /// surfaces without fields that are restricted to certain sides of faults.
-  std::vector<std::vector<std::vector<bool>>> on_both_sides;
-  /// Returns whether the block extends to both sides of the k-th fault of parted_at.
-  bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
-    return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
-  }
   /// Per surface: row of the first triangle by which a fault that ends inside the model was extended only to separate
   /// blocks; no_index if there is none.
   std::vector<Index> first_only_parting;
+  /// Per surface: triangles from this row on are those of add_steps; no_index where it has none.
+  std::vector<Index> first_step;
 
   /// Per surface that was continued to what bounds it: 0 for triangles given or filled in, k for those that continue
   /// its k-th run of border. Empty for others.
@@ -195,16 +190,7 @@ struct BuiltRows {
                        [](const auto& part) { return !part.empty(); });
   }
 
-  /// Block number of a triangle that continues beyond the tip of a fault with throw.
-  static constexpr Index of_every_block = no_index;
-  /// Block number of a given triangle at a fault that ends inside the model; the surface is remade there.
-  static constexpr Index of_no_block = no_index - 1;
-  static Index n_blocks(const std::vector<Index>& block_of) {
-    Index n = 0;
-    for (const Index block : block_of)
-      if (block < of_no_block) n = std::max(n, block + 1);
-    return n;
-  }
+  static constexpr Index of_every_block = no_index;  ///< not cut off at the faults between blocks
 };
 
 /// A surface that was continued to what bounds it, for the report and the page.
@@ -255,6 +241,12 @@ BuiltSurfaces build_surfaces(const std::vector<TriangulatedSurface>& surfaces, c
 /// surfaces times the logarithm of the truncations.
 std::vector<std::string> unconformities(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                                         const ModelRules& rules);
+
+/// Beyond the end of a fault that ends inside, what continues it to part blocks is removed again, and the blocks of a
+/// horizon need not meet there: throw is left, or they were settled one by one. Appends to each horizon that has blocks
+/// or parts the triangles by which such faults were continued. trim_soup gives those of their parts to the horizon that
+/// lie between its blocks. Called after the arrangement. Sets BuiltRows::first_step.
+void add_steps(std::vector<TriangulatedSurface>& surfaces, BuiltRows& built);
 
 struct TrimmedSoup {
   PolygonSoup soup;

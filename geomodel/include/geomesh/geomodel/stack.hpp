@@ -18,7 +18,6 @@ enum class StackRule { automatic, keep };
 struct StackRules {
   StackRule rule = StackRule::automatic;
   double size = 0;  ///< target edge length on the horizons, in m
-  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly and nothing is settled.
   double tolerance = 0;
   std::vector<Vec2> outline;    ///< corners of the model volume on the map
   bool outline_is_box = false;  ///< along the axes
@@ -42,10 +41,6 @@ struct SettledHorizon {
   double largest_move = 0, mean_move = 0;  ///< distances by which the horizon was moved, where it was moved
   Vec3 place;                              ///< place of the largest move
   double largest_off = 0;                  ///< largest distance from the input's points, where it was not moved
-  double area_at_faults = 0;  ///< area in strips along faults with throw, where the horizon is rebuilt from both sides
-  /// Largest vertical shift applied on one side of a fault to restore the order of the horizons.
-  double largest_move_at_faults = 0;
-  Vec3 place_at_faults;
 };
 
 /// One unit between two horizons of the stack.
@@ -54,7 +49,6 @@ struct SettledUnit {
   double area = 0;         ///< area over which the unit is present
   double area_merged = 0;  ///< area over which its two horizons coincide
   double volume = 0;       ///< volume between the settled horizons within the bounds of the model volume
-  /// Number of islands of the unit that were removed because they were too small to be merged or kept.
   std::size_t n_islands = 0;
   double mean_thickness = 0, largest_thickness = 0;  ///< thickness of the unit where it is present
   std::vector<std::vector<Vec2>> pinch_outs;         ///< lines on the map along which the unit pinches out

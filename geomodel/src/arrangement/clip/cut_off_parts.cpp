@@ -25,7 +25,7 @@ class PartFacets {
     first_.push_back(static_cast<Index>(triangle_.size()));
     joined_ = UnionFind(triangle_.size() + 1);  // the last entry stands for the given part
     for (Index k = 0; k < triangle_.size(); ++k)
-      if (in.part[triangle_[k]] == 0) joined_.unite(k, given());
+      if (is_given(triangle_[k])) joined_.unite(k, given());
   }
 
   /// Joins facets at edges without a wall.
@@ -52,13 +52,14 @@ class PartFacets {
     std::vector<std::pair<Index, Index>> found;
     for (std::size_t i = 0; i < facets_.size(); ++i)
       for (Index k = first_[i]; k < first_[i + 1]; ++k)
-        if (in_.part[triangle_[k]] != 0 && joined_.find(k) != joined_.find(given()))
+        if (!is_given(triangle_[k]) && joined_.find(k) != joined_.find(given()))
           found.emplace_back(facets_[i], triangle_[k]);
     std::sort(found.begin(), found.end());
     return found;
   }
 
  private:
+  bool is_given(Index t) const { return in_.part[t] < in_.n_given; }
   Index given() const { return static_cast<Index>(triangle_.size()); }
   bool is_at_wall(std::span<const EdgeUse> edge) const {
     return std::any_of(edge.begin(), edge.end(), [&](const EdgeUse& use) {
@@ -83,7 +84,7 @@ class PartFacets {
   }
   bool hang_together(Index s, Index t) const {
     if (in_.part[s] == in_.part[t]) return true;
-    if (in_.part[s] != 0 && in_.part[t] != 0) return false;
+    if (!is_given(s) && !is_given(t)) return false;
     for (const VertexIndex v : in_.surface.triangles[s])
       for (const VertexIndex w : in_.surface.triangles[t])
         if (v == w) return true;
@@ -120,8 +121,10 @@ void end_continuations(ClipContext context, const ArrangementOptions& options) {
   LostParts lost;
   std::vector<std::uint8_t> which(arranged.facets.size(), 0);
   for (const Index row : rows) {
-    const auto cut_off = parts_cut_off({arranged.facets, uses, origins_of},
-                                       {context.surfaces[row], row, options.parts[row], options.ends_at[row], lost});
+    const Index n_given = row < options.n_given_parts.size() ? options.n_given_parts[row] : 1;
+    const auto cut_off =
+        parts_cut_off({arranged.facets, uses, origins_of},
+                      {context.surfaces[row], row, options.parts[row], options.ends_at[row], lost, n_given});
     for (const auto& [facet, triangle] : cut_off) {
       lost.insert({facet, row, triangle});
       if (kind_of(row) != SurfaceKind::fault) which[facet] = 1;

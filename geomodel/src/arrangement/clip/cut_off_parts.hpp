@@ -25,14 +25,15 @@ struct FacetsWithOrigins {
 /// Facet, row of the surface and its triangle, for each part of a facet that is cut off.
 using LostParts = std::set<std::array<Index, 3>>;
 
-/// A surface in parts: part 0 is the given one, the others continue it. A part shares the points (by row) where it
-/// begins with the part that it continues; sheets of several blocks may also have equal points that are not shared.
+/// A surface in parts: the first were given, each other one continues them. A part shares the points (by row) where
+/// it begins with what it continues; sheets of several blocks may have equal points that are none of these.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface
   const std::vector<Index>& part;   ///< per triangle
   const std::vector<Index>& walls;  ///< rows of the surfaces at which the parts end, ascending
   const LostParts& lost;            ///< removed parts of walls, at which nothing ends
+  Index n_given = 1;                ///< parts below this one were given
 };
 
 /// Returns facets, each with the triangle of the surface to which it belongs, that walls cut off from the given part;

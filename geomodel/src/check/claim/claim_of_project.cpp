@@ -151,7 +151,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   std::vector<std::string> found, doubts;  // messages that the run itself gives
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
-  const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
+  BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
   if (built.stack.settled) {  // regions are units in fault blocks, and small ones were merged with others
     claim.names.fault_blocks = true;
     claim.names.merges_small = true;
@@ -159,6 +159,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
   }
   for (const TriangulatedSurface& s : built.surfaces)
     claim.input_points.insert(claim.input_points.end(), s.points.begin(), s.points.end());
+  add_steps(built.surfaces, built.rows);
   claim.surfaces = built.model_surfaces();
   claim.names.unconformities = unconformities(built.surfaces, built.rows, rules);
   claim.names.continued_within = rules.continuation.within_of_horizons;
@@ -177,7 +178,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
     const auto& settled = built.stack.horizons;
     const bool is_new = std::any_of(settled.begin(), settled.end(),
                                     [&](const SettledHorizon& h) { return h.name == claim.surfaces[row].name; });
-    const bool has_parts = is_new && !built.rows.part_of_triangle[row].empty();
+    const bool has_parts = !built.rows.parted_at[row].empty() || (is_new && !built.rows.part_of_triangle[row].empty());
     claim.trims.back().n_given_triangles = has_parts
                                                ? built.rows.n_given_triangles[row]
                                                : (is_new ? claim.surfaces : inputs.surfaces)[row].triangles.size();

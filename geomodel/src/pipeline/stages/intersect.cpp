@@ -121,21 +121,32 @@ void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
   });
 }
 
-/// Returns the blocks of horizons with throw, and the extensions of faults that only separate them, which may be
-/// removed later.
-std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
-  std::vector<std::vector<Index>> parts = built.rows.block_of_triangle;
-  for (std::size_t s = 0; s < parts.size() && s < built.rows.part_of_triangle.size(); ++s)
-    if (parts[s].empty()) parts[s] = built.rows.part_of_triangle[s];
-  const std::vector<Index>& first_only_parting = built.rows.first_only_parting;
+/// Sets the parts of surfaces that may be removed later: what was given of each block of a horizon with throw, what
+/// continues surfaces, and the extensions of faults that only separate blocks.
+void set_parts(const Built& built, ArrangementOptions& options) {
+  const BuiltRows& rows = built.rows;
+  std::vector<std::vector<Index>>& parts = options.parts = rows.part_of_triangle;
   parts.resize(built.surfaces.size());
-  for (std::size_t s = 0; s < first_only_parting.size() && s < parts.size(); ++s) {
-    const std::size_t n = built.surfaces[s].triangles.size(), first = first_only_parting[s];
+  options.n_given_parts.assign(parts.size(), 1);
+  for (std::size_t s = 0; s < rows.block_of_triangle.size(); ++s) {
+    const std::vector<Index>& block = rows.block_of_triangle[s];
+    if (block.empty()) continue;
+    Index& n_given = options.n_given_parts[s];
+    for (const Index b : block)
+      if (b != BuiltRows::of_every_block) n_given = std::max(n_given, b + 2);
+    parts[s].resize(block.size(), 0);
+    for (std::size_t t = 0; t < block.size(); ++t)
+      if (parts[s][t] > 0)
+        parts[s][t] += n_given - 1;
+      else if (block[t] != BuiltRows::of_every_block)
+        parts[s][t] = block[t] + 1;
+  }
+  for (std::size_t s = 0; s < rows.first_only_parting.size(); ++s) {
+    const std::size_t n = built.surfaces[s].triangles.size(), first = rows.first_only_parting[s];
     if (!parts[s].empty() || first >= n) continue;
     parts[s].assign(n, 0);
     std::fill(parts[s].begin() + static_cast<std::ptrdiff_t>(first), parts[s].end(), Index{1});
   }
-  return parts;
 }
 
 /// Returns the walls at which continued surfaces end and which are complete in the arrangement: faults that overshoot
@@ -169,7 +180,9 @@ void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
 void trim(const Built& built, Arranged& arranged, Journal& journal) {
   if (!built.rules.trims() && !built.rows.any_continued()) return;
   ArrangementResult& found = arranged.arrangement;
-  TrimmedSoup trimmed = trim_soup(found.soup, arranged.surfaces, built.rows, built.rules);
+  BuiltRows rows = built.rows;
+  add_steps(arranged.surfaces, rows);
+  TrimmedSoup trimmed = trim_soup(found.soup, arranged.surfaces, rows, built.rules);
   found.soup = std::move(trimmed.soup);
   GEOMESH_EXPENSIVE_CHECK(validate_soup(found.soup, 1).empty());
   found.area_clipped_by_rules = std::move(trimmed.area_removed);
@@ -233,7 +246,7 @@ Arranged intersect(const Inputs& inputs, const Built& built, Journal& journal) {
     options.box = built.volume.box;
     options.volume = built.volume.sides;
   }
-  options.parts = parts_that_may_go(built);
+  set_parts(built, options);
   options.ends_at = walls_of_continuations(built.rows);
   Arranged arranged;
   arranged.refinement = built.refinement;

@@ -4,8 +4,13 @@
 #include <algorithm>
 
 #include "geomesh/core/error.hpp"
+#include "naming/region_facts.hpp"
+#include "naming/sums.hpp"
 #include "rules/blocks/smeared_throw.hpp"
 #include "rules/blocks/throw_blocks.hpp"
+#include "rules/continuation/continue_to_walls.hpp"
+#include "rules/extend/fault_ends.hpp"
+#include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -31,90 +36,71 @@ RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<Ramp
   return restore_smeared_throw(horizon, faults, others, log);
 }
 
-std::vector<const TriangulatedSurface*> surfaces_of(const std::vector<ThrowFault>& faults) {
-  std::vector<const TriangulatedSurface*> surfaces;
-  for (const ThrowFault& fault : faults) surfaces.push_back(fault.surface);
-  return surfaces;
-}
-
 /// Returns the faults across which the horizon may have a ramp. A fault between two separate sheets is none of them,
 /// because a grid that smears throw connects both sides.
-std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon,
-                                      const PartingFaults& parting) {
-  const std::vector<bool> parts = parting_of(horizon, surfaces_of(parting.faults));
+std::vector<RampFault> that_may_be_smeared(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon) {
   std::vector<RampFault> left;
-  for (std::size_t k = 0; k < ramps.size(); ++k)
-    if (!parts[k]) left.push_back(ramps[k]);
+  for (const RampFault& ramp : ramps) {
+    TriangulatedSurface given = *ramp.fault.surface;
+    given.triangles.resize(ramp.fault.first_made);
+    if (runs_across(horizon, given)) left.push_back(ramp);
+  }
   return left;
 }
 
-/// Returns whether the fault divides the horizon completely, so that the horizon does not continue around an end of the
-/// fault inside the box.
-bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, const Box3& box) {
-  if (fault.first_made == fault.surface->triangles.size()) return true;
-  const std::vector<Crossing> crossing = find_crossings(horizon, 0, {fault}, box);
-  return std::none_of(crossing.begin(), crossing.end(), [](Crossing c) { return c == Crossing::continuation; });
-}
-
-/// Leaves out those faults through the whole model across which a sheet of the horizon continues, with a note. The
-/// horizon has no throw there, and dividing it would remove the part beyond the fault.
-void leave_out_where_it_runs_on(const TriangulatedSurface& horizon, PartingFaults& parting, const Box3& box,
-                                const BuildLog& log) {
-  const std::vector<bool> runs_on = SheetSides(horizon, surfaces_of(parting.faults)).run_across();
-  PartingFaults kept;
-  std::vector<std::string> left_out;
-  for (std::size_t k = 0; k < runs_on.size(); ++k) {
-    if (runs_on[k] && goes_through(parting.faults[k], horizon, box))
-      left_out.push_back(parting.faults[k].surface->name);
-    else
-      kept.add(parting.faults[k], parting.rows[k]);
+/// The blocks of all faults of the model, as if each went on through it: sheets on both sides of a fault that the list
+/// lacks are not in one block.
+const BlockFramework& framework_of_faults(BuiltSurfaces& built, const ModelRules& rules, std::size_t horizon) {
+  std::vector<Index> faults;
+  for (Index s = 0; s < built.surfaces.size(); ++s)
+    if (built.surfaces[s].kind == SurfaceKind::fault && !built.surfaces[s].triangles.empty()) faults.push_back(s);
+  if (built.rows.parted_at[horizon] == faults) return built.rows.throw_blocks[horizon]->framework;
+  if (!built.rows.blocks_of_faults) {
+    BuiltSurfaces continued = built;
+    for (const Index s : faults) {
+      if (built.rows.first_only_parting[s] != no_index) continue;
+      continue_fault(continued.surfaces[s], *rules.box, *rules.box);
+      if (std::vector<Index>& part = continued.rows.part_of_triangle[s]; !part.empty())
+        part.resize(continued.surfaces[s].triangles.size(), 0);
+    }
+    built.rows.blocks_of_faults = blocks_between(continued, rules, faults);
   }
-  for (const std::string& name : left_out)
-    log.warnings.push_back(
-        "horizon " + horizon.name + ": it runs on across " + name + " as one sheet, " +
-        (kept.faults.empty() ? "and no throw is restored: it stays as given" : "so that it has no throw there") +
-        " (give it block by block)");
-  parting = std::move(kept);
+  return built.rows.blocks_of_faults->framework;
 }
 
-/// Returns whether triangles cross a fault that ends inside the model. Parts of them beyond the fault need not belong
-/// to another block.
-bool overshoots_an_end(const TriangulatedSurface& horizon, const BlockFaults& parting) {
-  if (std::none_of(parting.faults.begin(), parting.faults.end(),
-                   [&](const ThrowFault& f) { return ends_inside(f, parting.box); }))
-    return false;
-  const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, parting.box);
-  return std::any_of(crossing.begin(), crossing.end(), [](Crossing c) { return c == Crossing::fault; });
-}
-
-/// Assigns the horizon's triangles to blocks and extends each block. If that fails, returns the reason and changes
-/// nothing.
-std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFaults& parting,
-                             const RestoredThrow& restored, const BuildLog& log) {
-  TriangulatedSurface& surface = built.surfaces[s];
-  auto [block, sides] = sort_into_blocks(surface, parting, log, {restored.sheet, restored.before});
-  const Index n_blocks = BuiltRows::n_blocks(block);
-  if (n_blocks == 0) return ", since all of it does";
-  if (lies_in_no_block(surface, block, sides, parting)) return ": no block is given between two of them";
-  const bool goes_partly = std::find(block.begin(), block.end(), BuiltRows::of_no_block) != block.end() ||
-                           overshoots_an_end(surface, parting);
-  if (!extend_blocks(surface, block, parting, log) && goes_partly) return " from blocks that cannot be continued";
-  if (n_blocks == 1)
-    log.warnings.push_back("horizon " + surface.name +
-                           ": all of it lies on one side of the faults across which it is to have throw");
-  built.rows.block_of_triangle[s] = std::move(block);
-  built.rows.sides_of_block[s] = std::move(sides);
-  return "";
-}
-
-/// Removes the faults that end inside the model from the list. Returns false if none or all of them do.
-bool keep_through(PartingFaults& parting, const Box3& box) {
-  PartingFaults through;
-  for (std::size_t k = 0; k < parting.faults.size(); ++k)
-    if (!ends_inside(parting.faults[k], box)) through.add(parting.faults[k], parting.rows[k]);
-  if (through.faults.empty() || through.faults.size() == parting.faults.size()) return false;
-  parting = std::move(through);
-  return true;
+/// Sets the blocks of the horizon's triangles and removes what overshoots its faults. Says so.
+void sort_triangles(BuiltSurfaces& built, std::size_t row, const PartingFaults& parting, const RestoredThrow& restored,
+                    const ModelRules& rules, const BuildLog& log) {
+  const SortedTriangles sorted =
+      sort_into_blocks(built.surfaces[row], restored.sheet,
+                       {parting.faults, built.rows.throw_blocks[row]->framework, *rules.box,
+                        [&]() -> const BlockFramework& { return framework_of_faults(built, rules, row); }});
+  TriangulatedSurface& horizon = built.surfaces[row];
+  std::vector<Index>& block = built.rows.block_of_triangle[row];
+  std::vector<Triangle> kept;
+  Index n_given = 0;
+  double area = 0, largest = 0;
+  Vec3 place;
+  for (Index t = 0; t < horizon.triangles.size(); ++t) {
+    if (!sorted.overshoots[t]) {
+      n_given += t < built.rows.n_given_triangles[row];
+      block.push_back(sorted.block[t]);
+      kept.push_back(horizon.triangles[t]);
+      continue;
+    }
+    if (t >= built.rows.n_given_triangles[row]) continue;
+    area += area_of(horizon, t);
+    if (area_of(horizon, t) > largest) largest = area_of(horizon, t), place = centre_of(horizon, horizon.triangles[t]);
+  }
+  horizon.triangles = std::move(kept);
+  built.rows.n_given_triangles[row] = n_given;
+  if (area > 0)
+    log.notes.push_back("horizon " + horizon.name + ": given beyond its faults (overshoot on the wrong side), area " +
+                        to_text(area) + " near " + to_text(place) + ", removed");
+  for (std::size_t f = 0; f < parting.faults.size(); ++f)
+    if (sorted.runs_across[f] && restored.sheet.empty())
+      log.warnings.push_back("horizon " + horizon.name + ": it runs on across " + parting.faults[f].surface->name +
+                             " as one sheet, so that it has no throw there (give it block by block)");
 }
 
 }  // namespace
@@ -128,12 +114,23 @@ std::size_t throw_fault(const std::vector<TriangulatedSurface>& surfaces, const 
   return static_cast<std::size_t>(fault - surfaces.begin());
 }
 
+void set_throw_blocks(BuiltSurfaces& built, Index row, const ModelRules& rules) {
+  std::vector<Index> faults;
+  for (const std::string& name : rules.of(row).throw_at)
+    faults.push_back(static_cast<Index>(throw_fault(built.surfaces, built.surfaces[row], name)));
+  std::ranges::sort(faults);
+  faults.erase(std::unique(faults.begin(), faults.end()), faults.end());
+  for (Index s = 0; s < built.rows.parted_at.size() && !built.rows.throw_blocks[row]; ++s)
+    if (built.rows.parted_at[s] == faults) built.rows.throw_blocks[row] = built.rows.throw_blocks[s];
+  if (!built.rows.throw_blocks[row]) built.rows.throw_blocks[row] = blocks_between(built, rules, faults);
+  built.rows.parted_at[row] = std::move(faults);
+}
+
 void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, const BuildLog& log) {
   TriangulatedSurface& surface = built.surfaces[s];
-  const SurfaceRules rule = rules.of(s);
   PartingFaults parting;
   std::vector<RampFault> ramps;
-  for (const std::string& name : rule.throw_at) {
+  for (const std::string& name : rules.of(s).throw_at) {
     const std::size_t row = throw_fault(built.surfaces, surface, name);
     const auto n = static_cast<Index>(built.surfaces[row].triangles.size());
     parting.add({&built.surfaces[row], std::min(n, built.rows.first_only_parting[row])}, static_cast<Index>(row));
@@ -141,36 +138,15 @@ void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, 
                                    [&](const TriangulatedSurface& t) { return t.name == rules.of(row).stop_at; });
     ramps.push_back({parting.faults.back(), stop == built.surfaces.end() ? nullptr : &*stop});
   }
-  const TriangulatedSurface as_given = surface;
   RestoredThrow restored;
-  if (rule.cut_smeared) {
-    const std::vector<RampFault> may_be_smeared = without_parted(ramps, surface, parting);
+  if (rules.of(s).cut_smeared) {
+    const std::vector<RampFault> may_be_smeared = that_may_be_smeared(ramps, surface);
     if (!may_be_smeared.empty()) restored = restore_ramps(surface, may_be_smeared, built.surfaces, log);
   }
-  const bool has_ramps = !restored.sheet.empty();
-  if (has_ramps) built.rows.n_given_triangles[s] = restored.n_given;
-  if (!has_ramps) leave_out_where_it_runs_on(surface, parting, *rules.box, log);
-  const auto part = [&] {
-    const Extend how = rule.extend == Extend::none ? Extend::flat : rule.extend;
-    return part_into_blocks(built, s, {parting.faults, how, *rules.box}, restored, log);
-  };
-  std::string why = parting.faults.empty() ? "" : part();
-  const auto tell = [&](const std::string& what) {
-    log.warnings.push_back("horizon " + surface.name + ": what crosses its faults cannot be made anew" + why + ": " +
-                           what);
-    surface = as_given;
-  };
-  if (!why.empty() && !has_ramps && keep_through(parting, *rules.box)) {
-    tell("no throw is restored at those that end inside");
-    why = part();
-  }
-  if (!why.empty()) {
-    tell("it stays as given, and no throw is restored");
-    built.rows.n_given_triangles[s] = static_cast<Index>(surface.triangles.size());
-    parting = {};
-  }
-  built.rows.parted_at[s] = parting.rows;
-  if (parting.faults.empty() && rule.extend != Extend::none) extend_to_box(surface, rule.extend, *rules.box, log);
+  if (!restored.sheet.empty()) built.rows.n_given_triangles[s] = restored.n_given;
+  set_throw_blocks(built, static_cast<Index>(s), rules);
+  sort_triangles(built, s, parting, restored, rules, log);
+  fill_throw_blocks(built, static_cast<Index>(s), rules, log);
 }
 
 }  // namespace geomesh::geomodel

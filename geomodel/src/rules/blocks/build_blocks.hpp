@@ -14,9 +14,12 @@ namespace geomesh::geomodel {
 std::size_t throw_fault(const std::vector<TriangulatedSurface>& surfaces, const TriangulatedSurface& horizon,
                         const std::string& name);
 
-/// Assigns the triangles of horizon `s` to blocks and extends each block on its own. Faults across which a sheet
-/// continues do not divide the horizon. If the triangles that cross faults cannot be replaced, the horizon is divided
-/// only at faults through the whole model, or is left as given, with warnings. Sets the horizon's rows in `built.rows`.
+/// Sets BuiltRows::parted_at and throw_blocks of a horizon, by its list under throw_at. Horizons with the same faults
+/// share their blocks.
+void set_throw_blocks(BuiltSurfaces& built, Index row, const ModelRules& rules);
+
+/// Row `s`: the horizon sorted into the blocks of its faults, each of which is filled from its own data. Warnings tell
+/// of faults that a sheet runs on across. Sets the horizon's rows in `built.rows`.
 void build_blocks(BuiltSurfaces& built, std::size_t s, const ModelRules& rules, const BuildLog& log);
 
 }  // namespace geomesh::geomodel

@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons made of several scalar fields, each of which is valid on certain sides of faults.
+/// Horizons of several fields, each of which holds in some of the fault blocks.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "rules/blocks/part_blocks.hpp"
+#include "rules/extend/extend.hpp"
 
 namespace geomesh::geomodel {
 
-/// Makes the triangles of each field of horizon `s` a block that ends at the faults in SurfaceRules::throw_at. Sets the
-/// horizon's rows in `built.rows`; part_blocks then cuts the blocks off at the faults. Throws Error{invalid_input} if a
-/// field is valid above or below a vertical fault, which has no upper side.
-void part_by_fields(BuiltSurfaces& built, std::size_t s, const ModelRules& rules);
+/// Finds the blocks between the faults in SurfaceRules::throw_at in which each field of horizon `row` holds, for
+/// part_blocks to cut its surface off there. Sets the horizon's rows in `built.rows`. Throws Error{invalid_input} where
+/// a field holds above or below a fault that is upright, so that neither of its sides is the upper one, and where two
+/// fields hold in the block of one place. Warns where a fault that bounds a domain ends inside of it.
+void part_by_fields(BuiltSurfaces& built, Index row, const ModelRules& rules, const BuildLog& log);
 
 /// Identifies one of the fields of a horizon by the row of the surface and the row in SurfaceRules::field_parts.
 struct FieldOfHorizon {
   Index horizon, part;
 };
 
-/// For each piece of the level set of a field, returns whether it lies in the field's domain: in its fault block, else
-/// as `is_on_own_side` says of the sides of faults. Throws Error{invalid_input} if no piece does, or if two fields of
-/// the horizon are valid in one block. Warns if the surface continues around the end of a fault that bounds the domain.
-std::vector<bool> pieces_in_domain(const Parting& parting, FieldOfHorizon field, const std::vector<Piece>& pieces,
-                                   const std::function<bool(const Piece&)>& is_on_own_side);
+/// Throws Error{invalid_input}: nothing of the field's surface, of which one place is told, lies in its domain.
+[[noreturn]] void refuse_field_outside(const Parting& parting, FieldOfHorizon field, const Vec3& place);
 
 }  // namespace geomesh::geomodel

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Cuts horizons with throw in the arranged soup, so that blocks and their extensions end at the faults between them.
+/// Horizons with throw in the arranged soup: blocks end at the faults between them, and steps join them beyond the ends
+/// of these.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,18 +21,16 @@ struct Parting {
   std::vector<double>& removed;  ///< area, per surface
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
-  /// Returns whether two places lie in the same fault block.
-  std::function<bool(const Vec3&, const Vec3&)> in_one_block;
 };
 
-/// Removes the parts of each block's sheets and of their extensions that faults cut off from the block. A part is kept
-/// if most of its given area lies on the block's own side of each fault. Triangles that belong to every block are kept
-/// if one block keeps them. Horizons without blocks are not changed. Blocks made of scalar fields are kept only in the
-/// domains of the fields; throws Error{invalid_input} if a field has no surface in its domain.
+/// Of each block's triangles those pieces are removed that lie, for most of their area, in another block of
+/// BuiltRows::throw_blocks; of the triangles of a field, those in blocks in which it does not hold. Nothing happens to
+/// a horizon without blocks. Throws Error{invalid_input} where a field has nothing in its domain.
 void part_blocks(const Parting& parting, Index horizon);
 
-/// Removes the extensions of faults that only served to separate blocks, after all horizons were divided. If blocks do
-/// not meet across one, a warning gives the length and the place of the gap.
+/// Continuations of faults that only served to part blocks are removed, once all horizons are parted. Where the blocks
+/// of a horizon do not meet at one, what of it lies between them becomes a step of the horizon (add_steps). That is
+/// told, with a warning where the throw does not die out, or where no such step closes the horizon.
 void remove_continuations(const Parting& parting);
 
 }  // namespace geomesh::geomodel

@@ -14,7 +14,8 @@
 #include "naming/sums.hpp"
 #include "rules/planar/single_valued.hpp"
 #include "rules/throw/carried_heights.hpp"
-#include "rules/throw/fault_crossings.hpp"
+#include "rules/throw/nearest_point.hpp"
+#include "rules/throw/sheets.hpp"
 #include "rules/throw/throw_ramp.hpp"
 
 namespace geomesh::geomodel {
@@ -22,12 +23,33 @@ namespace {
 
 // Margin on either side of a ramp, in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-// Largest and least throw that is restored, as a share of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
-// Number of triangles; smaller pieces between ramps are treated as part of the ramps.
 constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The sides of a surface, by the plane of the triangle that is nearest by its centre.
+class Sides {
+ public:
+  explicit Sides(const TriangulatedSurface& s) : surface_(s), up_(orient_upward(s)), nearest_(centres_of(s)) {}
+  bool is_above(const Vec3& p) const {
+    const Index t = nearest_.find(p);
+    if (t == no_index) return false;
+    const auto& [a, b, c] = surface_.triangles[t];
+    const std::vector<Vec3>& q = surface_.points;
+    return (dot(p - q[a], cross(q[b] - q[a], q[c] - q[a])) > 0) == (up_.as_stored[t] != 0);
+  }
+
+ private:
+  static std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
+    std::vector<Vec3> centres;
+    for (const Triangle& t : s.triangles) centres.push_back(centre_of(s, t));
+    return centres;
+  }
+  const TriangulatedSurface& surface_;
+  UpwardSides up_;
+  NearestPoint nearest_;
+};
 
 /// Classifies the triangles of a fault by the side of the surface at which it ends; triangles that cross it are
 /// subdivided down to the size `least`.
@@ -63,7 +85,7 @@ class StoppedFault {
   }
 
   TriangulatedSurface& reach_;
-  FaultSides stop_;
+  Sides stop_;
   double least_;
   std::array<std::vector<Triangle>, 2> on_side_;
   std::array<double, 2> area_{0, 0};
@@ -115,7 +137,7 @@ class Restorer {
     for (std::size_t f = 0; f < faults_.size(); ++f) mark_strip(f);
     find_sheets();
     RestoredThrow restored;
-    const std::vector<Triangle>& given = restored.before = horizon_.triangles;
+    const std::vector<Triangle>& given = before.triangles;
     horizon_.triangles.clear();
     for (Index t = 0; t < given.size(); ++t)
       if (!in_strip_[t]) {
@@ -297,10 +319,8 @@ class Restorer {
   std::vector<Ramp> ramps_;
   std::vector<std::size_t> n_across_;   ///< number of triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;  ///< per given triangle
-  /// For each given node: the nearest fault and the distance from it perpendicular to strike.
   std::vector<std::pair<Index, double>> nearest_fault_;
   std::vector<Vec2> across_;  ///< for each given node: the direction perpendicular to the strike of that fault
-  /// The sheet number of each given triangle, and the numbers of the sheets that are large enough to be kept.
   std::vector<Index> sheet_, numbers_;
   std::map<VertexIndex, std::vector<double>> heights_;  ///< heights extrapolated from each side, by given node
 };

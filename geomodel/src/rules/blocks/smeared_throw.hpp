@@ -5,7 +5,8 @@
 
 #include <vector>
 
-#include "rules/blocks/throw_blocks.hpp"
+#include "rules/extend/extend.hpp"
+#include "rules/throw/fault_crossings.hpp"
 
 namespace geomesh::geomodel {
 
@@ -17,11 +18,8 @@ struct RampFault {
 
 /// Result of restoring the throw of a horizon.
 struct RestoredThrow {
-  /// Sheet number of each triangle; BuiltRows::of_every_block for triangles around a fault's tip; empty if nothing was
-  /// done.
   std::vector<Index> sheet;
-  Index n_given = 0;             ///< number of given triangles that were kept; they come first
-  std::vector<Triangle> before;  ///< all triangles of the horizon as given
+  Index n_given = 0;  ///< number of given triangles that were kept; they come first
 };
 
 /// Removes the ramps from the horizon and extrapolates the surface beside them across the fault. Each side is extended

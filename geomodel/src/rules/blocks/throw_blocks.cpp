@@ -2,247 +2,197 @@
 #include "rules/blocks/throw_blocks.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "common/union_find.hpp"
-#include "naming/region_facts.hpp"
-#include "naming/sheets.hpp"
-#include "naming/sums.hpp"
-#include "rules/planar/map_locator.hpp"
-#include "rules/throw/fault_crossings.hpp"
+#include "rules/blocks/sheet_parts.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-// Share of the greatest throw that may remain at the end of a fault without a warning.
-constexpr double most_throw_left = 0.5;
-constexpr double much_alone = 0.02;  // share of the horizon's area in the box
-
-bool is_in(const Box3& box, const Vec3& p) {
-  return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
-         p.z <= box.max.z;
-}
-
-/// Returns the block of each triangle, which follows from the sides of the faults on which most of its sheet's area
-/// lies. Only triangles that `counts` accepts are assigned; the others have no block.
-template <class F>
-SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
-                              const std::vector<ThrowFault>& faults, F&& counts) {
-  std::map<Index, std::vector<double>> balance;  // for each sheet and fault: area above the fault minus area below it
-  std::vector<FaultSides> sides;
-  for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
-  const AreaSamples samples(horizon);
-  for (Index t = 0; t < sheet.size(); ++t) {
-    if (!counts(t)) continue;
-    auto& sums = balance.try_emplace(sheet[t], faults.size(), 0.0).first->second;
-    samples.for_each(t, [&](const Vec3& place, double area) {
-      for (std::size_t f = 0; f < sides.size(); ++f) sums[f] += sides[f].is_above(place) ? area : -area;
-    });
-  }
-  std::map<std::vector<bool>, Index> block_of_sides;
-  SortedBlocks blocks{std::vector<Index>(sheet.size(), BuiltRows::of_no_block)};
-  for (Index t = 0; t < sheet.size(); ++t) {
-    if (!counts(t)) continue;
-    std::vector<bool> key;
-    for (const double sum : balance.at(sheet[t])) key.push_back(sum > 0);
-    const auto [at, is_new] = block_of_sides.emplace(key, static_cast<Index>(block_of_sides.size()));
-    blocks.of_triangle[t] = at->second;
-    if (is_new) blocks.sides.push_back(std::move(key));
-  }
-  return blocks;
-}
-
-/// Connected parts of the horizon after cutting it along the faults that end inside the model.
-class Ends {
+/// What is larger than others at one place.
+template <class At>
+class Largest {
  public:
-  Ends(const TriangulatedSurface& horizon, const BlockFaults& parting)
-      : horizon_(horizon),
-        neighbours_(neighbours_in(horizon)),
-        crossing_(find_crossings(horizon, 0, parting.faults, everywhere)),
-        in_box_(find_crossings(horizon, 0, parting.faults, parting.box)) {
-    const std::size_t n = horizon.triangles.size();
-    whole_ = sheets_of(n, neighbours_, [](Index, Index) { return true; });
-    part_ = sheets_of(n, neighbours_, [this](Index a, Index b) { return is_free(a) && is_free(b); });
-    find_kept();
-    attach_overshoot();
+  void add(const At& at, Index part, double area) {
+    const auto [found, is_new] = largest_.emplace(at, std::pair(part, area));
+    if (area > found->second.second) found->second = {part, area};
   }
-  const std::vector<Index>& parts() const { return part_; }
-  /// Returns whether the triangle belongs to a kept part: the largest part of its sheet, a part that continues around a
-  /// fault's tip, or triangles across a fault on the border of one of these.
-  bool is_kept(Index t) const { return counts_[t] != 0; }
-  /// Returns whether the triangle crosses a fault and does not lie around a fault's tip.
-  bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
-  /// Returns whether the triangle lies around a fault's tip, which is only possible inside the box, since blocks are
-  /// extended beyond it.
-  bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
+  Index at(const At& at) const { return largest_.at(at).first; }
+  const std::map<At, std::pair<Index, double>>& all() const { return largest_; }
 
  private:
-  bool is_free(Index t) const { return crossing_[t] == Crossing::none; }
-  void find_kept() {
-    std::map<Index, double> area;
-    for (Index t = 0; t < part_.size(); ++t)
-      if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // largest part of each sheet
-    for (const auto& [part, size] : area) {
-      kept_[part] = false;
-      const auto [at, is_new] = largest.emplace(whole_[part], part);
-      if (!is_new && size > area.at(at->second)) at->second = part;
-    }
-    for (const auto& [sheet, part] : largest) kept_[part] = true;
-    for (const auto& [a, b] : neighbours_) {
-      if (is_free(a) && goes_round(b)) kept_[part_[a]] = true;
-      if (is_free(b) && goes_round(a)) kept_[part_[b]] = true;
-    }
-  }
-
-  /// Triangles that cross faults and do not lie around a tip form connected groups. A group beside one kept part is an
-  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, which
-  /// happens if a sheet is as narrow as its triangles. A group between two kept parts is a ramp, and is replaced.
-  void attach_overshoot() {
-    const std::size_t n = part_.size();
-    const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
-    UnionFind joined(n);
-    for (const auto& [a, b] : neighbours_)
-      if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
-    std::map<Index, std::set<Index>> beside;  // for each group, the kept parts beside it
-    for (const auto& [a, b] : neighbours_)
-      for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
-        if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);
-    counts_.resize(n);
-    for (Index t = 0; t < n; ++t) {
-      if (!is_of_a_place(t)) {
-        counts_[t] = is_free(t) && kept_.at(part_[t]);
-        continue;
-      }
-      const Index place = joined.find(t);
-      const auto parts = beside.find(place);
-      counts_[t] = parts == beside.end() || parts->second.size() == 1;
-      if (counts_[t]) part_[t] = parts == beside.end() ? place : *parts->second.begin();
-    }
-  }
-
-  const TriangulatedSurface& horizon_;
-  std::vector<std::pair<Index, Index>> neighbours_;
-  std::vector<std::uint8_t> counts_;  ///< per triangle
-  std::vector<Crossing> crossing_, in_box_;
-  std::vector<Index> whole_, part_;
-  std::map<Index, bool> kept_;
+  std::map<At, std::pair<Index, double>> largest_;
 };
 
-/// Returns the greatest difference in height along an edge across a fault or its extension.
-double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
-                    const Box3& box) {
-  TriangulatedSurface edge{};
-  edge.triangles = {{0, 1, 2}};
-  double greatest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 &p = horizon.points[t[i]], &q = horizon.points[t[(i + 1) % 3]];
-    edge.points = {p, q, p};
-    if (find_crossings(edge, 0, faults, box).front() != Crossing::none)
-      greatest = std::max(greatest, std::abs(p.z - q.z));
+/// Decides which parts of sheets count.
+class Sorting {
+ public:
+  Sorting(const SheetParts& parts, const SortingSetting& setting) : parts_(parts) {
+    const SheetParts::Areas areas = parts_.areas(setting.framework);
+    find_those_that_count(areas);
+    if (std::ranges::all_of(areas, [&](const auto& entry) { return counts_.contains(entry.first); })) return;
+    counts_.clear();  // a fault that the list lacks may lie between a part and the sheet that has most of its block
+    find_those_that_count(parts_.areas(setting.framework_of_all()));
   }
-  return greatest;
-}
 
-/// Reports how much throw remains at the ends of the faults.
-void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, double at_end, double greatest,
-                const BuildLog& log) {
-  const std::string what = "horizon " + horizon.name + ": its blocks are joined beyond the end of its faults by " +
-                           std::to_string(n_joining) + " triangles (throw left there: at most " + to_text(at_end) +
-                           " m)";
-  if (at_end > most_throw_left * greatest) {
-    log.warnings.push_back(what + "; the throw does not die out towards the end (it is at most " + to_text(greatest) +
-                           " m elsewhere): should the fault reach further (extent: to_box)?");
-  } else {
-    log.notes.push_back(what);
+  SortedTriangles sorted(std::size_t n_faults) {
+    SortedTriangles sorted{std::vector<Index>(parts_.n(), BuiltRows::of_every_block),
+                           std::vector<bool>(parts_.n(), false), std::vector<bool>(n_faults, false)};
+    for (Index t = 0; t < parts_.n(); ++t) {
+      const std::set<Index> blocks = blocks_of(t);
+      if (blocks.size() == 1) sorted.block[t] = *blocks.begin();
+      if (blocks.empty() && !parts_.is_outside(t)) sorted.overshoots[t] = true;
+      for (std::size_t f = 0; f < n_faults; ++f)
+        if (blocks.size() > 1 && parts_.touches(t, f)) sorted.runs_across[f] = true;
+    }
+    sort_outside(sorted);
+    for_each_pair_at_fault([&](Index t, Index other) {
+      for (std::size_t f = 0; f < n_faults; ++f)
+        if (!blocks_of(t).empty() && !blocks_of(other).empty() && parts_.touches(t, f) && parts_.touches(other, f))
+          sorted.runs_across[f] = true;
+    });
+    return sorted;
   }
-}
 
-/// Appends the triangles of the joint extension that run around the tips of the faults.
-void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
-                     const BlockFaults& parting, const BuildLog& log) {
-  std::vector<std::string> notes, warnings;
-  const std::size_t n_kept = joint.triangles.size();
-  fill_holes(joint, infinite, {notes, warnings});
-  extend_to_box(joint, parting.how, parting.box, {notes, warnings}, {0, false});
-  if (!warnings.empty())
-    log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
-  const std::vector<Crossing> crossing = find_crossings(joint, n_kept, parting.faults, parting.box);
-  const std::size_t first = horizon.triangles.size();
-  horizon.points = joint.points;
-  double at_end = 0, greatest = 0;
-  for (std::size_t k = 0; k < crossing.size(); ++k) {
-    if (crossing[k] == Crossing::none) continue;
-    const Triangle& t = joint.triangles[n_kept + k];
-    const double across = throw_across(joint, t, parting.faults, parting.box);
-    greatest = std::max(greatest, across);
-    if (crossing[k] != Crossing::continuation) continue;
-    at_end = std::max(at_end, across);
-    horizon.triangles.push_back(t);
-    block.push_back(BuiltRows::of_every_block);
+ private:
+  /// The blocks in which the parts of a triangle count.
+  std::set<Index> blocks_of(Index t) const {
+    std::set<Index> blocks;
+    for (Index i = parts_.first_fragment(t); i < parts_.first_fragment(t + 1); ++i)
+      if (counts_.contains(parts_.part(i))) blocks.insert(parts_.fragment(i).block);
+    return blocks;
   }
-  if (horizon.triangles.size() > first) tell_throw(horizon, horizon.triangles.size() - first, at_end, greatest, log);
-}
+
+  /// A part outside of the model overshoots where what it meets of whole triangles does.
+  void sort_outside(SortedTriangles& sorted) const {
+    std::map<Index, bool> overshoots;  // by part outside
+    const auto part_of = [&](Index t) { return parts_.part(parts_.first_fragment(t)); };
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (!parts_.is_outside(t) || !parts_.is_whole(other) || parts_.is_outside(other)) return;
+      bool& alone = overshoots.emplace(part_of(t), true).first->second;
+      alone = alone && sorted.overshoots[other];
+    });
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (parts_.is_outside(t) && parts_.meets_nothing(t))
+        if (const auto at = overshoots.find(part_of(t)); at != overshoots.end()) sorted.overshoots[t] = at->second;
+    sort_strips_outside(sorted);
+  }
+
+  /// What crosses a fault outside of the model, in part or whole, is of the block that the triangles have that cross it
+  /// inside of the model and hang together with it, or that are beside it.
+  void sort_strips_outside(SortedTriangles& sorted) const {
+    UnionFind strip(parts_.n());
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      const bool both_meet = !parts_.meets_nothing(t) && !parts_.meets_nothing(other);
+      if (both_meet && parts_.meets_fault(t) == parts_.meets_fault(other)) strip.unite(t, other);
+    });
+    std::map<Index, std::set<Index>> blocks;  // by strip
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (!parts_.meets_nothing(t)) blocks[strip.find(t)].merge(blocks_of(other));
+    });
+    for (Index t = 0; t < parts_.n(); ++t) {
+      if (parts_.meets_nothing(t) || !parts_.reaches_outside(t) || !blocks_of(t).empty()) continue;
+      const std::set<Index>& at = blocks[strip.find(t)];
+      if (at.size() == 1) sorted.block[t] = *at.begin();
+      sorted.overshoots[t] = at.empty();
+    }
+  }
+
+  /// Calls visit(t, other) for triangles that lie in different blocks, with an edge on a fault between them.
+  template <class F>
+  void for_each_pair_at_fault(F&& visit) const {
+    parts_.for_each_neighbour([&](Index t, Index other) {
+      if (parts_.block(t) != no_index && parts_.block(other) != no_index && parts_.block(t) != parts_.block(other))
+        visit(t, other);
+    });
+  }
+
+  Index sheet_of(Index part) const { return parts_.sheet(parts_.fragment(part).triangle); }
+  bool is_of_several(Index part) const { return parts_.is_of_several(parts_.fragment(part).triangle); }
+
+  void find_those_that_count(const SheetParts::Areas& areas) {
+    find_those_that_have_blocks(areas);
+    find_largest_across_faults(areas);
+    std::map<Index, bool> counts;  // by part of several sheets: whether one beside it does
+    for (const auto& [i, j] : parts_.beside())
+      for (const auto& [own, other] : {std::pair(i, j), std::pair(j, i)})
+        if (is_of_several(parts_.part(own)))
+          counts[parts_.part(own)] = counts[parts_.part(own)] || counts_.contains(parts_.part(other));
+    for (const auto& [part, _] : areas)
+      if (is_of_several(part) && (!counts.contains(part) || counts.at(part))) counts_.insert(part);
+  }
+
+  /// The parts that have most of their area in blocks in which they are the largest of the sheet that has most there.
+  void find_those_that_have_blocks(const SheetParts::Areas& all) {
+    std::map<Index, std::map<Index, double>> sheets;  // area by block and sheet
+    for (const auto& [part, areas] : all)
+      for (const auto& [block, area] : areas)
+        if (!is_of_several(part)) sheets[block][sheet_of(part)] += area;
+    Largest<Index> owner, largest;
+    for (const auto& [block, area] : sheets)
+      for (const auto& [sheet, size] : area) owner.add(block, sheet, size);
+    for (const auto& [part, areas] : all)
+      for (const auto& [block, area] : areas)
+        if (!is_of_several(part) && owner.at(block) == sheet_of(part)) largest.add(block, part, area);
+    for (const auto& [part, areas] : all) {
+      double own = 0, others = 0;
+      for (const auto& [block, area] : areas)
+        if (!is_of_several(part)) (largest.at(block) == part ? own : others) += area;
+      if (own > others) counts_.insert(part);
+    }
+  }
+
+  /// Of parts that hang together across faults the largest that has a triangle that nothing cuts. A part of cut
+  /// triangles alone may be overshoot, even where it hangs together with nothing.
+  void find_largest_across_faults(const SheetParts::Areas& all) {
+    UnionFind linked(parts_.n_fragments());
+    for (Index t = 0; t < parts_.n(); ++t)
+      for (Index i = parts_.first_fragment(t) + 1; i < parts_.first_fragment(t + 1); ++i)
+        if (parts_.meets_fault(t)) linked.unite(parts_.part(i - 1), parts_.part(i));
+    for_each_pair_at_fault([&](Index t, Index other) {
+      if (parts_.touches_fault(t) && parts_.touches_fault(other))
+        linked.unite(parts_.part(parts_.first_fragment(t)), parts_.part(parts_.first_fragment(other)));
+    });
+    std::set<Index> has_whole;
+    for (Index t = 0; t < parts_.n(); ++t)
+      if (parts_.is_whole(t)) has_whole.insert(parts_.part(parts_.first_fragment(t)));
+    Largest<Index> largest;
+    for (const auto& [part, areas] : all) {
+      double area = 0;
+      for (const auto& [_, size] : areas) area += size;
+      if (!is_of_several(part) && has_whole.contains(part)) largest.add(linked.find(part), part, area);
+    }
+    for (const auto& [_, part] : largest.all()) counts_.insert(part.first);
+  }
+
+  const SheetParts& parts_;
+  std::set<Index> counts_;  ///< parts
+};
 
 }  // namespace
 
-bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
-                      const std::vector<std::vector<bool>>& sides, const BlockFaults& parting) {
-  std::vector<FaultSides> fault_sides;
-  for (const ThrowFault& fault : parting.faults) fault_sides.emplace_back(*fault.surface);
-  const bool one_ends_inside = std::any_of(parting.faults.begin(), parting.faults.end(),
-                                           [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
-  if (!one_ends_inside) return false;
-  const std::vector<Crossing> crossing = find_crossings(horizon, 0, parting.faults, everywhere);
-  const AreaSamples samples(horizon);
-  double all = 0, alone = 0;
-  for (Index t = 0; t < block.size(); ++t) {
-    const bool is_sorted = block[t] != BuiltRows::of_every_block && crossing[t] == Crossing::none;
-    samples.for_each(t, [&](const Vec3& place, double area) {
-      if (!is_in(parting.box, place)) return;
-      all += area;
-      if (is_sorted) return;
-      std::vector<bool> key;
-      for (const FaultSides& side : fault_sides) key.push_back(side.is_above(place));
-      if (std::find(sides.begin(), sides.end(), key) == sides.end()) alone += area;
-    });
-  }
-  return alone > much_alone * all;
+std::shared_ptr<const HorizonBlocks> blocks_between(const BuiltSurfaces& built, const ModelRules& rules,
+                                                    const std::vector<Index>& faults) {
+  BuiltSurfaces alone = built;
+  for (Index s = 0; s < alone.surfaces.size(); ++s)
+    if (!std::ranges::binary_search(faults, s)) {
+      alone.surfaces[s].triangles.clear();
+      alone.rows.part_of_triangle[s].clear();
+    }
+  alone.rows.truncations.clear();
+  alone.rows.overshooting.clear();
+  return std::make_shared<HorizonBlocks>(HorizonBlocks{BlockFramework(alone, rules),
+                                                       Walls(alone.surfaces, faults, {}),
+                                                       Walls(alone.surfaces, faults, rules.continuation.sides),
+                                                       {}});
 }
 
-SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
-                              const KnownSheets& known) {
-  const std::vector<ThrowFault>& faults = parting.faults;
-  const bool one_ends_inside =
-      std::any_of(faults.begin(), faults.end(), [&](const ThrowFault& f) { return ends_inside(f, parting.box); });
-  TriangulatedSurface joint = horizon;
-  SortedBlocks sorted;
-  std::vector<Index>& block = sorted.of_triangle;
-  if (!known.sheet.empty()) {
-    const auto is_round = [&](Index t) { return known.sheet[t] == BuiltRows::of_every_block; };
-    sorted = blocks_of_sheets(horizon, known.sheet, faults, [&](Index t) { return !is_round(t); });
-    for (Index t = 0; t < block.size(); ++t)
-      if (is_round(t)) block[t] = BuiltRows::of_every_block;
-    joint.triangles = known.before;
-  } else if (!one_ends_inside) {
-    const auto all = [](Index, Index) { return true; };
-    const std::vector<Index> joined = sheets_of(horizon.triangles.size(), neighbours_in(horizon), all);
-    return blocks_of_sheets(horizon, joined, faults, [](Index) { return true; });
-  } else {
-    const Ends ends(horizon, parting);
-    sorted = blocks_of_sheets(horizon, ends.parts(), faults, [&](Index t) { return ends.is_kept(t); });
-    joint.triangles.clear();
-    for (Index t = 0; t < block.size(); ++t) {
-      if (ends.goes_round(t)) block[t] = BuiltRows::of_every_block;
-      if (block[t] != BuiltRows::of_no_block && !ends.is_overshoot(t)) joint.triangles.push_back(horizon.triangles[t]);
-    }
-  }
-  if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
-  return sorted;
+SortedTriangles sort_into_blocks(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
+                                 const SortingSetting& setting) {
+  const SheetParts parts(horizon, sheet, setting);
+  return Sorting(parts, setting).sorted(setting.faults.size());
 }
 
 }  // namespace geomesh::geomodel

@@ -1,59 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons given block by block: each block is extended on its own through the faults that bound it.
+/// The data of a horizon with throw, by the blocks of the faults across which it has it.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <vector>
 
-#include "rules/extend/extend.hpp"
+#include "geomesh/geomodel/model_rules.hpp"
+#include "rules/framework/horizon_blocks.hpp"
 #include "rules/throw/fault_crossings.hpp"
-#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 
-/// The faults of a horizon, and how its blocks are extended to the box.
-struct BlockFaults {
+/// The blocks between the faults of these rows alone, with their continuations beyond their ends inside the model.
+std::shared_ptr<const HorizonBlocks> blocks_between(const BuiltSurfaces& built, const ModelRules& rules,
+                                                    const std::vector<Index>& faults);
+
+/// Whose the triangles of a horizon are.
+struct SortedTriangles {
+  std::vector<Index> block;       ///< per triangle, or BuiltRows::of_every_block
+  std::vector<bool> overshoots;   ///< per triangle: wholly beyond a fault at which it should have ended
+  std::vector<bool> runs_across;  ///< per fault: a triangle crosses it that is of the blocks on both sides
+};
+
+/// The faults in the order of the result, the blocks between them, the box in which sheets go round their ends, and
+/// what gives the blocks between all faults of the model, as if each went on through it.
+struct SortingSetting {
   const std::vector<ThrowFault>& faults;
-  Extend how;
+  const BlockFramework& framework;
   const Box3& box;
+  std::function<const BlockFramework&()> framework_of_all;
 };
 
-/// The sheets of a horizon after its ramps were removed; empty lists if they are not known.
-struct KnownSheets {
-  std::vector<Index> sheet{};      ///< for each triangle its sheet, or BuiltRows::of_every_block
-  std::vector<Triangle> before{};  ///< the horizon's triangles before ramps were removed
-};
-
-/// The blocks of a horizon and the faults that bound them.
-struct SortedBlocks {
-  std::vector<Index> of_triangle;
-  std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
-};
-
-/// Assigns each triangle to a block, numbered from 0 in the order of their first triangles: sheets whose area lies
-/// mostly on the same sides of all `faults` form one block. The side is that of the plane of the nearest fault
-/// triangle, which is exact enough to sort sheets, since nothing is cut by it. If a fault ends inside the box, the
-/// horizon continues beyond its tip. The given triangles that cross the fault's extension there belong to every block
-/// (BuiltRows::of_every_block). If the sheets on both sides leave a gap there, triangles that connect them are appended
-/// to the horizon and belong to every block too. Triangles that cross the fault itself, or lie beyond it without
-/// continuing around its tip, are in no block (BuiltRows::of_no_block); the blocks are extended to the fault instead.
-/// With known sheets, triangles with the same number form a sheet. The triangles around a tip are known too in this
-/// case, and only those are added that connect sheets beyond the horizon's own border. Without known sheets, a sheet is
-/// a set of triangles connected by edges.
-SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
-                              const KnownSheets& known);
-
-/// Returns whether a large part of the triangles that cross the faults, or lie around their ends, lies on sides of the
-/// faults where there is no block. Nothing would be left there after the faults divide the horizon. False if all faults
-/// go through the whole model.
-bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
-                      const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
-
-/// Extends each block beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then cross
-/// each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are left out. Triangles
-/// that cross a fault with both ends inside the model, and that one block surrounds, are returned to this block
-/// unchanged. Returns false, with a warning, if a block could not be extended.
-bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
-                   const BuildLog& log);
+/// Faults and their continuations cut the horizon's sheets into parts: what of a sheet hangs together in one block. Of
+/// parts that hang together across faults the largest counts, as does the largest part in each block of the sheet that
+/// has most of the block. All others overshoot the fault at which they should have ended. Where a part does not count,
+/// blocks between all faults of the model are asked instead: a sheet that a fault out of the list parts from another
+/// one has its own block. A triangle is of the blocks in which its parts count.
+///
+/// `sheet`: per triangle its sheet, or BuiltRows::of_every_block; empty: triangles that hang together by edges are one.
+SortedTriangles sort_into_blocks(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
+                                 const SortingSetting& setting);
 
 }  // namespace geomesh::geomodel

@@ -22,7 +22,7 @@ BlockPlaces::BlockPlaces(const HorizonInBlocks& setting, Index block, const std:
       block_(block),
       radius_(setting.within / 2),
       step_(step_of_radius * radius_),
-      border_(setting.horizon, setting.division, sheet, setting.within, setting.fills_blocks),
+      border_(setting.horizon, setting.division, sheet, setting.within, setting.slopes_within, setting.fills_blocks),
       points_(border_.points()),
       distance_(points_.size(), 0),
       slope_(points_.size(), Vec2{0, 0}),

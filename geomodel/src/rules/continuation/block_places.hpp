@@ -27,6 +27,7 @@ struct HorizonInBlocks {
   double within;
   const HorizonDivision& division;
   bool fills_blocks, has_margin;
+  double slopes_within;
 };
 
 /// Places of the border of one sheet, followed by those of a grid over its block, with heights extrapolated from the

@@ -106,8 +106,8 @@ class Continuation {
 
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
                                   const BlockSetting& setting) {
-  const auto& [framework, cutters, walls, within, fills_blocks, is_left_out, has_margin] = setting;
-  const HorizonDivision division(horizon, row, framework, cutters, states);
+  const auto& [framework, cutters, walls, within, fills_blocks, is_left_out, has_margin, held, slopes_within] = setting;
+  const HorizonDivision division(horizon, row, framework, cutters, states, held);
   DividedHorizon divided{
       std::vector<bool>(horizon.triangles.size(), true), std::vector<bool>(framework.n_blocks(), true), {}};
   for (Index b = 0; b < framework.n_blocks(); ++b) {
@@ -118,9 +118,10 @@ DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row,
     for (const Index t : rows) sheet.push_back(division.triangles()[t]);
     std::optional<BlockExtension> extension;
     if (!framework.has_tip(b))
-      extension =
-          Continuation({horizon, row, framework, cutters, walls, within, division, fills_blocks, has_margin}, b, sheet)
-              .make();
+      extension = Continuation({horizon, row, framework, cutters, walls, within, division, fills_blocks, has_margin,
+                                slopes_within},
+                               b, sheet)
+                      .make();
     if (extension) {
       if (!extension->triangles.empty()) divided.extensions.push_back(std::move(*extension));
       continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rules/continuation/border_chains.hpp"
+#include "rules/continuation/horizon_division.hpp"
 #include "rules/framework/block_framework.hpp"
 #include "rules/framework/walls.hpp"
 
@@ -44,6 +45,8 @@ struct BlockSetting {
   /// For horizons that are moved before walls cut them: whether continuations extend beyond walls by one more row of
   /// places, and beyond other horizons as if these were absent.
   bool has_margin = false;
+  HeldTriangles held{};
+  double slopes_within = within;  ///< m: so far from its data the horizon keeps the slope that it has there
 };
 
 /// Continues the horizon in each block, from the edges of its border that have walls in front of them. In the map, a

@@ -12,7 +12,7 @@
 #include "naming/sums.hpp"
 #include "rules/planar/borders.hpp"
 #include "rules/planar/planar_fill.hpp"
-#include "rules/throw/sheet_sides.hpp"
+#include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
 namespace {

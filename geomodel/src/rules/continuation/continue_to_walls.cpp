@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 
@@ -258,13 +259,12 @@ class HorizonContinuation {
     if (!framework_) return std::nullopt;
     return HorizonBlocks{std::move(*framework_), std::move(cutters_), std::move(walls_), fill_blocks_};
   }
-
- private:
   const BlockFramework& framework() {
     if (!framework_) framework_.emplace(built_, rules_);
     return *framework_;
   }
 
+ private:
   std::vector<Index> with_unconformities(std::vector<Index> rows) const {
     rows.insert(rows.end(), unconformities_.begin(), unconformities_.end());
     std::ranges::sort(rows);
@@ -279,7 +279,7 @@ class HorizonContinuation {
       if (position(row) == rules_.column.end() || position(horizon) == rules_.column.end()) continue;
       const int side = position(horizon) < position(row) ? 1 : -1;
       for (Index b = 0; b < framework_->n_blocks(); ++b)
-        if (framework_->side_of_unconformity(b, horizon) == side) blocks[b] = true;
+        if (framework_->side_of(b, horizon) == side) blocks[b] = true;
     }
     return blocks;
   }
@@ -320,8 +320,46 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   }
 }
 
+double reach_of_slope(const ModelRules& rules, Index row, double within) {
+  const SurfaceRules& rule = rules.of(row);
+  if (rule.throw_at.empty() || rule.extend == Extend::none) return within;
+  return rule.extend == Extend::tangent ? norm(rules.continuation.bounds.max - rules.continuation.bounds.min) : 0;
+}
+
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks) {
   return fills_blocks ? norm(rules.bounds.max - rules.bounds.min) : rules.within_of_horizons;
+}
+
+void fill_throw_blocks(BuiltSurfaces& built, Index row, const ModelRules& rules, const BuildLog& log) {
+  const HorizonBlocks& blocks = *built.rows.throw_blocks[row];
+  const ContinuationRules& how = rules.continuation;
+  const double within = how.within_of_horizons > 0 ? how.within_of_horizons : how.within_by_size;
+  Continuing horizon(built, row, blocks.walls, how, within);
+  horizon.fill_holes(blocks.cutters, [&](const Vec3& p) { return blocks.framework.block_at(p) != no_index; });
+  HeldTriangles held{built.rows.block_of_triangle[row], std::vector<Index>(blocks.framework.n_blocks())};
+  held.block.resize(built.surfaces[row].triangles.size(), BuiltRows::of_every_block);
+  std::iota(held.of_block.begin(), held.of_block.end(), Index{0});
+  const BorderStates states =
+      border_states(built.surfaces[row], row, blocks.walls, how.bounds, reach_of_horizon(how, true));
+  horizon.go_on_in(states,
+                   {blocks.framework,
+                    blocks.cutters,
+                    blocks.walls,
+                    within,
+                    true,
+                    {},
+                    false,
+                    held,
+                    reach_of_slope(rules, row, within)},
+                   {});
+  horizon.tell(log);
+  std::vector<Index>& block = built.rows.block_of_triangle[row];
+  const std::vector<Index>& part = built.rows.part_of_triangle[row];
+  block.resize(built.surfaces[row].triangles.size(), BuiltRows::of_every_block);
+  for (Index t = 0; t < part.size(); ++t)
+    if (part[t] != given_part && part[t] <= built.rows.block_of_part[row].size() &&
+        built.rows.block_of_part[row][part[t] - 1] != no_index)
+      block[t] = built.rows.block_of_part[row][part[t] - 1];
 }
 
 std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
@@ -346,6 +384,15 @@ std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const Model
   HorizonContinuation continuation(built, rules, fill_blocks);
   continuation.run(built, left, log);
   return continuation.blocks();
+}
+
+HorizonBlocks blocks_of_model(const BuiltSurfaces& built, const ModelRules& rules) {
+  BuiltSurfaces own = built;
+  own.rows.overshooting.clear();  // found anew
+  const std::vector<Index> none;
+  HorizonContinuation continuation(own, rules, none);
+  continuation.framework();
+  return std::move(*continuation.blocks());
 }
 
 }  // namespace geomesh::geomodel

@@ -16,6 +16,14 @@ namespace geomesh::geomodel {
 /// inside the model farther from everything on which it could end keeps its tip.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
+/// A horizon sorted into the blocks of the faults across which it has throw (BuiltRows::throw_blocks): it fills each of
+/// those in which it has data. Sets the blocks of what it adds.
+void fill_throw_blocks(BuiltSurfaces& built, Index row, const ModelRules& rules, const BuildLog& log);
+
+/// How far from its data a horizon with a list of faults keeps its slope, m: as SurfaceRules::extend says, else within
+/// the distance.
+double reach_of_slope(const ModelRules& rules, Index row, double within);
+
 /// Returns how far a horizon is continued to find walls, in m; a horizon that fills its blocks is continued through the
 /// whole model.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
@@ -25,5 +33,8 @@ double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 /// data. Returns the blocks, if any were needed.
 std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
                                                const std::vector<Index>& fill_blocks, const BuildLog& log);
+
+/// The blocks of all faults and bodies, for horizons that were continued by lists of faults alone.
+HorizonBlocks blocks_of_model(const BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

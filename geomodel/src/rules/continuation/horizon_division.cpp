@@ -9,8 +9,8 @@
 namespace geomesh::geomodel {
 
 HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework,
-                                 const Walls& cutters, const BorderStates& states)
-    : horizon_(horizon), framework_(framework) {
+                                 const Walls& cutters, const BorderStates& states, const HeldTriangles& held)
+    : horizon_(horizon), framework_(framework), held_(held) {
   for (const auto& [edge, state] : states) states_[std::minmax(edge.first, edge.second)] = state;
   triangles_ = merged_triangles(horizon);
   for (Index t = 0; t < triangles_.size(); ++t)
@@ -28,7 +28,7 @@ HorizonDivision::HorizonDivision(const TriangulatedSurface& horizon, Index row, 
   }
   Index last = no_index;
   for (Index t = 0; t < triangles_.size(); ++t)
-    block_.push_back(crosses_[t] || !has_area(t) ? no_index : block_of(t, last));
+    block_.push_back(crosses_[t] || !has_area(t) ? no_index : framework.block_of(corners(t), last));
 }
 
 std::optional<BorderState> HorizonDivision::border_state(VertexIndex a, VertexIndex b) const {
@@ -39,34 +39,26 @@ std::optional<BorderState> HorizonDivision::border_state(VertexIndex a, VertexIn
 std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   std::vector<Index> sheet;
   std::vector<bool> taken(triangles_.size(), false);
+  const auto take = [&](Index t) {
+    taken[t] = true;
+    sheet.push_back(t);
+  };
   for (Index t = 0; t < triangles_.size(); ++t)
-    if (block_[t] == block) {
-      sheet.push_back(t);
-      taken[t] = true;
-    }
+    if (block_[t] == block && may_be_in(t, block)) take(t);
+  for (Index t = 0; t < held_.block.size(); ++t)  // all of a sheet may cross walls
+    if (crosses_[t] && may_be_in(t, block) && framework_.overlaps(block, corners(t))) take(t);
   for (std::size_t k = 0; k < sheet.size(); ++k) {
     const bool crosses = crosses_[sheet[k]];
     for_each_edge_of(sheet[k], [&](VertexIndex a, VertexIndex b) {
       for (const auto& [_, other] :
            std::ranges::equal_range(at_edge_, MapEdge(std::minmax(a, b)), {}, &std::pair<MapEdge, Index>::first)) {
-        if (taken[other] || block_[other] != no_index) continue;
+        if (taken[other] || block_[other] != no_index || !may_be_in(other, block)) continue;
         if (crosses && !(crosses_[other] && framework_.overlaps(block, corners(other)))) continue;
-        taken[other] = true;
-        sheet.push_back(other);
+        take(other);
       }
     });
   }
   return sheet;
-}
-
-/// The block is that of the first sample point of the triangle that lies in the model. `last` is passed to
-/// BlockFramework::block_at.
-Index HorizonDivision::block_of(Index t, Index& last) const {
-  const auto [a, b, c] = corners(t);
-  const Vec3 centre = (1.0 / 3) * (a + b + c);
-  for (const Vec3& p : {centre, 0.5 * (centre + a), 0.5 * (centre + b), 0.5 * (centre + c), a, b, c})
-    if (const Index block = framework_.block_at(p, last); block != no_index) return block;
-  return no_index;
 }
 
 }  // namespace geomesh::geomodel

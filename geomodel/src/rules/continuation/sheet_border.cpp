@@ -54,8 +54,8 @@ class SheetNormals {
 }  // namespace
 
 SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division,
-                         const std::vector<Triangle>& sheet, double within, bool averages)
-    : within_(within) {
+                         const std::vector<Triangle>& sheet, double within, double slopes_within, bool averages)
+    : within_(within), slopes_within_(slopes_within) {
   std::map<MapEdge, std::pair<int, Index>> uses;
   CompensatedSum up;
   for (Index k = 0; k < sheet.size(); ++k) {
@@ -139,8 +139,8 @@ SheetBorder::Place SheetBorder::continued_from(const std::vector<Index>& edges, 
     least = d;
     nearest = foot;
     has_met_wall = t <= 0 ? has_met_wall_[e.a] : t >= 1 ? has_met_wall_[e.b] : e.has_met_wall;
-    slope = d > within_ ? Vec2{0, 0} : e.slope;
-    const double share = d > within_ ? within_ / d : 1;
+    slope = d > slopes_within_ ? Vec2{0, 0} : e.slope;
+    const double share = d > slopes_within_ ? slopes_within_ / d : 1;
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);
   }
   return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};

@@ -17,10 +17,11 @@ namespace geomesh::geomodel {
 /// The border edges of a sheet in the map, over its own points. Holds no references.
 class SheetBorder {
  public:
-  /// `sheet` contains triangles over the horizon's points. Slopes are extrapolated over at most `within`, in m. With
-  /// `averages`, slopes are means of the sheet within that distance, instead of those of the triangle at the border.
+  /// `sheet`: triangles over the horizon's points. `within`: up to where other places are near, m.
+  /// `slopes_within`: up to where slopes are continued, m. `averages`: slopes are means of the sheet within that
+  /// distance, in place of the triangle's at the border.
   SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division, const std::vector<Triangle>& sheet,
-              double within, bool averages);
+              double within, double slopes_within, bool averages);
 
   const std::vector<Vec3>& points() const { return points_; }
   VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
@@ -32,7 +33,7 @@ class SheetBorder {
   struct Place {
     Vec3 at;            ///< the place, with the height that the border has there
     double distance;    ///< distance from the border in the map
-    Vec2 slope;         ///< slope of the sheet at the nearest border; zero beyond `within`
+    Vec2 slope;         ///< of the sheet where it is nearest; none beyond `slopes_within`
     bool has_met_wall;  ///< whether the border has already met its wall there
     Vec3 foot;          ///< the nearest point of the border in the map
   };
@@ -59,7 +60,7 @@ class SheetBorder {
   std::vector<Index> edges_between(const Vec2& low, const Vec2& high) const;
   Place continued_from(const std::vector<Index>& edges, const Vec2& p) const;
 
-  double within_;
+  double within_, slopes_within_;
   std::vector<Vec3> points_;
   std::vector<VertexIndex> rows_;
   std::vector<std::pair<Index, Index>> constraints_;

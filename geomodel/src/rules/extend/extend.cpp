@@ -133,14 +133,14 @@ class Continuation {
 };
 
 /// Returns a rectangle in the frame that contains the box and the surface, with a margin.
-Box3 extended_area(const TriangulatedSurface& s, const Frame& frame, const Box3& box, Index rim) {
+Box3 extended_area(const TriangulatedSurface& s, const Frame& frame, const Box3& box) {
   Box3 area;
   for (int corner = 0; corner < 8; ++corner)
     area.add(frame.to_frame(
         {corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z}));
   for (const Triangle& t : s.triangles)
     for (VertexIndex v : t) area.add(frame.to_frame(s.points[v]));
-  const double extra = margin * norm(box.max - box.min) * (1 + rim / 8.0);
+  const double extra = margin * norm(box.max - box.min);
   return {area.min - Vec3{extra, extra, 0}, area.max + Vec3{extra, extra, 0}};
 }
 
@@ -225,13 +225,12 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
                         to_text(longest_border) + " stay");
 }
 
-bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
-                   const ContinuationPoints& added_points) {
+bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log) {
   if (how == Extend::none || surface.triangles.empty()) return true;
   const Frame frame = frame_of(surface);
   const PlanarBorder border = planar_border(surface, frame);
   if (border.edges.empty()) return true;
-  const Box3 area = extended_area(surface, frame, box, added_points.rim);
+  const Box3 area = extended_area(surface, frame, box);
   const double step = std::max(area.max.x - area.min.x, area.max.y - area.min.y) / n_grid;
   const int nx = std::max(1, static_cast<int>(std::lround((area.max.x - area.min.x) / step)));
   const int ny = std::max(1, static_cast<int>(std::lround((area.max.y - area.min.y) / step)));
@@ -244,7 +243,7 @@ bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, co
                    y = area.min.y + (area.max.y - area.min.y) * j / ny;
       const Nearest at = nearest_on_border(border, x, y);
       const bool on_rim = i == 0 || j == 0 || i == nx || j == ny;
-      if (!on_rim && (!added_points.inside || at.distance2 < 0.25 * step * step)) continue;
+      if (!on_rim && at.distance2 < 0.25 * step * step) continue;
       points.push_back({x, y});
       added.push_back({x, y, continuation.height(x, y, at)});
     }

@@ -24,21 +24,10 @@ struct BuildLog {
 /// in the map, or in the mean plane for faults and bodies.
 void fill_holes(TriangulatedSurface& surface, double longest_border, const BuildLog& log);
 
-/// Points that an extension has in addition to those of the border.
-struct ContinuationPoints {
-  /// Number of the extension: surfaces that are extended over the same area with different numbers have no border edge
-  /// in common.
-  Index rim = 0;
-  /// Whether points are placed on a grid between the border and the rim; if not, the area between two borders is
-  /// bridged by straight lines.
-  bool inside = true;
-};
-
 /// Extends the surface from its outer border to beyond the box, in the frame of fill_holes. The areas between sheets of
 /// one surface (a horizon given block by block) are filled as well. Holes are kept. Returns false, with a warning, if
 /// the border crosses itself in the frame; the surface is then unchanged.
-bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
-                   const ContinuationPoints& added = {});
+bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log);
 
 /// Closes every border loop of a body: a loop that reaches into the box is first extruded beyond the box's nearest
 /// side.

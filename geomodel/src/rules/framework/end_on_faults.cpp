@@ -2,7 +2,10 @@
 #include "rules/framework/end_on_faults.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "geomesh/core/error.hpp"
+#include "naming/region_facts.hpp"
 #include "rules/framework/end_at_walls.hpp"
 #include "rules/framework/fault_truncations.hpp"
 #include "rules/framework/overshoots.hpp"
@@ -55,10 +58,49 @@ std::vector<FaultTip> tips_of(const WorkingSoup& working, const std::vector<Inde
   return tips;
 }
 
+/// Removes what the continuation of surface s alone made beyond the target.
+void stop_at(WorkingSoup& working, Index s, Index target, const std::vector<TriangulatedSurface>& surfaces,
+             const BuiltRows& built, const TakenOff& taken) {
+  double area = 0;
+  std::size_t n = 0;
+  for (const Piece& piece : pieces_of(working, s, {target}, nullptr)) {
+    const bool given = std::ranges::any_of(
+        piece.facets, [&](Index f) { return working.origin_of(f, s)->triangle < built.n_given_triangles[s]; });
+    if (given) continue;
+    area += working.remove(piece.facets, s);
+    ++n;
+  }
+  taken.area[s] += area;
+  if (n > 0)
+    taken.notes.push_back("surface " + surfaces[s].name + " ends at " + surfaces[target].name + ": " +
+                          std::to_string(n) + " continued pieces beyond it removed (area " + to_text(area) + ")");
+}
+
+/// stop_at, targets first: what ends on a surface that ends itself does not go on beyond what is left of that one.
+void stop_continuations(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
+                        const ModelRules& rules, const TakenOff& taken) {
+  std::vector<bool> done(built.n_given_triangles.size(), false);
+  const std::function<void(Index)> stop = [&](Index s) {
+    if (s >= done.size() || done[s]) return;
+    done[s] = true;
+    const std::string target = rules.of(s).stop_at;
+    if (target.empty()) return;
+    const auto at = std::ranges::find(surfaces, target, &TriangulatedSurface::name);
+    if (at == surfaces.end())
+      throw Error(ErrorKind::usage, "no surface is named " + target + " (in a rule of the model)");
+    const auto row = static_cast<Index>(at - surfaces.begin());
+    stop(row);
+    stop_at(working, s, row, surfaces, built, taken);
+  };
+  for (Index s = 0; s < done.size(); ++s) stop(s);
+}
+
 }  // namespace
 
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
-                double within, const TakenOff& taken) {
+                const ModelRules& rules, const TakenOff& taken) {
+  const double within = rules.continuation.within_of_faults;
+  stop_continuations(working, surfaces, built, rules, taken);
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault && !built.part_of_triangle[s].empty())
       taken.area[s] += end_at_walls(working, surfaces, built, s);
@@ -98,7 +140,7 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
       built.rows.overshooting.push_back(s);
   std::vector<double> area(alone.size(), 0);
   std::vector<std::string> notes;  // notes are given when the soup of the model itself is cut
-  end_faults(working, alone, built.rows, within, {area, notes});
+  end_faults(working, alone, built.rows, rules, {area, notes});
   EndedFaults ended{built.surfaces, tips_of(working, faults)};
   for (const Index s : faults)
     if (area[s] > 0) ended.surfaces[s] = left_of(working, built.surfaces[s], s);

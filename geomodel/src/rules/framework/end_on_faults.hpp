@@ -19,15 +19,14 @@ struct TakenOff {
   std::vector<std::string>& notes;
 };
 
-/// Removes the parts of faults beyond the faults on which they end: continuations (end_at_walls), the parts of
-/// BuiltRows::overshooting faults beyond other faults, and the parts of faults beyond the unconformities that truncate
-/// them, up to `within` (m).
+/// Removes what lies beyond the surfaces on which faults end: continuations beyond SurfaceRules::stop_at, where that is
+/// in the soup, and beyond walls (end_at_walls), what BuiltRows::overshooting faults have beyond other faults, and
+/// faults beyond the unconformities that truncate them, up to the distance of the rules.
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
-                double within, const TakenOff& taken);
+                const ModelRules& rules, const TakenOff& taken);
 
 /// Walls of blocks intersected with the sides of the model, without the parts outside it.
 struct ArrangedWalls {
-  /// The built surfaces, without triangles if not requested, followed by the sides.
   std::vector<TriangulatedSurface> surfaces;
   PolygonSoup soup;
 };

@@ -19,28 +19,29 @@ LaidDown::LaidDown(const std::vector<TriangulatedSurface>& surfaces, const Built
     if (at == surfaces.end())
       throw Error(ErrorKind::usage, "column: no surface is named " + rules.column[i] + ", which must be a horizon");
     rows.push_back(static_cast<Index>(at - surfaces.begin()));
-    horizons_.push_back(horizon_of(*at, built, rows.back(), surfaces));
+    horizons_.push_back(horizon_of(*at, built, rows.back()));
   }
   keepers_ = keepers_of(rules, rows, surfaces);
 }
 
-LaidDown::Horizon LaidDown::horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
-                                       const std::vector<TriangulatedSurface>& surfaces) {
+LaidDown::Horizon LaidDown::horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row) {
   Horizon horizon;
-  const bool has_blocks = row < built.block_of_triangle.size() && !built.block_of_triangle[row].empty();
-  if (has_blocks) {
-    for (const Index fault : built.parted_at[row]) horizon.faults.emplace_back(surfaces[fault]);
-    horizon.sides = built.sides_of_block[row];
-    if (row < built.on_both_sides.size()) horizon.on_both_sides = built.on_both_sides[row];
+  std::vector<Index> block(surface.triangles.size(), BuiltRows::of_every_block);
+  if (row < built.block_of_triangle.size() && !built.block_of_triangle[row].empty()) {
+    horizon.between = built.throw_blocks[row];
+    if (row < built.field_of_block.size()) horizon.field_of_block = built.field_of_block[row];
+    std::ranges::copy(built.block_of_triangle[row], block.begin());
   }
-  horizon.blocks.resize(has_blocks ? horizon.sides.size() : 1);
+  if (row < built.first_step.size() && built.first_step[row] < block.size()) block.resize(built.first_step[row]);
+  Index n = horizon.between ? horizon.between->framework.n_blocks() : 1;
+  for (const Index own : block)
+    if (own != BuiltRows::of_every_block) n = std::max(n, own + 1);
+  horizon.blocks.resize(n);
   for (std::size_t b = 0; b < horizon.blocks.size(); ++b) {
     TriangulatedSurface& part = horizon.blocks[b].surface;
     part.points = surface.points;
-    for (Index t = 0; t < surface.triangles.size(); ++t) {
-      const Index own = has_blocks ? built.block_of_triangle[row][t] : static_cast<Index>(b);
-      if (own == b || own == BuiltRows::of_every_block) part.triangles.push_back(surface.triangles[t]);
-    }
+    for (Index t = 0; t < block.size(); ++t)
+      if (block[t] == b || block[t] == BuiltRows::of_every_block) part.triangles.push_back(surface.triangles[t]);
     if (!part.triangles.empty()) horizon.blocks[b].locator = std::make_unique<MapLocator>(part);
   }
   return horizon;
@@ -48,16 +49,7 @@ LaidDown::Horizon LaidDown::horizon_of(const TriangulatedSurface& surface, const
 
 double LaidDown::height(const Horizon& horizon, const Vec3& p) {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-  std::vector<bool> sides;
-  for (const FaultSides& fault : horizon.faults) sides.push_back(fault.is_above(p));
-  const auto is_of_block = [&](std::size_t block) {
-    for (std::size_t k = 0; k < sides.size(); ++k)
-      if (sides[k] != horizon.sides[block][k] && (horizon.on_both_sides.empty() || !horizon.on_both_sides[block][k]))
-        return false;
-    return true;
-  };
-  std::size_t block = 0;
-  while (!horizon.faults.empty() && block < horizon.sides.size() && !is_of_block(block)) ++block;
+  const Index block = horizon.between ? owner_at(horizon.between->framework, horizon.field_of_block, p) : 0;
   if (block >= horizon.blocks.size() || !horizon.blocks[block].locator) return nowhere;
   const MapLocator& locator = *horizon.blocks[block].locator;
   double least = std::numeric_limits<double>::infinity(), most = -least;

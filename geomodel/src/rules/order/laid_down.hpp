@@ -8,15 +8,15 @@
 
 #include "geomesh/geomodel/build_model.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
+#include "rules/framework/horizon_blocks.hpp"
 #include "rules/order/column_heights.hpp"
 #include "rules/planar/map_locator.hpp"
-#include "rules/throw/sheet_sides.hpp"
 
 namespace geomesh::geomodel {
 
-/// The heights of the column's horizons over each place before any of them cut another one, and the order that the
-/// rules make of them. For horizons with throw, the block is used that lies on the place's sides of the faults. The
-/// unit is therefore known even where a horizon was removed because another one cut it. Surfaces are copied.
+/// The heights of the column's horizons over each place before any cut another one, and what the rules make of them.
+/// Horizons with throw count by the block in which the place lies. So the unit is known, too, where
+/// nothing is left of a horizon: another one cut it there. Surfaces are copied.
 class LaidDown {
  public:
   /// Throws Error{usage} if the column names a surface that does not exist. `built` holds the blocks; it may have fewer
@@ -34,14 +34,11 @@ class LaidDown {
     std::unique_ptr<MapLocator> locator{};
   };
   struct Horizon {
-    std::vector<FaultSides> faults{};
-    std::vector<std::vector<bool>> sides{};  ///< per block
-    /// For each block, the faults on both sides of which it lies; or empty.
-    std::vector<std::vector<bool>> on_both_sides{};
-    std::vector<Sheet> blocks{};  ///< one sheet for each block; a single one if there are no blocks
+    std::shared_ptr<const HorizonBlocks> between{};  ///< null: it is one whole
+    std::vector<Index> field_of_block{};             ///< as in BuiltRows
+    std::vector<Sheet> blocks{};                     ///< or fields; one where there are none
   };
-  static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
-                            const std::vector<TriangulatedSurface>& surfaces);
+  static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row);
   static double height(const Horizon& horizon, const Vec3& p);  ///< NaN: not there
 
   std::vector<Horizon> horizons_;

@@ -55,12 +55,6 @@ Vec3 crossing_point(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) 
 
 }  // namespace
 
-bool ends_inside(const ThrowFault& fault, const Box3& box) {
-  for (std::size_t t = fault.first_made; t < fault.surface->triangles.size(); ++t)
-    if (reaches_into(bounds_of(corners_of(*fault.surface, t)), box)) return true;
-  return false;
-}
-
 std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::size_t first,
                                      const std::vector<ThrowFault>& faults, const Box3& box) {
   const std::size_t n = horizon.triangles.size() - first;

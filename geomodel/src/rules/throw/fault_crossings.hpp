@@ -20,9 +20,6 @@ struct ThrowFault {
   Index first_made;
 };
 
-/// Returns whether the fault has an extension inside the box. It has none if it ends on the sides, up to rounding.
-bool ends_inside(const ThrowFault& fault, const Box3& box);
-
 /// The kind of surface that a triangle crosses: nothing, a given fault, or the extension of a fault (which takes
 /// precedence over the fault itself, because the fault ends in that triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };

@@ -10,7 +10,7 @@
 
 #include "geomesh/geomodel/model_rules.hpp"
 #include "rules/planar/single_valued.hpp"
-#include "rules/throw/sheet_sides.hpp"
+#include "rules/throw/sheets.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -86,6 +86,13 @@ std::optional<StretchRamp> ramp_in(const std::vector<SlopeBeside>& slopes) {
   for (const long ring_from : rings)
     if (const auto found = ramp_within(slopes, ring_from)) return found;
   return std::nullopt;
+}
+
+/// Whether the fault lies between sheets of the horizon, or beside all of it. A horizon of one sheet has none such.
+bool is_between_sheets(const TriangulatedSurface& horizon, const TriangulatedSurface& fault) {
+  const std::vector<Index> sheet =
+      sheets_of(horizon.triangles.size(), neighbours_in(horizon), [](Index, Index) { return true; });
+  return std::ranges::any_of(sheet, [&](Index s) { return s != sheet.front(); }) && !runs_across(horizon, fault);
 }
 
 bool are_enough(std::size_t n_ramps, std::size_t n_stretches) {
@@ -173,7 +180,8 @@ void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& ru
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     const SurfaceRules& rule = rules.surfaces[s];
     if (!rule.throw_auto || !rule.cut_smeared || !is_single_valued(surfaces[s])) continue;
-    const std::vector<bool>& parted = parts[s] = parting_of(surfaces[s], faults);
+    std::vector<bool>& parted = parts[s];
+    for (const TriangulatedSurface* fault : faults) parted.push_back(is_between_sheets(surfaces[s], *fault));
     const double edge = median_map_edge(surfaces[s]);
     for (std::size_t f = 0; f < faults.size(); ++f) {
       if (parted[f]) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "rules/fault_ends.hpp"
+#include "rules/extend/fault_ends.hpp"
 
 #include <array>
 #include <string>
