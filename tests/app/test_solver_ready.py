@@ -123,6 +123,18 @@ class Defaults(ProgramTest):
         self.assertEqual(report["input"]["mesh"]["honour"], "tolerance")
         self.assertAlmostEqual(report["input"]["mesh"]["tolerance"], 0.48 / 20)
 
+    def test_bad_cells_that_the_last_proof_of_surfaces_makes_are_mended(self):
+        """Where a surface is too far from the input the proof puts a vertex, here beside another: four cells below 8 degrees, one of them imposed by nothing."""
+        project = self.copy_of_sample("exploration", None)
+        with open(project) as file:
+            text = file.read()
+        self.assertIn("global: 2500,", text)
+        with open(project, "w") as file:
+            file.write(text.replace("global: 2500,", "global: 2525,"))
+        self.run_program(project, "-o", self.path("out"), "-q")
+        bad = self.report(self.path("out", "exploration.report.json"))["quality"]["below_8_degrees"]
+        self.assertEqual(bad["tetrahedra"] - bad["forced"], 0)
+
     def test_a_surface_that_overshoots_another_by_a_little_ends_on_it(self):
         """Two faults, one of which passes the other by a thousandth of the size: no element is flat but where all is kept; the judge agrees."""
         self.write("a.ts", plane_ts("a", [(5, 1, 1), (5, 9, 1), (5, 9, 9), (5, 1, 9)]))
