@@ -255,7 +255,7 @@ TEST_CASE("a horizon whose sides tell another throw than its ramp keeps it, with
   CHECK(rows.sheet.empty());
   CHECK((made.triangles == before.triangles));
   REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].find("is not restored, and the ramps stay: what lies beside it gives a throw of") !=
+  CHECK(warnings[0].find("is not restored, and the ramps are kept: what lies beside it gives a throw of") !=
         std::string::npos);
 }
 

@@ -94,19 +94,21 @@ class ComponentRefiner {
   std::size_t put_together() {
     std::vector<MeshPart> parts;
     std::vector<double> known;
+    std::size_t n_new = 0;
     for (Work& work : works_) {
       const std::vector<double> of_part =
           work.tools->lengths.known_from(static_cast<VertexIndex>(work.part.vertices.size()));
       known.insert(known.end(), of_part.begin(), of_part.end());
-      tools_.statistics.points_inside += work.statistics.points_inside;
+      n_new += work.statistics.points_inside;
       work.tools.reset();
       parts.push_back(std::move(work.part));
     }
     const auto first = static_cast<VertexIndex>(tools_.mesh.n_vertices());
     tools_.mesh.put_together(std::move(parts), context_.threads);
     tools_.lengths.add_known(first, known);
+    tools_.statistics.points_inside += n_new;
     check_limit(tools_.mesh.n_cells());
-    return known.size();
+    return n_new;
   }
 
   Toolbox& tools_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -30,10 +31,20 @@ class Places {
     std::sort(points_.begin(), points_.end(), before);
     points_.erase(std::unique(points_.begin(), points_.end(), is_same), points_.end());
   }
+  /// Returns the place that has the coordinates of p, or that they are the digits of in a field of 20 characters, which
+  /// is all that some solvers read: a sign, a point and an exponent leave 13 of them or more.
   std::optional<Index> find(const Vec3& p) const {
-    const auto at = std::lower_bound(points_.begin(), points_.end(), p, before);
-    if (at == points_.end() || before(p, *at)) return std::nullopt;
-    return static_cast<Index>(at - points_.begin());
+    const auto is_written_as = [](double place, double value) {
+      constexpr double unit_of_13_digits = 1e-12;
+      return std::abs(place - value) <= unit_of_13_digits * std::abs(value);
+    };
+    const auto exact = std::lower_bound(points_.begin(), points_.end(), p, before);
+    if (exact != points_.end() && !before(p, *exact)) return static_cast<Index>(exact - points_.begin());
+    const auto first = std::partition_point(points_.begin(), points_.end(),
+                                            [&](const Vec3& q) { return q.x < p.x && !is_written_as(q.x, p.x); });
+    for (auto at = first; at != points_.end() && is_written_as(at->x, p.x); ++at)
+      if (is_written_as(at->y, p.y) && is_written_as(at->z, p.z)) return static_cast<Index>(at - points_.begin());
+    return std::nullopt;
   }
   const Vec3& operator[](Index place) const { return points_[place]; }
 
