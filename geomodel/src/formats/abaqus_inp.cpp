@@ -188,7 +188,8 @@ Format abaqus_format() {
           {.second_order = true, .prisms = true, .curves = true, .overlapping = true},
           write,
           read_abaqus_mesh,
-          write_calculix_starter};
+          write_calculix_starter,
+          [](double coordinate) { return std::strtod(text_of_20(coordinate).c_str(), nullptr); }};
 }
 
 }  // namespace geomesh::geomodel

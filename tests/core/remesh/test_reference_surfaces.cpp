@@ -20,16 +20,6 @@ using namespace refine_models;
 
 namespace {
 
-RefineOptions within(double tolerance, double size) {
-  RefineOptions o;
-  o.honour = Honour::tolerance;
-  o.tolerance = tolerance;
-  o.size.from_input_edges = false;
-  o.size.global = size;
-  o.size.gap_layers = 0;
-  return o;
-}
-
 DomainMesh domain_of(const Model& model) { return import_domain(model.plc, model.mesh, within(1, 1)); }
 
 /// The patch of the ball, whose corners are at a distance of 1 from the origin.

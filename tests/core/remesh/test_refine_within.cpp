@@ -19,16 +19,6 @@ using namespace refine_models;
 
 namespace {
 
-RefineOptions within(double tolerance, double size) {
-  RefineOptions o;
-  o.honour = Honour::tolerance;
-  o.tolerance = tolerance;
-  o.size.from_input_edges = false;
-  o.size.global = size;
-  o.size.gap_layers = 0;
-  return o;
-}
-
 VertexIndex vertex_of_kind(const DomainMesh& mesh, VertexKind kind) {
   for (VertexIndex v = 0; v < mesh.n_vertices(); ++v)
     if (mesh.kind(v) == kind) return v;

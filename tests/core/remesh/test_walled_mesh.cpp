@@ -87,6 +87,32 @@ TEST_CASE("A point is not inserted nearer to another than the spacing, and nothi
   CHECK(listed(bench.mesh) == before);
 }
 
+TEST_CASE("The spacing holds where a cavity had to be reduced, too", "[refine]") {
+  constexpr double spacing = 0.12;
+  Model model = ball_in_box(6);
+  disturb_inside(model, 5);  // cells that are not Delaunay, so that cavities are not star-shaped
+  Bench bench(std::move(model));
+  std::vector<std::pair<Vec3, CellIndex>> places;
+  for (const CellIndex c : bench.mesh.live_cells()) {
+    const auto corners = bench.mesh.places(bench.mesh.vertices(c));
+    for (unsigned i = 0; i < 4; ++i)  // near corner i, inside of the cell
+      places.emplace_back(0.7 * corners[i] + 0.1 * (corners[(i + 1) % 4] + corners[(i + 2) % 4] + corners[(i + 3) % 4]),
+                          c);
+  }
+  WalledMesh walled(bench.mesh);
+  std::size_t n = 0;
+  for (const auto& [p, home] : places) {
+    if (!walled.is_cell(home)) continue;
+    const auto at = walled.locate(p, home);
+    if (!at || !walled.insert(p, *at, spacing)) continue;
+    ++n;
+    for (const VertexIndex w : walled.link()) REQUIRE(distance(bench.mesh.point(w), p) >= spacing);
+  }
+  walled.close(1);
+  CHECK(n > 20);
+  CHECK(bench.mesh.validate() == "");
+}
+
 TEST_CASE("A point is connected with more vertices than the table of links has", "[refine]") {
   test::PlcBuilder builder;
   add_shell(builder, test::sphere({0, 0, 0}, 1, 3));  // 258 vertices, none of them inside

@@ -24,6 +24,17 @@ struct Model {
   ConstrainedTetrahedralization mesh;
 };
 
+/// Options that remesh surfaces within a tolerance, with one size everywhere.
+inline RefineOptions within(double tolerance, double size) {
+  RefineOptions o;
+  o.honour = Honour::tolerance;
+  o.tolerance = tolerance;
+  o.size.from_input_edges = false;
+  o.size.global = size;
+  o.size.gap_layers = 0;
+  return o;
+}
+
 inline std::array<VertexIndex, 3> sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;

@@ -173,20 +173,24 @@ bool WalledMesh::shrink(const Vec3& p, CellIndex home) {
   n_cavity_ = kept_.size();
   std::copy(kept_.begin(), kept_.end(), cavity_.begin());
   for (const CellIndex c : kept_) cells_.flags(c) |= in_cavity;
-  collect_border();
+  collect_border(p);
   return true;
 }
 
-void WalledMesh::collect_border() {
+/// Sets the border of the cavity, and the distance of its nearest vertex from p, as the kernel does.
+void WalledMesh::collect_border(const Vec3& p) {
   n_border_ = 0;
   nearest_ = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < n_cavity_; ++k)
+  for (std::size_t k = 0; k < n_cavity_; ++k) {
+    for (const VertexIndex v : cells_.vertices(cavity_[k]))
+      nearest_ = std::min(nearest_, squared_distance(mesh_.point(v), p));
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = cells_.neighbor(cavity_[k], i);
       if (cells_.flags(outer.cell()) & in_cavity) continue;
       if (n_border_ == border_.size()) border_.resize(2 * n_border_), cavity_.resize(2 * n_border_);
       border_[n_border_++] = {face_of(cells_.vertices(cavity_[k]), i), outer};
     }
+  }
 }
 
 /// Numbers the vertices of the border in the order in which they occur. Their numbers are in the records until the

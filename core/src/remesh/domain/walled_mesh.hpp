@@ -73,7 +73,7 @@ class WalledMesh {
   bool sees(const Vec3& p, const std::array<VertexIndex, 3>& face) const;
   bool sees_border(const Vec3& p) const;
   bool shrink(const Vec3& p, CellIndex home);
-  void collect_border();
+  void collect_border(const Vec3& p);
   void number_border();
   bool swallows() const;
   bool is_on_border(VertexIndex a, VertexIndex b) const;

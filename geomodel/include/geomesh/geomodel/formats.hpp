@@ -37,6 +37,7 @@ struct Format {
   /// Writes a starter input of the solver beside the mesh files with this stem, which exist already. Null if the format
   /// has none.
   std::filesystem::path (*starter)(const ModelMesh& mesh, const std::filesystem::path& stem) = nullptr;
+  double (*rounded)(double coordinate) = nullptr;  ///< a coordinate as the file holds it; null: the same double
 };
 
 /// All formats that this program was built with, in the order of the documents.

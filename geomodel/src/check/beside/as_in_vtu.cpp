@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -31,20 +30,10 @@ class Places {
     std::sort(points_.begin(), points_.end(), before);
     points_.erase(std::unique(points_.begin(), points_.end(), is_same), points_.end());
   }
-  /// Returns the place that has the coordinates of p, or that they are the digits of in a field of 20 characters, which
-  /// is all that some solvers read: a sign, a point and an exponent leave 13 of them or more.
   std::optional<Index> find(const Vec3& p) const {
-    const auto is_written_as = [](double place, double value) {
-      constexpr double unit_of_13_digits = 1e-12;
-      return std::abs(place - value) <= unit_of_13_digits * std::abs(value);
-    };
-    const auto exact = std::lower_bound(points_.begin(), points_.end(), p, before);
-    if (exact != points_.end() && !before(p, *exact)) return static_cast<Index>(exact - points_.begin());
-    const auto first = std::partition_point(points_.begin(), points_.end(),
-                                            [&](const Vec3& q) { return q.x < p.x && !is_written_as(q.x, p.x); });
-    for (auto at = first; at != points_.end() && is_written_as(at->x, p.x); ++at)
-      if (is_written_as(at->y, p.y) && is_written_as(at->z, p.z)) return static_cast<Index>(at - points_.begin());
-    return std::nullopt;
+    const auto at = std::lower_bound(points_.begin(), points_.end(), p, before);
+    if (at == points_.end() || before(p, *at)) return std::nullopt;
+    return static_cast<Index>(at - points_.begin());
   }
   const Vec3& operator[](Index place) const { return points_[place]; }
 
@@ -209,10 +198,20 @@ std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places&
   return found;
 }
 
-bool compare_files(const std::filesystem::path& mesh, const std::filesystem::path& vtu, const WriteOptions& output,
-                   CheckResult& result) {
+/// Rounds all coordinates as the fields of the format do.
+void round_to_fields(ModelMesh& mesh, const Format& format) {
+  if (!format.rounded) return;
+  const auto round = [&](Vec3& p) { p = {format.rounded(p.x), format.rounded(p.y), format.rounded(p.z)}; };
+  for (Vec3& p : mesh.points) round(p);
+  for (CurvedEdge& e : mesh.curved_edges) round(e.middle);
+}
+
+bool compare_files(const std::filesystem::path& mesh, const Format& format, const std::filesystem::path& vtu,
+                   const WriteOptions& output, CheckResult& result) {
   ElementOrder order{}, order_due{};
-  const ModelMesh given = read_model_mesh(mesh, &order), due = read_model_mesh(vtu, &order_due);
+  const ModelMesh given = read_model_mesh(mesh, &order);
+  ModelMesh due = read_model_mesh(vtu, &order_due);
+  round_to_fields(due, format);
   const std::string file = vtu.filename().string();
   const Places places(due);
   const auto given_places = places_of(given, places, file, result);
@@ -247,7 +246,7 @@ bool check_as_in_vtu(const std::filesystem::path& mesh, const WriteOptions& outp
     return pass_over("no file of geomesh, with " + vtu.filename().string() + ".json beside it");
   if (!format->holds.names) return pass_over("the format has no names");
   try {
-    return compare_files(mesh, vtu, output, result);
+    return compare_files(mesh, *format, vtu, output, result);
   } catch (const Error& e) {
     return pass_over(e.what());
   }
