@@ -9,11 +9,16 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
+option(GEOMESH_GROUPED "Compile sources in groups, and common headers once: faster from nothing, slower after a change" OFF)
+
 find_program(GEOMESH_CCACHE ccache)
 if(GEOMESH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${GEOMESH_CCACHE}")
-  if(CMAKE_HOST_UNIX)  # what ccache asks for before it keeps results of compiling with precompiled headers
-    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros "${GEOMESH_CCACHE}")
+  # ccache keeps results with precompiled headers only with these leniencies. It must compare the headers themselves (depend mode): two
+  # headers that differ in a comment are the same once preprocessed, but GCC knows a header of "#pragma once" by its bytes, so it would read
+  # the header a second time after precompiled headers that were made before the comment changed.
+  if(CMAKE_HOST_UNIX AND GEOMESH_GROUPED)
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros "${GEOMESH_CCACHE}")
   endif()
   set(CMAKE_C_COMPILER_LAUNCHER "${GEOMESH_CCACHE}")
 endif()
@@ -68,7 +73,7 @@ function(geomesh_precompile target)
   if(NOT GEOMESH_GROUPED)
     return()
   endif()
-  target_precompile_headers(${target} PRIVATE <algorithm> <array> <atomic> <bit> <charconv> <cmath> <cstdint> <cstdio> <cstring> <deque> <functional> <limits>
+  target_precompile_headers(${target} PRIVATE <algorithm> <array> <atomic> <bit> <charconv> <cmath> <cstdint> <cstdio> <cstring> <deque> <functional> <iterator> <limits>
     <map> <memory> <mutex> <numbers> <numeric> <optional> <queue> <set> <span> <string> <string_view> <thread> <tuple> <unordered_map> <utility> <variant>
     <vector> <tbb/blocked_range.h> <tbb/enumerable_thread_specific.h> <tbb/parallel_for.h> <tbb/task_arena.h> ${ARGN})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -78,7 +83,6 @@ endfunction()
 
 # Sources in groups, each compiled as one file where no name of one means something else in another (group_sources.py):
 #   geomesh_group_sources(RESULT SOURCES...)     what a target is to compile in place of its sources; those with properties stay alone
-option(GEOMESH_GROUPED "Compile sources outside core in groups, and common headers once: faster from nothing, slower after a change" OFF)
 find_program(GEOMESH_GROUPING_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(GEOMESH_GROUPING_PYTHON NAMES python3)
 function(geomesh_group_sources result)
