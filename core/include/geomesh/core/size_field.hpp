@@ -30,9 +30,9 @@ class SizeField {
     double global = std::numeric_limits<double>::infinity();
     double min_size = 0;
     double max_size = std::numeric_limits<double>::infinity();
-    double gradation = 0.3;                         ///< growth of the size per unit of distance; positive
-    std::vector<double> component_size;             ///< for each component; 0 or missing: none
-    std::function<double(const Vec3&)> background;  ///< optional; a value that is not positive requests nothing
+    double gradation = 0.3;                           ///< growth of the size per unit of distance; positive
+    std::vector<double> component_size{};             ///< for each component; 0 or missing: none
+    std::function<double(const Vec3&)> background{};  ///< optional; a value that is not positive requests nothing
   };
 
   SizeField() = default;

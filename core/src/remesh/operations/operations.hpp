@@ -109,8 +109,8 @@ struct Sphere {
 };
 
 struct InsertionRule {
-  LocalLength spacing;   ///< no vertex of the cavity may be nearer to the point than this
-  double min_shape = 0;  ///< the worst new shape must be above this
+  LocalLength spacing{};  ///< no vertex of the cavity may be nearer to the point than this
+  double min_shape = 0;   ///< the worst new shape must be above this
 };
 
 /// Inserts p by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), which ends at constrained faces and is
