@@ -109,6 +109,20 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
+/// Returns the shares of an edge at which walls are searched: the middle of each part between an end that is connected
+/// with the surface and the first wall on the way to the other end, or `middle` if no wall cuts the edge.
+std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle,
+                                        const WallSearch& search) {
+  const Vec3 &a = s.points[e.a], &b = s.points[e.b];
+  const std::optional<Walls::Hit> from_a = search.walls.first_hit(a, b, search.row),
+                                  from_b = search.walls.first_hit(b, a, search.row);
+  if (!from_a && !from_b) return {middle};
+  std::vector<double> shares;
+  if ((e.cut_off & 1) == 0) shares.push_back(0.5 * (from_a ? from_a->share : 1));
+  if ((e.cut_off & 2) == 0) shares.push_back(1 - 0.5 * (from_b ? from_b->share : 1));
+  return shares;
+}
+
 /// Returns whether an edge lies on its wall, up to rounding; for an edge that crosses the wall, only its midpoint may
 /// lie on it.
 bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSearch& search) {
@@ -233,7 +247,9 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        e.hit = wall_before(surface, e, share, search);
+        for (const double place : places_before_walls(surface, e, share, search))
+          if (const auto hit = wall_before(surface, e, place, search); hit && (!e.hit || hit->share < e.hit->share))
+            e.hit = hit;
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
       e.is_beyond = !is_within(box, middle, 0);
       if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
