@@ -87,6 +87,8 @@ TriangulatedSurface surface_of_points(const PointSet& set, const SurfaceSpec& sp
   GriddedSurface made = grid_points(set.points, spec.gridding, over, box ? &*box : nullptr);
   inputs.notes.push_back(gridding_note(spec, made));
   book(inputs, spec, "gridding", made.largest_residual, made.largest_place);
+  if (spec.kind == SurfaceKind::horizon && spec.gridding.method == GriddingSpec::Method::thin_plate)
+    inputs.gridded[static_cast<Index>(inputs.surfaces.size() - 1)] = {set.points, spec.gridding, made.spacing};
   if (made.n_outside > 0) {
     inputs.warnings.push_back(spec.name + ": " + std::to_string(made.n_outside) +
                               " of its points are not over the surface made from them");
@@ -365,6 +367,18 @@ void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   }
 }
 
+/// Keeps those horizons that are used as they were made from their points.
+void keep_unchanged(const Project& project, ProjectInputs& inputs) {
+  const auto is_changed = [&](const SurfaceSpec& spec) {
+    return spec.smooth > 0 || spec.resample > 0 || !spec.below.empty() || !spec.fault_polygons.file.empty() ||
+           std::ranges::any_of(inputs.tops, [&](const FittedTop& top) { return top.horizon == spec.name; }) ||
+           std::ranges::any_of(project.surfaces, [&](const SurfaceSpec& s) { return s.below == spec.name; });
+  };
+  std::erase_if(inputs.gridded, [&](const auto& entry) {
+    return inputs.surfaces[entry.first].ends_model || is_changed(project.surfaces[entry.first]);
+  });
+}
+
 }  // namespace
 
 void ProjectInputs::add_throws(ModelRules& rules) const {
@@ -423,6 +437,7 @@ ProjectInputs read_project_inputs(const Project& project, const RunContext& cont
         return polygons;
       },
       inputs);
+  keep_unchanged(project, inputs);
   for (const NamedPoint& point : project.points) inputs.points.push_back({point.name, inputs.frame.point(point.point)});
   std::size_t n_triangles = 0;
   for (const TriangulatedSurface& surface : inputs.surfaces) n_triangles += surface.triangles.size();

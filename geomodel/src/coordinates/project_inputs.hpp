@@ -14,6 +14,7 @@
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "geomesh/geomodel/tops.hpp"
+#include "gridding/block_surfaces.hpp"
 
 namespace geomesh::geomodel {
 
@@ -31,6 +32,9 @@ struct ProjectInputs {
   std::vector<std::vector<std::string>> faults_of_polygons{};
   std::map<std::size_t, std::vector<FieldPart>> field_parts{};  ///< LevelSurfaces::parts
   std::vector<std::string> notes{}, warnings{};
+  /// Horizons made from points, which grid_in_blocks may make anew. None that was changed afterwards, or at which the
+  /// model ends.
+  PointsOfHorizons gridded{};
   std::vector<ToleranceUse> uses{};  ///< how far surfaces are from the data from which they were made
 
   /// Adds these faults to throw_at of horizons that have no list of their own.

@@ -147,6 +147,7 @@ Claim claim_of_project(const std::filesystem::path& file) {
     ask_continuation(rules, of_build, *claim.volume);
   }
   inputs.add_throws(rules);
+  grid_in_blocks(inputs.surfaces, inputs.gridded, rules);
   inputs.complete_field_parts(rules);
   std::vector<std::string> found, doubts;  // messages that the run itself gives
   find_ramps(inputs.surfaces, rules, found);

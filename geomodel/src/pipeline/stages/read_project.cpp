@@ -157,6 +157,29 @@ void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal
   ask_continuation(model.rules, model.refinement, model.volume);
 }
 
+/// Makes horizons from points block by block where faults part their points, and replaces how far they are from these.
+void grid_horizons_in_blocks(ProjectInputs& inputs, Inputs& model, Journal& journal) {
+  if (inputs.gridded.empty()) return;
+  ModelRules rules = model.rules;
+  inputs.add_throws(rules);
+  ask_continuation(rules, model.refinement, model.volume);
+  for (const GriddedInBlocks& made : grid_in_blocks(model.surfaces, inputs.gridded, rules)) {
+    const std::string& name = model.surfaces[made.row].name;
+    journal.note(name + ": its points lie in " + std::to_string(made.n_blocks) +
+                 " fault blocks, so each block has a surface of its own points" +
+                 (made.n_in_common > 0 ? " (but " + std::to_string(made.n_in_common) +
+                                             ", where they are too few: the common surface is kept there)"
+                                       : "") +
+                 "; residual at the points: rms " + short_words(made.rms_residual) + ", largest " +
+                 short_words(made.largest_residual));
+    for (ToleranceUse& use : inputs.uses)
+      if (use.surface == name && use.stage == "gridding") {
+        use.moved = std::abs(made.largest_residual);
+        use.place = made.largest_place;
+      }
+  }
+}
+
 /// Derives sizes and the tolerance, after the extent of the data is known.
 void settle_refinement(const Project& project, ProjectInputs& inputs, Inputs& model, Journal& journal) {
   for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
@@ -164,6 +187,7 @@ void settle_refinement(const Project& project, ProjectInputs& inputs, Inputs& mo
   const Box3 bounds = inputs.volume ? model.volume.bounds : bounds_of(model.surfaces);
   settle_sizes(model.refinement, bounds, model.naming.attributes, model.origin);
   refuse_sizes(model, bounds);
+  grid_horizons_in_blocks(inputs, model, journal);
   book_misfits(model.refinement.tolerance, std::move(inputs.uses), model.unit, journal);
   use_tolerance_of_level_sets(project, model.refinement);
   tell_sizes(model, journal);
