@@ -26,7 +26,7 @@ BlockPlaces::BlockPlaces(const HorizonInBlocks& setting, Index block, const std:
       points_(border_.points()),
       distance_(points_.size(), 0),
       slope_(points_.size(), Vec2{0, 0}),
-      foot_(points_),
+      inside_(points_),
       n_border_(points_.size()) {
   for (const Vec3& p : points_) in_block_.push_back(s_.framework.block_at(p) == block_);
   if (!has_grid()) return;
@@ -51,8 +51,9 @@ void BlockPlaces::add_grid() {
       points_.push_back(p.at);
       distance_.push_back(p.distance);
       slope_.push_back(p.slope);
-      foot_.push_back(p.foot);
-      in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_);
+      inside_.push_back(p.inside);
+      in_block_.push_back(!p.has_met_wall && s_.framework.block_at(p.at) == block_ &&
+                          (s_.has_margin || !is_beyond_horizon(points_.size() - 1)));
     }
 }
 
@@ -64,10 +65,10 @@ void BlockPlaces::find_open_places() {
   if (!open_.empty()) nearest_open_.emplace(open_);
 }
 
-/// Returns whether another horizon lies between a place and the border. A place that is only behind a fault or body is
-/// in the block.
+/// Returns whether another horizon lies between a place and the sheet at its border. A place that is only behind a
+/// fault or body is in the block.
 bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
-  return std::ranges::any_of(s_.walls.surfaces_on(foot_[v], points_[v]),
+  return std::ranges::any_of(s_.walls.surfaces_on(inside_[v], points_[v]),
                              [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
 }
 

@@ -45,7 +45,8 @@ class BlockPlaces {
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
   double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
-  /// Whether the place is in the block and to be filled: not where the border has met its wall.
+  /// Whether the place is in the block and to be filled: not where the border has met its wall, or beyond another
+  /// horizon, which ends the sheet as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
   /// Returns whether a triangle of places overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
@@ -66,7 +67,7 @@ class BlockPlaces {
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
-  std::vector<Vec3> foot_;  ///< the nearest point of the border for each place
+  std::vector<Vec3> inside_;  ///< of the sheet at the nearest border, for each place
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs

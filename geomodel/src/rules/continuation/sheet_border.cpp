@@ -88,7 +88,9 @@ SheetBorder::SheetBorder(const TriangulatedSurface& horizon, const HorizonDivisi
     const Vec3 middle = 0.5 * (horizon.points[edge.first] + horizon.points[edge.second]);
     const Vec3 n = means ? means->about(middle, within, use.second) : normal(horizon, sheet[use.second]);
     const bool is_steep = std::hypot(n.x, n.y) > steepest_slope * std::abs(n.z);
-    edges_.push_back({a, b, is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall});
+    const Triangle& t = sheet[use.second];
+    edges_.push_back({a, b, is_steep ? Vec2{0, 0} : Vec2{-n.x / n.z, -n.y / n.z}, state == BorderState::met_wall,
+                      (1.0 / 3) * (horizon.points[t[0]] + horizon.points[t[1]] + horizon.points[t[2]])});
   }
   has_met_wall_.assign(points_.size(), true);
   for (const Edge& e : edges_)
@@ -126,7 +128,7 @@ SheetBorder::Place SheetBorder::continued_at(const Vec2& p) const {
 SheetBorder::Place SheetBorder::continued_from(const std::vector<Index>& edges, const Vec2& p) const {
   double least = std::numeric_limits<double>::infinity(), z = 0;
   Vec2 slope{0, 0};
-  Vec3 nearest;
+  Vec3 inside;
   bool has_met_wall = false;
   for (const Index row : edges) {
     const Edge& e = edges_[row];
@@ -137,13 +139,13 @@ SheetBorder::Place SheetBorder::continued_from(const std::vector<Index>& edges, 
     const double x = p.x - foot.x, y = p.y - foot.y, d = std::hypot(x, y);
     if (!(d < least)) continue;
     least = d;
-    nearest = foot;
+    inside = e.inside;
     has_met_wall = t <= 0 ? has_met_wall_[e.a] : t >= 1 ? has_met_wall_[e.b] : e.has_met_wall;
     slope = d > within_ ? Vec2{0, 0} : e.slope;
     const double share = d > within_ ? within_ / d : 1;
     z = foot.z + share * (e.slope.x * x + e.slope.y * y);
   }
-  return {{p.x, p.y, z}, least, slope, has_met_wall, nearest};
+  return {{p.x, p.y, z}, least, slope, has_met_wall, inside};
 }
 
 bool SheetBorder::meets(const Vec2& from, const Vec2& to) const {

@@ -34,7 +34,7 @@ class SheetBorder {
     double distance;    ///< distance from the border in the map
     Vec2 slope;         ///< slope of the sheet at the nearest border; zero beyond `within`
     bool has_met_wall;  ///< whether the border has already met its wall there
-    Vec3 foot;          ///< the nearest point of the border in the map
+    Vec3 inside;        ///< the centroid of the triangle at the nearest border
   };
   /// Returns the extrapolated place at p. O(log n + k) for the k edges up to about twice as far in the map as the
   /// nearest one, or as `within`.
@@ -52,6 +52,7 @@ class SheetBorder {
     Index a, b;
     Vec2 slope;
     bool has_met_wall;
+    Vec3 inside;
   };
 
   void index_edges();
