@@ -15,8 +15,9 @@ namespace geomesh {
 /// Lengths of the edges of a set of tetrahedra, each counted once, in ascending order of their vertices.
 struct EdgeLengths {
   std::vector<double> length;
-  /// Counts of edges by length over target size, which is the mean of the targets at the edge's ends, the least of the
-  /// components that it is in: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size field.
+  /// Histogram of length divided by target size. The target is the mean of those at the edge's two ends; if the edge is
+  /// in several components, that of the component where it is smallest. Upper bounds of the bins: 1/4, 1/2, 1/sqrt 2,
+  /// 1, sqrt 2, 2, 4, none. All are zero without a size field.
   std::array<std::size_t, 8> by_size{};
 };
 

@@ -9,7 +9,7 @@ namespace geomesh {
 namespace {
 
 constexpr std::size_t n_steps = 65536;
-/// The greatest value of each measure. Values that rounding makes larger are counted in the last step.
+/// The greatest possible value of each measure. Larger ones, by rounding, are counted in the last bin of its histogram.
 constexpr std::array<double, n_shape_measures> top{180, 180, 1, 1, 1, 360};
 
 /// Returns the step of a value among N equal ones from 0 to `greatest`.

@@ -17,7 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// With three points a plane passes through all of them, and nothing tells how wrong it is farther away.
+/// A plane passes through any three points, so their distances from it do not reveal how wrong it is farther away.
 constexpr std::size_t fewest_points = 4;
 
 /// Divides each triangle into n * n equal ones; neighbours still share their points.

@@ -134,8 +134,8 @@ VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRe
   return insertion_.vertex;
 }
 
-/// Returns whether a-b is an edge of the cells that the last insertion made. Edges of the removed cells have been
-/// removed unless they are among these, and the new vertex has no others.
+/// Returns whether a-b is an edge of a cell that the last insertion made. These cells suffice: an edge of a removed
+/// cell remains only if one of them has it, and all edges at the new vertex are theirs.
 bool ConformingRecovery::is_edge_of_new_star(VertexIndex a, VertexIndex b) const {
   return std::any_of(mesh_.last_created().begin(), mesh_.last_created().end(),
                      [&](CellIndex c) { return mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b); });

@@ -21,7 +21,9 @@ namespace geomesh::recover {
 struct Region {
   std::vector<CellIndex> cells;
   std::vector<VertexIndex> vertices;  ///< sorted, without the dropped ones
-  std::vector<Triangle> boundary;  ///< counter-clockwise as seen from inside; locked faces inside occur from both sides
+  /// Counter-clockwise as seen from the region's inside. A locked face between two of its cells is listed twice, once
+  /// in each orientation.
+  std::vector<Triangle> boundary;
   std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments of the cells, smaller vertex first, sorted
   std::vector<Tetrahedron> kept;                     ///< cells without a dropped vertex
 };

@@ -10,8 +10,9 @@
 
 namespace geomesh::remesh {
 
-/// Returns the patch of each facet according to the options. If surfaces are kept exactly, the facets that `merged`
-/// joins to one form a patch; otherwise facet_patch defines the patches, or, if it is empty, equal provenance does.
+/// Returns the patch of each facet. If surfaces are kept exactly, all facets that were merged into one (`merged`) form
+/// a patch. Otherwise patches are those of RefineOptions::facet_patch; if that is empty, facets of equal provenance
+/// form a patch.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
 /// The patches as users name them in sizes, whatever the honour mode is.

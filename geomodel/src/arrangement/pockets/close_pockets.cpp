@@ -58,7 +58,7 @@ Triangle sorted_corners(Triangle t) {
 
 using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends of an edge, the smaller first, and a surface
 
-/// Determines the part of its surface to which an origin belongs.
+/// The part of its surface to which each triangle of the input belongs.
 class Parts {
  public:
   explicit Parts(const std::vector<std::vector<Index>>& of_triangle) : of_triangle_(of_triangle) {}

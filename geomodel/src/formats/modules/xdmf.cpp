@@ -27,8 +27,8 @@ struct TaggedCells {
   std::vector<std::pair<const CellBlock*, std::int32_t>> blocks;  ///< with the number
 };
 
-/// Returns cells, facets or edges, by how many dimensions they have less than the mesh, which consists of triangles if
-/// fractures are written alone. XDMF orders the midpoints of a tetrahedron as VTK does.
+/// Returns the mesh's cells of this dimension. The mesh itself consists of triangles if fractures are written alone.
+/// Midpoints of edges keep their order, since XDMF has that of VTK.
 TaggedCells cells_of(const SolverMesh& mesh, int dimension) {
   const bool second = mesh.second_order();
   const std::array names{"region", "facet_tags", "edge_tags"};

@@ -56,7 +56,7 @@ void note(const ContinuedSurface& ledger, double within, const BuildLog& log) {
                         to_text(ledger.place) + " (extend: none keeps the border open)");
 }
 
-/// State of one surface while it is continued to its walls.
+/// State of one surface while it is continued to the faults, bodies and sides of the model that bound it.
 class Continuing {
  public:
   Continuing(BuiltSurfaces& built, Index row, const Walls& walls, const ContinuationRules& rules, double within)

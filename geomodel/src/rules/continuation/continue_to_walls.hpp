@@ -20,9 +20,10 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
 /// whole model.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 
-/// Continues horizons without `extend` and without throw, over at most ContinuationRules::within_of_horizons. Gaps in
-/// them that no fault or body explains are filled first. Horizons of these rows fill each block in which they have
-/// data. Returns the blocks, if any were needed.
+/// Continues the horizons that have neither `extend` nor throw by at most the distance
+/// ContinuationRules::within_of_horizons. Gaps in them that no fault or body explains are filled first. The horizons
+/// whose rows are in `fill_blocks` are continued through the whole of each fault block in which they have data.
+/// Returns the fault blocks if they had to be computed.
 std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const ModelRules& rules,
                                                const std::vector<Index>& fill_blocks, const BuildLog& log);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Whether a place lies on one side of many planes at once.
+/// Tests whether a place lies on the same side of each of many planes.
 #pragma once
 
 #include <cstdint>
