@@ -80,7 +80,7 @@ class Families(ProgramTest):
         self.assert_right("growth_fault", (4,), "careful")
 
     def test_picks_of_a_few_wells(self):
-        """In all but the first there are faults: one plate over their blocks smeared the throw."""
+        """In all but the first there are faults: one plate over their blocks was a ramp at the fault."""
         self.assert_right("sparse_picks", (0, 1, 5, 22))
 
     def test_lenses_between_horizons_that_cross_and_as_a_body(self):

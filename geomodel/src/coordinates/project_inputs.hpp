@@ -10,11 +10,11 @@
 
 #include "coordinates/georeference.hpp"
 #include "geomesh/core/run_context.hpp"
+#include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/model_volume.hpp"
 #include "geomesh/geomodel/tolerance_ledger.hpp"
 #include "geomesh/geomodel/tops.hpp"
-#include "gridding/block_surfaces.hpp"
 
 namespace geomesh::geomodel {
 

@@ -4,6 +4,7 @@
 /// (docs/input-formats.md).
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,15 @@ struct GriddedSurface {
 /// smoothing length; planes are reproduced (after Inoue, "A least-squares smooth fitting for irregularly spaced data",
 /// Geophysics 51, 1986). One sparse Cholesky factorisation: about n_nodes^1.5; the number of points hardly matters.
 GriddedSurface grid_points(const std::vector<Vec3>& points, const GriddingSpec& spec, GraphOver over, const Box3* box);
+
+/// The points from which a horizon was made over the map, and how.
+struct GriddedPoints {
+  std::vector<Vec3> points;
+  GriddingSpec spec;
+  double spacing = 0;  ///< of the grid
+};
+/// By row of the surface.
+using PointsOfHorizons = std::map<Index, GriddedPoints>;
 
 /// How far remeshing or smoothing moved a surface.
 struct SurfaceChange {

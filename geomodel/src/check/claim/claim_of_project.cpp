@@ -7,6 +7,7 @@
 #include "coordinates/project_inputs.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
+#include "geomesh/geomodel/gridding_in_blocks.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 #include "geomesh/geomodel/project.hpp"
 #include "geomesh/geomodel/readers.hpp"

@@ -7,6 +7,7 @@
 #include "fractures/crossings.hpp"
 #include "fractures/plane_polygons.hpp"
 #include "geomesh/geomodel/ask_stack.hpp"
+#include "geomesh/geomodel/gridding_in_blocks.hpp"
 #include "geomesh/geomodel/sizes_in_range.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "grid_sizes/size_grid.hpp"

@@ -3,22 +3,12 @@
 /// Horizons interpolated from points in each fault block by itself.
 #pragma once
 
-#include <map>
 #include <vector>
 
 #include "geomesh/geomodel/gridding.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
 
 namespace geomesh::geomodel {
-
-/// The points from which a horizon was made over the map, and how.
-struct GriddedPoints {
-  std::vector<Vec3> points;
-  GriddingSpec spec;
-  double spacing = 0;  ///< of the grid
-};
-/// By row of the surface.
-using PointsOfHorizons = std::map<Index, GriddedPoints>;
 
 /// How far a horizon that was made anew is from its points.
 struct GriddedInBlocks {
@@ -28,7 +18,7 @@ struct GriddedInBlocks {
   Vec3 largest_place;
 };
 
-/// A smooth surface through points on both sides of a fault would smear its throw. So where the points of a horizon lie
+/// A smooth surface through points on both sides of a fault would be a ramp there. So where the points of a horizon lie
 /// in several fault blocks, each block gets a surface from its own points, over the extent of the common one and as far
 /// as the block reaches. Blocks with too few points keep the common surface. Replaces these horizons; nothing changes
 /// without faults, without a volume, or where continuation to the walls of blocks is switched off. Throws as

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geomesh/geomodel/ask_stack.hpp"
-#include "gridding/block_surfaces.hpp"
+#include "geomesh/geomodel/gridding_in_blocks.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "gridding/block_surfaces.hpp"
+// Interpolates horizons in each fault block by itself, declared in geomesh/geomodel/gridding_in_blocks.hpp.
+#include "geomesh/geomodel/gridding_in_blocks.hpp"
 
 #include <algorithm>
 #include <array>
@@ -209,7 +210,7 @@ std::vector<GriddedInBlocks> grid_in_blocks(std::vector<TriangulatedSurface>& su
     return {};
   const FaultBlocks blocks(surfaces, rules);
   if (blocks.n_blocks() < 2) return {};
-  // What is left before a wall is closed by continuation, which reaches twice as far.
+  // Continuation, which reaches twice as far, closes the gap that this leaves before each wall.
   const double step = how.within_of_horizons / 2;
   std::vector<GriddedInBlocks> told;
   for (const auto& [row, points] : made) {
