@@ -109,18 +109,21 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
-/// Returns the shares of an edge at which walls are searched: the middle of each part between an end that is connected
-/// with the surface and the first wall on the way to the other end, or `middle` if no wall cuts the edge.
-std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle,
+/// Returns the shares of an edge at which walls are searched: `middle`, unless walls separate it from the ends that are
+/// connected with the surface; then the middles of the parts between these ends and the walls, as far as they lie in
+/// the box.
+std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle, const Box3& box,
                                         const WallSearch& search) {
-  const Vec3 &a = s.points[e.a], &b = s.points[e.b];
-  const std::optional<Walls::Hit> from_a = search.walls.first_hit(a, b, search.row),
-                                  from_b = search.walls.first_hit(b, a, search.row);
-  if (!from_a && !from_b) return {middle};
+  const Vec3 &a = s.points[e.a], &b = s.points[e.b], m = (1 - middle) * a + middle * b;
+  const std::optional<Walls::Hit> from_a = search.walls.first_hit(a, m, search.row),
+                                  from_b = search.walls.first_hit(b, m, search.row);
+  const bool holds_a = (e.cut_off & 1) == 0, holds_b = (e.cut_off & 2) == 0;
+  if ((holds_a && !from_a) || (holds_b && !from_b)) return {middle};
   std::vector<double> shares;
-  if ((e.cut_off & 1) == 0) shares.push_back(0.5 * (from_a ? from_a->share : 1));
-  if ((e.cut_off & 2) == 0) shares.push_back(1 - 0.5 * (from_b ? from_b->share : 1));
-  return shares;
+  if (holds_a) shares.push_back(0.5 * from_a->share * middle);
+  if (holds_b) shares.push_back(1 - 0.5 * from_b->share * (1 - middle));
+  std::erase_if(shares, [&](double share) { return !is_within(box, (1 - share) * a + share * b, 0); });
+  return shares.empty() ? std::vector<double>{middle} : shares;
 }
 
 /// Returns whether an edge lies on its wall, up to rounding; for an edge that crosses the wall, only its midpoint may
@@ -247,7 +250,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        for (const double place : places_before_walls(surface, e, share, search))
+        for (const double place : places_before_walls(surface, e, share, box, search))
           if (const auto hit = wall_before(surface, e, place, search); hit && (!e.hit || hit->share < e.hit->share))
             e.hit = hit;
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
