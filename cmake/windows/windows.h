@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Stands before MinGW-w64's header of this name, which oneTBB's headers include: without its macros for words that sources use as names.
+// Stands before MinGW-w64's header of this name, which oneTBB's headers include: without its macros for words that
+// sources use as names.
 #ifndef GEOMESH_WINDOWS_H
 #define GEOMESH_WINDOWS_H
 
