@@ -27,6 +27,10 @@ if(GEOMESH_MOLD AND NOT WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE
   add_link_options(-fuse-ld=mold)
 endif()
 
+if(MINGW)
+  include_directories(BEFORE SYSTEM "${PROJECT_SOURCE_DIR}/cmake/windows")  # windows.h without macros for `near` and `far`
+endif()
+
 set(GEOMESH_SANITIZE "" CACHE STRING "Sanitizers: address,undefined or thread")
 if(GEOMESH_SANITIZE)
   add_compile_options(-fsanitize=${GEOMESH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)  # a finding fails the test

@@ -30,10 +30,10 @@ class MedReader {
   explicit MedReader(const std::filesystem::path& path) : path_(path) {
     if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
     med_bool is_hdf = MED_FALSE, is_med = MED_FALSE;
-    if (MEDfileCompatibility(path.c_str(), &is_hdf, &is_med) < 0 || !is_hdf || !is_med)
+    if (MEDfileCompatibility(path.string().c_str(), &is_hdf, &is_med) < 0 || !is_hdf || !is_med)
       refuse("it is no MED file of a version that is read here");
     budget_.grow(static_cast<std::size_t>(std::filesystem::file_size(path)));
-    id_ = MEDfileOpen(path.c_str(), MED_ACC_RDONLY);
+    id_ = MEDfileOpen(path.string().c_str(), MED_ACC_RDONLY);
     if (id_ < 0) refuse("libmedc cannot open it: it is damaged");
   }
   ~MedReader() { MEDfileClose(id_); }

@@ -2,8 +2,9 @@
 #include "report_html/header_section.hpp"
 
 #include <array>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "report/words.hpp"
@@ -19,15 +20,19 @@ std::string date_words() {
   static constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",
                                                       "May",       "June",     "July",     "August",
                                                       "September", "October",  "November", "December"};
-  std::time_t now = std::time(nullptr);
+  namespace chrono = std::chrono;
+  auto now = chrono::floor<chrono::seconds>(chrono::system_clock::now());
   if (const char* const epoch = std::getenv("SOURCE_DATE_EPOCH"); epoch && *epoch)
-    now = std::strtoll(epoch, nullptr, 10);
-  std::tm utc{};
-  if (!gmtime_r(&now, &utc)) return {};
+    now = chrono::sys_seconds(chrono::seconds(std::strtoll(epoch, nullptr, 10)));
+  const auto day = chrono::floor<chrono::days>(now);
+  const chrono::year_month_day date(day);
+  const chrono::hh_mm_ss time(now - day);
+  if (!date.ok()) return {};
   char clock[16];
-  std::strftime(clock, sizeof clock, "%H:%M UTC", &utc);
-  return std::to_string(utc.tm_mday) + " " + months[static_cast<std::size_t>(utc.tm_mon)] + " " +
-         std::to_string(1900 + utc.tm_year) + ", " + clock;
+  std::snprintf(clock, sizeof clock, "%02d:%02d UTC", static_cast<int>(time.hours().count()),
+                static_cast<int>(time.minutes().count()));
+  return std::to_string(unsigned{date.day()}) + " " + months[unsigned{date.month()} - 1] + " " +
+         std::to_string(int{date.year()}) + ", " + clock;
 }
 
 std::string box_words(const Box3& bounds, const std::string& unit) {

@@ -103,7 +103,7 @@ bool clear_times_at(std::fstream& file, std::uint64_t address) {
 std::vector<std::uint64_t> addresses_of_headers(const std::filesystem::path& file) {
   std::vector<std::uint64_t> addresses;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t id = H5Fopen(file.string().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (id < 0) return {};
   const auto add = [](hid_t, const char*, const H5O_info_t* info, void* list) -> herr_t {
     static_cast<std::vector<std::uint64_t>*>(list)->push_back(info->addr);

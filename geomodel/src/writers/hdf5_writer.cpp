@@ -18,7 +18,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& temporary, const std::filesy
   constexpr std::size_t most_bytes_of_structure = 1 << 15, most_bytes_of_set = 1 << 11;
   require_room(temporary, file, payload + most_bytes_of_structure + n_sets * most_bytes_of_set);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  id_ = require(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  id_ = require(H5Fcreate(temporary.string().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
 Hdf5Writer::~Hdf5Writer() {

@@ -5,7 +5,7 @@
 
 #include "coordinates/georeference.hpp"
 #include "geomesh/core/error.hpp"
-#include "has_module.hpp"
+#include "installed.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;

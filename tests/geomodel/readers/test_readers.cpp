@@ -11,7 +11,7 @@
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
-#include "has_module.hpp"
+#include "installed.hpp"
 #include "plane_files.hpp"
 #include "scratch.hpp"
 

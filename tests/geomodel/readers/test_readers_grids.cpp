@@ -6,7 +6,7 @@
 
 #include "geomesh/geomodel/info.hpp"
 #include "geomesh/geomodel/readers.hpp"
-#include "has_module.hpp"
+#include "installed.hpp"
 #include "plane_files.hpp"
 #include "scratch.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "has_module.hpp"
+#include "installed.hpp"
 #include "plane_files.hpp"
 
 namespace geomesh::geomodel {

@@ -15,6 +15,7 @@
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "hand_made.hpp"
+#include "installed.hpp"
 #include "test_places.hpp"
 
 using namespace geomesh;
@@ -46,8 +47,8 @@ void read_back(const std::string& what, const fs::path& first, const fs::path& s
   const std::string command = std::string("timeout 120 /usr/bin/python3 ") + GEOMESH_SOURCE_DIR +
                               "/tests/geomodel/read_back.py " + what + " '" + first.string() + "' '" + second.string() +
                               "' > '" + log.string() + "' 2>&1";
-  const int status = std::system(command.c_str());
-  if (WIFEXITED(status) && (WEXITSTATUS(status) == 77 || WEXITSTATUS(status) == 127)) {
+  const int status = exit_code_of(command);
+  if (status == no_reader || status == no_program) {
     WARN("skipped: reading back with " << what << " (not installed)");
     return;
   }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A solver uses what we write: CalculiX on a box of three layers.
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "geomesh/geomodel/formats.hpp"
 #include "hand_made.hpp"
+#include "installed.hpp"
 #include "test_places.hpp"
 
 using namespace geomesh;
@@ -46,7 +46,7 @@ std::vector<std::vector<double>> table_below(const fs::path& file, const std::st
 }  // namespace
 
 TEST_CASE("CalculiX conducts heat through three layers of a written box as the analytic solution says", "[writers]") {
-  if (std::system("command -v ccx > /dev/null 2>&1") != 0) {
+  if (exit_code_of("command -v ccx > /dev/null 2>&1") != 0) {
     WARN("skipped: calculix-ccx is not installed");
     return;
   }
@@ -75,7 +75,7 @@ TEST_CASE("CalculiX conducts heat through three layers of a written box as the a
        << ", NAME=bottom_flux\nFLUX\n*END STEP\n";
   deck.close();
   const std::string command = "cd '" + folder.string() + "' && timeout 100 ccx heat > ccx.log 2>&1";
-  REQUIRE(std::system(command.c_str()) == 0);
+  REQUIRE(exit_code_of(command) == 0);
 
   const double flux = hot / (1 / conductivity[0] + 1 / conductivity[1] + 1 / conductivity[2]);
   const std::pair<const char*, double> expected[] = {{"UPPER", flux / conductivity[0]},

@@ -89,7 +89,7 @@ bool NetcdfWriter::put_all(int file, const std::vector<int>& ids) const {
 
 bool NetcdfWriter::write(const std::filesystem::path& path) const {
   int file = -1, before = 0;
-  if (nc_create(path.c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &file) != NC_NOERR) return false;
+  if (nc_create(path.string().c_str(), NC_CLOBBER | NC_64BIT_OFFSET, &file) != NC_NOERR) return false;
   nc_set_fill(file, NC_NOFILL, &before);  // everything is written
   std::vector<int> ids;
   const bool good = define(file, ids) && put_all(file, ids);

@@ -44,7 +44,7 @@ class MedWriter {
       : temporary_(temporary), file_(file), mesh_(mesh) {
     collect_node_families();
     require_room(temporary, file, most_bytes());
-    id_ = MEDfileOpen(temporary.c_str(), MED_ACC_CREAT);
+    id_ = MEDfileOpen(temporary.string().c_str(), MED_ACC_CREAT);
     if (id_ < 0) refuse_to_write(file_);
     name_ = SolverNames(MED_NAME_SIZE).give(mesh.source->name);
   }

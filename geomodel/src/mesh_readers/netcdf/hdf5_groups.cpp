@@ -94,7 +94,7 @@ Hdf5Groups check_hdf5_groups(const std::filesystem::path& path) {
   H5Eget_auto2(H5E_DEFAULT, &print, &to);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the netCDF library reports files that cannot be opened
   Hdf5Groups found;
-  if (const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); file >= 0) {
+  if (const hid_t file = H5Fopen(path.string().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); file >= 0) {
     found = Walk(file, std::filesystem::file_size(path)).found;
     H5Fclose(file);
   }

@@ -15,7 +15,8 @@ NetcdfReader::NetcdfReader(const std::filesystem::path& path) : path_(path) {
   if (!std::ifstream(path)) throw Error(ErrorKind::usage, path.string() + ": cannot be opened");
   if (const std::string fault = netcdf_header_fault(path); !fault.empty()) refuse(fault);
   if (const std::string fault = check_hdf5_groups(path).fault; !fault.empty()) refuse(fault);
-  if (nc_open(path.c_str(), NC_NOWRITE, &file_) != NC_NOERR) refuse("it is no Exodus file (netCDF), or damaged");
+  if (nc_open(path.string().c_str(), NC_NOWRITE, &file_) != NC_NOERR)
+    refuse("it is no Exodus file (netCDF), or damaged");
 }
 
 NetcdfReader::~NetcdfReader() {

@@ -34,7 +34,7 @@ std::string name_of(const VectorFeature& feature) {
 
 class VectorReader {
  public:
-  explicit VectorReader(const InputFile& file) : file_(file), found_(vector_module().read(file.path.c_str())) {
+  explicit VectorReader(const InputFile& file) : file_(file), found_(vector_module().read(file.path.string().c_str())) {
     if (found_.error.find(".shx") != std::string::npos)
       file.fail(
           "the file with the same name and the ending .shx is missing or damaged: the files of a Shapefile (.shp, "

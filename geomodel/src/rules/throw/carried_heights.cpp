@@ -31,8 +31,8 @@ class AcrossStrike {
 CarriedHeights::CarriedHeights(const TriangulatedSurface& surface, double edge)
     : surface_(surface), edge_(edge), cell_(fit_radius * edge) {}
 
-std::pair<long, long> CarriedHeights::cell_of(double x, double y) const {
-  return {std::lround(std::floor(x / cell_)), std::lround(std::floor(y / cell_))};
+std::pair<std::int64_t, std::int64_t> CarriedHeights::cell_of(double x, double y) const {
+  return {std::llround(std::floor(x / cell_)), std::llround(std::floor(y / cell_))};
 }
 
 void CarriedHeights::add(VertexIndex node) {
@@ -44,8 +44,8 @@ template <class F>
 void CarriedHeights::for_each_near(const Vec3& p, double radius, F&& visit) const {
   const auto [i0, j0] = cell_of(p.x - radius, p.y - radius);
   const auto [i1, j1] = cell_of(p.x + radius, p.y + radius);
-  for (long i = i0; i <= i1; ++i)
-    for (long j = j0; j <= j1; ++j) {
+  for (std::int64_t i = i0; i <= i1; ++i)
+    for (std::int64_t j = j0; j <= j1; ++j) {
       const auto at = cells_.find({i, j});
       if (at == cells_.end()) continue;
       for (const VertexIndex v : at->second) visit(surface_.points[v]);

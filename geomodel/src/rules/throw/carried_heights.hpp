@@ -3,6 +3,7 @@
 /// Extrapolates heights of a horizon beyond its nodes, towards a fault and across it.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,11 +29,11 @@ class CarriedHeights {
  private:
   template <class F>
   void for_each_near(const Vec3& p, double radius, F&& visit) const;
-  std::pair<long, long> cell_of(double x, double y) const;
+  std::pair<std::int64_t, std::int64_t> cell_of(double x, double y) const;
 
   const TriangulatedSurface& surface_;
   double edge_, cell_;
-  std::map<std::pair<long, long>, std::vector<VertexIndex>> cells_;
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<VertexIndex>> cells_;
 };
 
 }  // namespace geomesh::geomodel
