@@ -18,7 +18,7 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 from random_models import RandomModel  # noqa: E402
-from run_random_models import judged_outcome  # noqa: E402
+from run_random_models import checked_outcome  # noqa: E402
 
 
 def used_alone(points, triangles):
@@ -79,7 +79,7 @@ class Minimiser:
 
     def outcome(self, model, program):
         with tempfile.TemporaryDirectory() as folder:
-            outcome, why = judged_outcome(model.write(folder), folder, program, self.limit)
+            outcome, why = checked_outcome(model.write(folder), folder, program, self.limit)
         return outcome, re.split("[:;(]", why)[0] if outcome == "wrong" else ""
 
     def is_kept(self, model):
