@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Whole models of tests/corpus: each failed once, and is meshed and passes the check now. What failed is in tests/corpus/models/README.md, and
 in the README of the other folders."""
+import json
 import os
 import shutil
 
@@ -30,6 +31,18 @@ class CorpusModels(ProgramTest):
                 project = os.path.join(MODELS, name, "project.yaml")
                 self.run_program(project, "-o", self.path(name), "--quiet")
                 self.check(self.path(name, "model.vtu"), "--project", project)
+                self.assert_regions(name)
+
+    def assert_regions(self, name):
+        """A model with regions.json has the regions that are there, by name and volume."""
+        expected = os.path.join(MODELS, name, "regions.json")
+        if not os.path.exists(expected):
+            return
+        volumes = {region["name"]: region["volume"] for region in self.report(self.path(name, "model.report.json"))["regions"]}
+        with open(expected, encoding="utf-8") as file:
+            for region, volume in json.load(file).items():
+                self.assertAlmostEqual(volumes.pop(region) / volume, 1, delta=0.001)
+        self.assertEqual(volumes, {})
 
     def test_surfaces_that_cross_in_narrow_strips_share_no_edge_that_no_curve_lists(self):
         project = os.path.join(CORPUS, "touching_strips", "project.yaml")

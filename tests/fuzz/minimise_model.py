@@ -5,10 +5,12 @@
     tests/fuzz/minimise_model.py 860690 --light --failing OLD/bin/geomesh --folder tests/corpus/models/NAME
     tests/fuzz/minimise_model.py 3105 --options --failing OLD/bin/geomesh --folder ...      of the random options
     tests/fuzz/minimise_model.py some/folder --failing OLD/bin/geomesh --folder ...         of a project and its surfaces
+    tests/fuzz/minimise_model.py some/folder --regions ...      fails where it has other regions than the passing program's
 
 A failure that is mended shows no more, so the failing program is an older one, or one without the change that mended it. Wells, surfaces,
 keys and triangles are deleted, by halves and then one by one, and edges are contracted, as long as it fails in the same way and the other
-program passes. Only surfaces in the form of the random models (GOCAD TSurf) lose triangles.
+program passes. Only surfaces in the form of the random models (GOCAD TSurf) lose triangles. With `--regions`, the passing program's regions
+and their volumes are written beside the project, and the test of the corpus expects them.
 """
 import argparse
 import copy
@@ -131,30 +133,45 @@ class Model:
             yield from Model.paths_of_keys(entry, (*path, key))
 
 
+def regions_of(folder):
+    """Volumes by name, from the report of a run."""
+    with open(os.path.join(folder, "out", "model.report.json"), encoding="utf-8") as file:
+        return {region["name"]: region["volume"] for region in json.load(file)["regions"]}
+
+
+def are_alike(some, others):
+    share = 0.01  # of the volume of the model
+    return set(some) == set(others) and all(abs(some[name] - others[name]) < share * sum(some.values()) for name in some)
+
+
 class Minimiser:
-    def __init__(self, failing, passing, limit, minutes):
+    def __init__(self, failing, passing, limit, minutes, by_regions=False):
         self.failing, self.passing, self.limit, self.end = failing, passing, limit, time.monotonic() + 60 * minutes
-        self.kind = None
+        self.by_regions, self.kind, self.regions = by_regions, None, {}
 
     def outcome(self, model, program):
         with tempfile.TemporaryDirectory() as folder:
             outcome, why = checked_outcome(model.write(folder), folder, program, self.limit, options=True)
+            self.regions = regions_of(folder) if self.by_regions and outcome in ("passes", "wrong") else {}
         return outcome, re.split("[:;(]", why)[0] if outcome == "wrong" else ""
 
     def is_kept(self, model):
-        return time.monotonic() < self.end and self.outcome(model, self.failing) == self.kind and self.outcome(model, self.passing)[0] == "passes"
+        if time.monotonic() > self.end or self.outcome(model, self.failing) != self.kind:
+            return False
+        of_failing = self.regions
+        return self.outcome(model, self.passing)[0] == "passes" and (not self.by_regions or not are_alike(of_failing, self.regions))
 
     def run(self, model):
         self.kind = self.outcome(model, self.failing)
         print("%d triangles: %s %s" % (model.n_triangles(), *self.kind), flush=True)
-        if self.kind[0] == "passes" or not self.is_kept(model):
+        if (self.kind[0] == "passes" and not self.by_regions) or not self.is_kept(model):
             return None
         before = None
         while before != (model.text(), model.surfaces) and time.monotonic() < self.end:
             before = model.text(), model.surfaces
             model = self.without_parts(model)
             for name in [entry["file"] for entry in model.project["surfaces"] if entry["file"] in model.surfaces]:
-                model = self.with_fewer_points(self.without_triangles(model, name), name)
+                model = self.without_triangles(self.with_fewer_points(model, name), name)
             print("%d triangles of %d surfaces" % (model.n_triangles(), len(model.project["surfaces"])), flush=True)
         return model
 
@@ -181,20 +198,34 @@ class Minimiser:
         return model
 
     def with_fewer_points(self, model, name):
-        """Contracts edges, each to one of its ends, where that leaves triangles."""
-        tried = set()
-        while True:
+        """Contracts edges that share no vertex, each to one of its ends: half of them at once, then fewer."""
+        size = len(model.surfaces[name][0]) // 3
+        while size > 0:
             points, triangles = model.surfaces[name]
-            edges = [(a, b) for t in triangles for a in t for b in t if a != b and (points[a], points[b]) not in tried]
-            if not edges:
-                return model
-            a, b = edges[0]
-            tried.add((points[a], points[b]))
-            moved = [tuple(b if v == a else v for v in t) for t in triangles]
-            moved = [t for t in moved if len(set(t)) == 3]
-            less = model.with_surface(name, points, moved) if moved else None
-            if less and self.is_kept(less):
-                model = less
+            edges = [edge for t in triangles for edge in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0]))]
+            edges = edges if size == 1 else apart(edges)
+            edges = list(dict.fromkeys(edges + [(b, a) for a, b in edges]))
+            for first in range(0, len(edges), size):
+                onto = {a: b for a, b in apart(edges[first:first + size])}
+                moved = [tuple(onto.get(v, v) for v in t) for t in triangles]
+                moved = [t for t in moved if len(set(t)) == 3]
+                less = model.with_surface(name, points, moved) if moved else None
+                if less and self.is_kept(less):
+                    model = less
+                    break
+            else:
+                size //= 2
+        return model
+
+
+def apart(edges):
+    """Edges of the list that share no vertex with those before."""
+    used, kept = set(), []
+    for edge in edges:
+        if used.isdisjoint(edge):
+            kept.append(edge)
+            used.update(edge)
+    return kept
 
 
 def model_of(options):
@@ -212,17 +243,23 @@ def main():
     options.add_argument("--light", action="store_true", help="with fewer triangles and larger sizes")
     options.add_argument("--as-default", action="store_true", help="with `mesh: {size: L}` in place of the modes")
     options.add_argument("--options", action="store_true", help="with random keys of the project file (random_options.py)")
+    options.add_argument("--regions", action="store_true", help="it fails where names or volumes of its regions are others")
     options.add_argument("--failing", required=True, help="the program that fails")
     options.add_argument("--passing", default=os.path.join(HERE, "..", "..", "build", "release", "bin", "geomesh"), help="the program that passes")
     options.add_argument("--folder", required=True, help="of the model that is left")
     options.add_argument("--limit", type=int, default=20, help="CPU seconds of one run")
     options.add_argument("--minutes", type=float, default=10, help="after which what is left is written")
     options = options.parse_args()
-    model = Minimiser(options.failing, options.passing, options.limit, options.minutes).run(model_of(options))
+    minimiser = Minimiser(options.failing, options.passing, options.limit, options.minutes, options.regions)
+    model = minimiser.run(model_of(options))
     if model is None:
         raise SystemExit("the one program passes, or the other one does not")
     shutil.rmtree(options.folder, ignore_errors=True)
     model.write(options.folder)
+    if options.regions:
+        minimiser.outcome(model, options.passing)
+        with open(os.path.join(options.folder, "regions.json"), "w", encoding="utf-8") as file:
+            file.write(json.dumps(minimiser.regions, indent=1) + "\n")
     return 0
 
 
