@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of ways to break an output, each with the faults of which the judge must name one at least."""
+"""The list of ways to break an output, each with the faults of which the checker must name one at least."""
 
 CORRUPTIONS = {}
 

@@ -65,7 +65,7 @@ class DamagedMeshes(ProgramTest):
             self.assertIn("damaged", self.run_program("check", self.write("bad.vtk", text), status=BAD_INPUT))
 
     def test_legacy_file_that_ends_early(self):
-        """What VTK's reader had not read stayed as memory was, and was judged."""
+        """What VTK's reader had not read stayed as memory was, and was checked."""
         with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "mesh_two_tetrahedra.vtk")) as file:
             whole = file.read()
         for text in (whole.replace("0 0 -1", "0 0 x"), whole.replace("1 1\n", "1 x\n"), whole.rstrip()[:-1]):

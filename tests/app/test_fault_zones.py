@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fault zones: volume elements between two walls of a fault, judged, in every format, and solved across."""
+"""Fault zones: volume elements between two walls of a fault, checked, in every format, and solved across."""
 import os
 import shutil
 import unittest
@@ -29,7 +29,7 @@ class Zones(ProgramTest):
         self.run_program("project.yaml")
         return self.report(self.path("model.report.json"))
 
-    def judged(self, status=0):
+    def checked(self, status=0):
         return self.check(self.path("model.vtu"), "--project", self.path("project.yaml"), status=status)
 
     def test_a_zone_has_its_volume_its_walls_and_its_layers(self):
@@ -51,7 +51,7 @@ class Zones(ProgramTest):
         values = {v for v, r in zip(grid["CellData", "porosity"].values, grid["CellData", "region"].values) if r == zone}
         self.assertEqual(values, {0.1})
         self.assertEqual(grid["FieldData", "group:broken"].values, [zone])
-        self.judged()
+        self.checked()
 
     def test_a_zone_ends_as_a_wedge_at_the_tip(self):
         report = self.mesh("{F1: {thickness: 0.5, layers: 2}}", surfaces=[("F1", "fault", DANGLING), ("top", "horizon", [(-1, -1, 5), (11, -1, 5), (11, 11, 5), (-1, 11, 5)])],
@@ -63,7 +63,7 @@ class Zones(ProgramTest):
         names = {c["name"] for c in report["curves"]}
         self.assertLessEqual({"F1.minus*top", "F1.plus*top", "F1.minus*ymin"}, names)
         self.assertNotIn("F1*top", names)
-        self.judged()
+        self.checked()
 
     def test_walls_follow_the_surfaces_that_they_cut(self):
         """A horizon that dips by 45 degrees across the fault stays plane, and sides of the box stay where they are."""
@@ -77,7 +77,7 @@ class Zones(ProgramTest):
         self.assertGreater(len(on), 5)
         for n in on:
             self.assertAlmostEqual(points[3 * n], points[3 * n + 2], delta=1e-9)
-        self.judged()
+        self.checked()
 
     def test_faults_with_throw_have_one_side_all_over(self):
         """Region ids change order along the fault, the walls do not change sides."""
@@ -140,25 +140,25 @@ class Zones(ProgramTest):
         cross = [(-1, 5, -1), (11, 5, -1), (11, 5, 11), (-1, 5, 11)]
         report = self.mesh("{F1: {thickness: 0.4}}", surfaces=[("F1", "fault", WALL), ("F2", "fault", cross)])
         self.assertAlmostEqual(next(s["area"] for s in report["surfaces"] if s["name"] == "F2"), 96, delta=1e-9)
-        self.judged()
+        self.checked()
 
-    def test_the_judge_sees_another_thickness_other_layers_and_moved_points(self):
+    def test_the_checker_sees_another_thickness_other_layers_and_moved_points(self):
         self.mesh("{F1: {thickness: 0.5, layers: 2}}")
-        self.judged()
+        self.checked()
         with open(self.path("project.yaml")) as file:
             text = file.read()
         for asked in ("thickness: 0.7, layers: 2", "thickness: 0.5, layers: 3"):
             self.write("project.yaml", text.replace("thickness: 0.5, layers: 2", asked))
-            self.assertIn("wrong_fault_zones", {f["id"] for f in self.judged(status=3)["faults"]})
+            self.assertIn("wrong_fault_zones", {f["id"] for f in self.checked(status=3)["faults"]})
         self.write("project.yaml", text)
         grid = VtkFile.read(self.path("model.vtu"))
         at = grid["PointData", "before_zones"]
         at.values = [x + (0.25 if i % 3 == 0 and abs(x - 5) < 1e-9 else 0) for i, x in enumerate(at.values)]
         grid.write(self.path("model.vtu"))
-        self.assertTrue({f["id"] for f in self.judged(status=3)["faults"]})
+        self.assertTrue({f["id"] for f in self.checked(status=3)["faults"]})
         grid.remove("PointData", "before_zones")
         grid.write(self.path("model.vtu"))
-        self.assertIn("wrong_fault_zones", {f["id"] for f in self.judged(status=3)["faults"]})
+        self.assertIn("wrong_fault_zones", {f["id"] for f in self.checked(status=3)["faults"]})
 
     def test_convert_opens_a_zone_too(self):
         self.project("{}")

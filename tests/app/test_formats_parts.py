@@ -277,7 +277,7 @@ class PutTogether(PartsTest):
         self.convert("m.e", "--partitions", "11")
         self.back("m.e.11.03", curves=False)
 
-    def test_exodus_of_second_order_is_judged_as_one(self):
+    def test_exodus_of_second_order_is_checked_as_one(self):
         self.convert("m.e", "--partitions", str(N), "--order", "2")
         check = self.check(self.path("m.e.%d.0" % N))
         self.assertTrue(any("Bezier" in text for text in check["checks_done"]))

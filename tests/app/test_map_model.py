@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the data of a geological map to a block model (samples/from-map), judged against the map's own observations."""
+"""From the data of a geological map to a block model (samples/from-map), checked against the map's own observations."""
 import csv
 import os
 import re

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random columns with rules (tests/fuzz/random_rules.py): 24 in every run of the tests, more by night. Each mesh passes the judge, fills the
-volume, and has at each element's centroid the unit that the rules give there.
+"""Random columns with rules (tests/fuzz/random_rules.py): 24 from seed 0 in every run of the tests, 600 by night. Each mesh passes
+the check, fills the volume, and has at each element's centroid the unit that the rules give there.
 
     GEOMESH_RANDOM_RULES=1000 GEOMESH_RANDOM_SEED=5000 ctest ... -R app.random_rules     another number, other seeds
 """
@@ -55,23 +55,14 @@ class RandomRulesTest(ProgramTest):
                 wrong.append((name, unit, place))
         return wrong, n_asked
 
-    def assert_units(self, seeds):
+    def test_each_element_is_in_the_unit_that_the_rules_give(self):
         n_asked = 0
-        for seed in seeds:
+        for seed in range(FIRST, FIRST + COUNT):
             with self.subTest(seed=seed):
                 wrong, asked = self.wrong_places(seed)
                 n_asked += asked
                 self.assertEqual(wrong[:3], [], "%d of %d" % (len(wrong), asked))
-        self.assertGreater(n_asked, 100 * len(seeds))
-
-    def test_what_was_wrong(self):
-        """51, 92: a horizon that was eroded before another one came cut that one. 4122: at faults a settled horizon gave way to one without
-        throw, against the rules. 4365: of a block below the bottom of the model its overshoot stayed. 5013: a horizon was cut by a part of
-        another one alone. 5038: a block where a rule cut all of a horizon away had the wrong unit."""
-        self.assert_units((51, 92, 4122, 4365, 5013, 5038))
-
-    def test_each_element_is_in_the_unit_that_the_rules_give(self):
-        self.assert_units(range(FIRST, FIRST + COUNT))
+        self.assertGreater(n_asked, 100 * COUNT)
 
 
 if __name__ == "__main__":

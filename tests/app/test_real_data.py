@@ -165,7 +165,7 @@ class ModelA4(ProgramTest):
 
 
 class SurfacesThatCross(ProgramTest):
-    """Sets that cross themselves or each other, intersected, meshed, and judged against the surfaces as given."""
+    """Sets that cross themselves or each other, intersected, meshed, and checked against the surfaces as given."""
 
     def mesh_and_check(self, files, *options):
         self.run_program("mesh", *files, "-o", "out.vtu", "--quiet", *options)

@@ -308,7 +308,7 @@ class Refinement(ProgramTest):
         self.assertFalse(os.path.exists(self.path("plate.vtu")))
 
     def test_surfaces_within_a_tolerance(self):
-        """The project's tolerance is what `check` judges by; a tenth of it is not met."""
+        """The project's tolerance is what `check` checks by; a tenth of it is not met."""
         for name, mesh, regions in (("sediment-grains", "{size: {global: 35, input_edges: false}, honour: tolerance, tolerance: 0.5}", 9),
                                     ("faulted-layers", "{size: {global: 700, input_edges: false}, honour: tolerance, tolerance: 5}", 12)):
             shutil.rmtree(self.path("sample"), ignore_errors=True)

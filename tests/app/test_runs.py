@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How a run behaves: threads, stopping early, interrupts, what is left behind, check as a judge of other meshes."""
+"""How a run behaves: threads, stopping early, interrupts, what is left behind, check as a checker of other meshes."""
 import filecmp
 import os
 import signal

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elements of second order on curved input: volume, tolerance, Jacobians, the order of nodes in each format, and the judge."""
+"""Elements of second order on curved input: volume, tolerance, Jacobians, the order of nodes in each format, and the checker."""
 import itertools
 import math
 
@@ -140,7 +140,7 @@ class Curved(ProgramTest):
             found.add(edges)
         return found
 
-    def test_the_judge_names_a_midpoint_that_is_off_and_one_that_turns_an_element(self):
+    def test_the_checker_names_a_midpoint_that_is_off_and_one_that_turns_an_element(self):
         self.model()
         grid = VtkFile.read(self.path("model.vtu"))
         at, nodes = grid["Points", "Points"], grid["Cells", "connectivity"].values

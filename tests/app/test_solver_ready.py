@@ -57,7 +57,7 @@ class SolverReady(ProgramTest):
             with open(os.path.join(folder, name + ".frd")) as file:
                 self.assertNotIn("NaN", file.read(), name)
 
-    def judge(self, project):
+    def assert_ready(self, project):
         self.ask_for_inp(project)
         printed = self.run_program(project, "-o", self.path("out"))
         self.assertIn("fit for solvers", printed)
@@ -83,14 +83,14 @@ class SolverReady(ProgramTest):
 
 def of_sample(name):
     def test(self):
-        self.judge(self.copy_of_sample(name, None))
+        self.assert_ready(self.copy_of_sample(name, None))
     return test
 
 
 def of_template(name):
     def test(self):
         self.run_program("init", self.path("made"), "--template", name)
-        self.judge(self.path("made", "project.yaml"))
+        self.assert_ready(self.path("made", "project.yaml"))
     return test
 
 
@@ -136,7 +136,7 @@ class Defaults(ProgramTest):
         self.assertEqual(bad["tetrahedra"] - bad["forced"], 0)
 
     def test_a_surface_that_overshoots_another_by_a_little_ends_on_it(self):
-        """Two faults, one of which passes the other by a thousandth of the size: no element is flat but where all is kept; the judge agrees."""
+        """Two faults, one of which passes the other by a thousandth of the size: no element is flat but where all is kept; the checker agrees."""
         self.write("a.ts", plane_ts("a", [(5, 1, 1), (5, 9, 1), (5, 9, 9), (5, 1, 9)]))
         self.write("b.ts", plane_ts("b", [(1, 5, 2), (5.0005, 5, 2), (5.0005, 5, 8), (1, 5, 8)]))
         text = "box: {min: [0, 0, 0], max: [10, 10, 10]}\nsurfaces:\n  - {name: a, kind: fault, file: a.ts}\n  - {name: b, kind: fault, file: b.ts}\n"

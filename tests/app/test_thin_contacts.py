@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Surfaces that touch, cross or miss each other by about an ulp, at coordinates of a map grid: each model is meshed and passes the judge.
+"""Surfaces that touch, cross or miss each other by about an ulp, at coordinates of a map grid: each model is meshed and passes the checker.
 
     GEOMESH_THIN_CONTACTS=200 ctest ... -R app.thin_contacts     another number of each kind
 
@@ -99,7 +99,7 @@ def ending(dice):
 
 
 class ThinContacts(ProgramTest):
-    def mesh_and_judge(self, make):
+    def mesh_and_check(self, make):
         for seed in range(COUNT):
             with self.subTest(seed=seed):
                 surfaces = make(random.Random(seed))
@@ -118,16 +118,16 @@ output: {directory: out, formats: [vtu]}
                 self.check(self.path("out", "m.vtu"), "--project", project)
 
     def test_horizons_that_cross_at_tiny_angles(self):
-        self.mesh_and_judge(crossing)
+        self.mesh_and_check(crossing)
 
     def test_twins_a_billionth_of_a_metre_apart(self):
-        self.mesh_and_judge(twins)
+        self.mesh_and_check(twins)
 
     def test_salt_that_kisses_a_fault(self):
-        self.mesh_and_judge(kissing)
+        self.mesh_and_check(kissing)
 
     def test_horizons_that_end_on_a_fault_but_for_rounding(self):
-        self.mesh_and_judge(ending)
+        self.mesh_and_check(ending)
 
 
 if __name__ == "__main__":

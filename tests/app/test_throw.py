@@ -145,7 +145,7 @@ column: [upper, young, middle, old, lower]
         self.assert_volumes(volumes, {"upper__1": 250, "middle": 100, "lower__1": 150, "upper__2": 150, "lower__2": 350})
         self.told(report, "warnings", "by the horizons as they were deposited")
 
-    def test_the_judge_misses_a_block_that_went(self):
+    def test_the_checker_misses_a_block_that_went(self):
         """The mesh of one block held against a project with two."""
         self.fault()
         self.surface("h", [(-1, 6), (4.0, 6)])

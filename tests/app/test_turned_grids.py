@@ -2,7 +2,7 @@
 """Grids in a volume whose sides run along their rows: a turned box, a polygon of the map, a box along the axes.
 
 The sides and the grid are computed apart from each other, as users do. So the rows are on the sides but for rounding. Each model must be
-meshed in the time that its number of elements asks for, pass the judge, and have no element too flat that nothing forces.
+meshed in the time that its number of elements asks for, pass the checker, and have no element too flat that nothing forces.
 
 So must be models with a fault past an upright edge of the volume, or with two that cross where both have vertices.
 
@@ -119,7 +119,7 @@ class TurnedGrids(ProgramTest):
             self.write(name + ".ts", triangles_ts(name, points, triangles))
         return self.write("m.yaml", model.project(mesh))
 
-    def mesh_and_judge(self, model, mesh, is_left_flat=False):
+    def mesh_and_check(self, model, mesh, is_left_flat=False):
         project = self.write_model(model, mesh)
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         self.run_program(project)
@@ -138,14 +138,14 @@ class TurnedGrids(ProgramTest):
             model = Model(seed)
             mesh = random.Random(seed).choice(("{}", "{honour: exact}", f"{{size: {2 * model.step:g}}}", f"{{tolerance: 2, size: {3 * model.step:g}}}"))
             with self.subTest(seed=seed, mesh=mesh):
-                self.mesh_and_judge(model, mesh)
+                self.mesh_and_check(model, mesh)
 
     def test_rows_on_the_sides_but_for_what_files_round_to(self):
         """Horizons that end there reach the sides within the tolerance, as those in a box along the axes do."""
         for seed in range(COUNT):
             for decimals in (2, 6):
                 with self.subTest(seed=seed, decimals=decimals):
-                    self.mesh_and_judge(Model(seed, decimals), "{}")
+                    self.mesh_and_check(Model(seed, decimals), "{}")
 
     def test_faults_past_an_upright_edge_are_drawn_to_it(self):
         """Beside the edge such a fault leaves no room for an element, so none may be flat, and nothing is left to tell of."""
@@ -153,7 +153,7 @@ class TurnedGrids(ProgramTest):
             model = Model(1000 + seed, random.Random(seed).choice((None, 6, 3, 2)))
             model.take_fault_by_corner()
             with self.subTest(seed=seed, decimals=model.decimals):
-                report = self.mesh_and_judge(model, "{}")
+                report = self.mesh_and_check(model, "{}")
                 self.assertEqual(report["quality"]["below_8_degrees"]["tetrahedra"], 0, report["quality"]["worst"])
                 self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
 
@@ -163,7 +163,7 @@ class TurnedGrids(ProgramTest):
             model = Model(2000 + seed, random.Random(seed).choice((None, 6, 3, 2)))
             model.take_crossing_faults()
             with self.subTest(seed=seed, decimals=model.decimals):
-                report = self.mesh_and_judge(model, "{}", is_left_flat=seed in CROSSINGS_LEFT_FLAT)
+                report = self.mesh_and_check(model, "{}", is_left_flat=seed in CROSSINGS_LEFT_FLAT)
                 if seed in CROSSINGS_LEFT_FLAT:
                     self.assertFalse(report["solver"]["passes"], "mended: take it off the list")
                 else:
@@ -176,7 +176,7 @@ class TurnedGrids(ProgramTest):
         east, north = 0.1 * model.east, 0.1 * model.north
         ends = ((-east, -north, 1), (model.east + east, model.north + north, 1), (model.east + east, model.north + north, -21), (-east, -north, -21))
         model.surfaces[2:] = [("f", "fault", [(*model.place(x, y), z * model.unit) for x, y, z in ends], [(0, 1, 2), (0, 2, 3)])]
-        report = self.mesh_and_judge(model, "{}")
+        report = self.mesh_and_check(model, "{}")
         self.assertFalse([w for w in report["warnings"] if "falls into" not in w])
 
     def test_needles_that_ask_for_most_elements_are_told_before_the_work(self):

@@ -12,6 +12,18 @@ def write_surface(folder, name, points, triangles):
         file.write("END\n")
 
 
+def read_surface(path):
+    """The points and triangles of a file of write_surface."""
+    points, triangles = [], []
+    with open(path) as file:
+        for fields in map(str.split, file):
+            if fields and fields[0] == "VRTX":
+                points.append(tuple(map(float, fields[2:5])))
+            elif fields and fields[0] == "TRGL":
+                triangles.append(tuple(int(v) - 1 for v in fields[1:4]))
+    return points, triangles
+
+
 def write_project(folder, text):
     """Returns the file."""
     project = os.path.join(folder, "project.yaml")

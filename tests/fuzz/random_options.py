@@ -5,8 +5,7 @@
     python3 tests/fuzz/random_options.py SEED FOLDER     writes FOLDER/project.yaml and its surfaces
 
 The surfaces are those of random_models.py. Each group of keys (box, surfaces, rules, sizes, output ...) is drawn by itself, so that options
-meet each other by chance. Some combinations are mistakes, which the program has to tell (status 2). Tests name seeds: what changes the
-order of the draws here, or in random_models.py, gives these other models.
+meet each other by chance. Some combinations are mistakes, which the program has to tell (status 2).
 """
 import json
 import os

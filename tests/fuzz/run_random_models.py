@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes random whole models and has each judged by `geomesh check`; what is not in order is listed and kept.
+"""Meshes random whole models and has each checked by `geomesh check`; what is not in order is listed and kept.
 
     tests/fuzz/run_random_models.py --count 1000 --seed 1 --folder build/random     all that fails stays in the folder
     tests/fuzz/run_random_models.py --count 1000 --as-default                       with `mesh: {size: L}`, what most projects ask for
@@ -52,10 +52,10 @@ def run(program, arguments, limit):
 
 
 def outcome_of(seed, folder, program, limit, as_default=False, light=False, options=False):
-    return judged_outcome((RandomOptions if options else RandomModel)(seed, as_default, light).write(folder), folder, program, limit, options)
+    return checked_outcome((RandomOptions if options else RandomModel)(seed, as_default, light).write(folder), folder, program, limit, options)
 
 
-def judged_outcome(project, folder, program, limit, options=False):
+def checked_outcome(project, folder, program, limit, options=False):
     """The outcome of a project in its folder, and why."""
     status, printed = run(program, [project, "--verbose", "--threads", "1"], limit)
     if status in (-24, -9):  # SIGXCPU, or the harder bound behind it

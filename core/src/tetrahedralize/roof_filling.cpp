@@ -15,14 +15,14 @@ namespace {
 
 using Mesh = ConstrainedTetrahedralization;
 
-enum class Side { above, below };
+enum class RoofSide { above, below };
 
 /// One side of a part. Triangles of the part and of the roof are seen from that side.
 class RoofOnSide {
  public:
   /// `star` contains the cells on this side that have a point of the roof, `flat` the positions of these points in the
   /// plane.
-  RoofOnSide(Mesh& mesh, const RoofedPart& part, Side side, std::vector<Index> star, const std::vector<Vec3>& flat)
+  RoofOnSide(Mesh& mesh, const RoofedPart& part, RoofSide side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
   /// Replaces points that the other side uses by new ones.
@@ -35,7 +35,7 @@ class RoofOnSide {
   /// Lifts the deepest point of the roof by half of the height that the cells at the roof reach, or by half of that,
   /// and so on. Returns false if no step is small enough.
   bool lift() {
-    const Vec3 up = (side_ == Side::above ? 1 : -1) * unit_normal();
+    const Vec3 up = (side_ == RoofSide::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());
     const auto peak = static_cast<std::size_t>(highest - part_.rise.begin());
     const Vec3 base = flat_[peak];
@@ -88,7 +88,7 @@ class RoofOnSide {
       for (const VertexIndex v : mesh_.tetrahedra[t]) out = std::max(out, dot(mesh_.points[v] - from, up));
     return out;
   }
-  Triangle turned(const Triangle& t) const { return side_ == Side::above ? t : Triangle{t[0], t[2], t[1]}; }
+  Triangle turned(const Triangle& t) const { return side_ == RoofSide::above ? t : Triangle{t[0], t[2], t[1]}; }
   VertexIndex on_this_side(VertexIndex v) const {
     const auto at = std::lower_bound(part_.inner.begin(), part_.inner.end(), v);
     return at != part_.inner.end() && *at == v ? inner_[static_cast<std::size_t>(at - part_.inner.begin())] : v;
@@ -113,7 +113,7 @@ class RoofOnSide {
 
   Mesh& mesh_;
   const RoofedPart& part_;
-  Side side_;
+  RoofSide side_;
   std::vector<Index> star_;
   const std::vector<Vec3>& flat_;
   std::vector<VertexIndex> inner_;  ///< the roof's points on this side, as in part_.inner
@@ -166,12 +166,12 @@ bool fill_under_roof(Mesh& mesh, const RoofedPart& part, const std::vector<Mesh:
     if (face.tetrahedron_above != no_index) at_roof[0].push_back(face.tetrahedron_above);
     if (face.tetrahedron_below != no_index) at_roof[1].push_back(face.tetrahedron_below);
   }
-  for (const Side side : {Side::above, Side::below}) {
-    const std::size_t k = side == Side::above ? 0 : 1;
+  for (const RoofSide side : {RoofSide::above, RoofSide::below}) {
+    const std::size_t k = side == RoofSide::above ? 0 : 1;
     if (at_roof[k].empty()) continue;
     sort_unique(at_roof[k]);
     RoofOnSide one(mesh, part, side, cells_at_roof.from(at_roof[k]), flat);
-    if (side == Side::below && !at_roof[0].empty()) one.take_own_points();
+    if (side == RoofSide::below && !at_roof[0].empty()) one.take_own_points();
     if (!one.lift()) return false;
     cells[k] = one.fill();
   }

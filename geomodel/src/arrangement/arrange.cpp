@@ -13,7 +13,7 @@
 #include "arrangement/model/displacement.hpp"
 #include "arrangement/model/memory_bound.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
-#include "arrangement/pockets/cut_flaps.hpp"
+#include "arrangement/pockets/cut_dangling_faces.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
 #include "arrangement/snap/rounding.hpp"
 #include "arrangement/snap/snap.hpp"
@@ -59,8 +59,8 @@ void mend_surfaces(Complex& complex, double tolerance, double rounding, Arrangem
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
   // Factor on the tolerance: a corner has moved by one tolerance more than its neighbours.
-  constexpr double flaps_of_tolerance = 2;
-  const CutFlaps cut = cut_flaps(complex, std::max(flaps_of_tolerance * tolerance, rounding));
+  constexpr double dangling_of_tolerance = 2;
+  const CutDanglingFaces cut = cut_dangling_faces(complex, std::max(dangling_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
   result.merging.facets_collapsed += cut.vanished.size();
   vanished.insert(vanished.end(), cut.vanished.begin(), cut.vanished.end());

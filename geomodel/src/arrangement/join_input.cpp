@@ -13,7 +13,7 @@ namespace geomesh::geomodel::arrangement {
 namespace {
 
 // Share of the tolerance within which surfaces that follow each other are duplicates.
-constexpr double twin_share = 0.01;
+constexpr double duplicate_share = 0.01;
 constexpr unsigned most_passes = 8;  // an edge that one pass splits may be near others; three passes are usually enough
 constexpr double least_ulps = 1024;  // least tolerance, since rounding might undo a smaller one
 
@@ -53,13 +53,13 @@ JoinRule InputJoiner::rule(const Contacts& contacts) const {
 /// Warns of duplicates.
 InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warnings) const {
   const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
-  const double nearest = twin_share * options_.tolerance;
+  const double nearest = duplicate_share * options_.tolerance;
   const NearSurfaces near = near_surfaces(surfaces, nearest, options_.tolerance);
   const auto words = [&](Index s) { return std::string(to_string(surfaces[s].kind)) + " " + surfaces[s].name; };
-  for (const auto& [a, b] : near.twins)
+  for (const auto& [a, b] : near.duplicates)
     warnings.push_back(words(a) + " and " + words(b) + " follow each other nearer than " + short_words(nearest) +
                        ": they are meshed as one where they do (honour: exact keeps them apart)");
-  return {{near.twins.begin(), near.twins.end()}, {near.ending.begin(), near.ending.end()}};
+  return {{near.duplicates.begin(), near.duplicates.end()}, {near.ending.begin(), near.ending.end()}};
 }
 
 /// Surfaces from this row on are not merged: points keep to the sides of a box by its planes, and the sides of another
@@ -84,7 +84,7 @@ void InputJoiner::merge_bodies_with_faults(MergingBook& book) {
       if (surfaces[a].kind == SurfaceKind::body && surfaces[b].kind == SurfaceKind::fault)
         pairs.insert({surface_pair(a, a), surface_pair(a, b)});
   if (pairs.empty()) return;
-  SnapOptions snapping{twin_share * options_.tolerance, joining_.box};
+  SnapOptions snapping{duplicate_share * options_.tolerance, joining_.box};
   snapping.rule = JoinRule::all_of(std::move(pairs), first_fixed());
   snapping.sides_of = sides_of_vertices(ingested_.complex, joining_);
   std::vector<VertexIndex> now;
@@ -104,7 +104,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
   }
   add(move_to_sides(complex, joining_, options_.tolerance), book.merging.displacement);
   for (unsigned pass = 0; pass < most_passes; ++pass) {
-    const auto drawn = draw_to_creases(complex, joining_, options_.tolerance);
+    const auto drawn = draw_to_feature_edges(complex, joining_, options_.tolerance);
     if (!drawn) break;
     book.take(*drawn);
   }

@@ -11,13 +11,13 @@
 
 #include "check/exact/box_tree.hpp"
 #include "check/exact/crossing.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
-std::vector<Triangle> outward_boundary(const JudgedMesh& mesh) {
+std::vector<Triangle> outward_boundary(const CheckedMesh& mesh) {
   std::vector<Triangle> faces;
   for (const FacePair& face : mesh.faces)
     if (is_boundary(face)) faces.push_back(face.even != no_index ? outward_of_even(face) : outward_of_odd(face));
@@ -47,7 +47,7 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<Triangle>& faces) {
 }
 
 /// Groups faces into sheets, joined across edges with exactly two faces; reports edges whose faces do not cancel.
-std::vector<Index> sheets_of(const JudgedMesh& mesh, const std::vector<Triangle>& faces, CheckResult& result) {
+std::vector<Index> sheets_of(const CheckedMesh& mesh, const std::vector<Triangle>& faces, CheckResult& result) {
   std::vector<Index> root(faces.size());
   std::iota(root.begin(), root.end(), Index{0});
   const auto find = [&](Index f) {
@@ -70,14 +70,14 @@ std::vector<Index> sheets_of(const JudgedMesh& mesh, const std::vector<Triangle>
   return root;
 }
 
-BoxTree tree_over(const JudgedMesh& mesh, const std::vector<Triangle>& faces) {
+BoxTree tree_over(const CheckedMesh& mesh, const std::vector<Triangle>& faces) {
   std::vector<Box3> boxes;
   for (const Triangle& t : faces) boxes.push_back(box_of(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])));
   return BoxTree(std::move(boxes));
 }
 
 /// Returns false if faces meet outside shared vertices and edges.
-bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, const BoxTree& tree,
+bool check_embedded(const CheckedMesh& mesh, const std::vector<Triangle>& faces, const BoxTree& tree,
                     CheckResult& result) {
   FaultCollector hanging("hanging_faces"), crossing("boundary_crossings");
   for (Index f = 0; f < faces.size(); ++f) {
@@ -108,7 +108,7 @@ bool check_embedded(const JudgedMesh& mesh, const std::vector<Triangle>& faces, 
   return embedded;
 }
 
-void check_winding(const JudgedMesh& mesh, const std::vector<Triangle>& faces, const std::vector<Index>& sheet,
+void check_winding(const CheckedMesh& mesh, const std::vector<Triangle>& faces, const std::vector<Index>& sheet,
                    const BoxTree& tree, CheckResult& result) {
   FaultCollector overlapping("overlapping_tetrahedra");
   for (Index f = 0; f < faces.size(); ++f) {
@@ -121,7 +121,7 @@ void check_winding(const JudgedMesh& mesh, const std::vector<Triangle>& faces, c
 
 }  // namespace
 
-void check_boundary(const JudgedMesh& mesh, CheckResult& result) {
+void check_boundary(const CheckedMesh& mesh, CheckResult& result) {
   const std::vector<Triangle> faces = outward_boundary(mesh);
   const std::vector<Index> sheet = sheets_of(mesh, faces, result);
   const BoxTree tree = tree_over(mesh, faces);

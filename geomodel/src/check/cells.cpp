@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks cells and arrays of points, declared in `check/judged/judged_mesh.hpp`.
+// Checks cells and arrays of points, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <tuple>
 
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -15,7 +15,7 @@ bool is_finite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) 
 
 namespace {
 
-void check_equal_points(const JudgedMesh& mesh, CheckResult& result) {
+void check_equal_points(const CheckedMesh& mesh, CheckResult& result) {
   std::vector<VertexIndex> order(mesh.n_points());
   std::iota(order.begin(), order.end(), VertexIndex{0});
   std::sort(order.begin(), order.end(), [&](VertexIndex a, VertexIndex b) {
@@ -28,7 +28,7 @@ void check_equal_points(const JudgedMesh& mesh, CheckResult& result) {
   equal.report(result, "points have the coordinates of another point");
 }
 
-void check_unused_points(const JudgedMesh& mesh, CheckResult& result) {
+void check_unused_points(const CheckedMesh& mesh, CheckResult& result) {
   std::vector<bool> used(mesh.n_points(), false);
   for (const Tetrahedron& cell : mesh.cells)
     for (const VertexIndex v : cell) used[v] = true;
@@ -39,7 +39,7 @@ void check_unused_points(const JudgedMesh& mesh, CheckResult& result) {
   unused.report(result, "points belong to no tetrahedron");
 }
 
-void check_orientations(JudgedMesh& mesh, CheckResult& result) {
+void check_orientations(CheckedMesh& mesh, CheckResult& result) {
   FaultCollector inverted("inverted_tetrahedra"), flat("flat_tetrahedra");
   ExactVolume total;
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
@@ -61,21 +61,21 @@ void check_orientations(JudgedMesh& mesh, CheckResult& result) {
 
 }  // namespace
 
-Vec3 centroid(const JudgedMesh& mesh, const Tetrahedron& cell) {
+Vec3 centroid(const CheckedMesh& mesh, const Tetrahedron& cell) {
   return 0.25 * (mesh.point(cell[0]) + mesh.point(cell[1]) + mesh.point(cell[2]) + mesh.point(cell[3]));
 }
 
-Vec3 centroid(const JudgedMesh& mesh, const Triangle& face) {
+Vec3 centroid(const CheckedMesh& mesh, const Triangle& face) {
   return (1.0 / 3) * (mesh.point(face[0]) + mesh.point(face[1]) + mesh.point(face[2]));
 }
 
-bool check_cells(JudgedMesh& mesh, CheckResult& result) {
+bool check_cells(CheckedMesh& mesh, CheckResult& result) {
   result.n_points = mesh.n_points();
   result.n_tetrahedra = mesh.cells.size();
   FaultCollector infinite("not_finite");
   for (std::size_t v = 0; v < mesh.n_points(); ++v)
     if (!is_finite(mesh.point(static_cast<VertexIndex>(v)))) infinite.add(v, {});
-  const bool judgeable = infinite.count() == 0 && !mesh.cells.empty();
+  const bool checkable = infinite.count() == 0 && !mesh.cells.empty();
   infinite.report(result, "points have a coordinate that is no finite number");
   if (mesh.file.n_other_solids > 0)
     result.faults.push_back({"not_tetrahedra",
@@ -87,7 +87,7 @@ bool check_cells(JudgedMesh& mesh, CheckResult& result) {
   if (mesh.file.n_lower_cells > 0)
     result.checks_done.push_back(std::to_string(mesh.file.n_lower_cells) +
                                  " cells that are no solids were passed over");
-  if (!judgeable) return false;
+  if (!checkable) return false;
   check_orientations(mesh, result);
   check_equal_points(mesh, result);
   check_unused_points(mesh, result);
@@ -96,7 +96,7 @@ bool check_cells(JudgedMesh& mesh, CheckResult& result) {
   return true;
 }
 
-void check_point_arrays(const JudgedMesh& mesh, CheckResult& result) {
+void check_point_arrays(const CheckedMesh& mesh, CheckResult& result) {
   std::string names;
   for (const std::string& name : mesh.file.missing_arrays) names += (names.empty() ? "" : ", ") + name;
   const std::size_t n = mesh.file.missing_arrays.size() + (mesh.file.single_precision ? 1 : 0);

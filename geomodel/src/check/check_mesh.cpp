@@ -9,16 +9,16 @@
 #include <set>
 #include <utility>
 
-#include "check/arrays/judge_arrays.hpp"
+#include "check/arrays/check_arrays.hpp"
 #include "check/beside/as_in_vtu.hpp"
-#include "check/curves/judge_curves.hpp"
-#include "check/gaps/judge_gaps.hpp"
-#include "check/judged/judged_mesh.hpp"
-#include "check/names/judge_names.hpp"
+#include "check/curves/check_curves.hpp"
+#include "check/gaps/check_gaps.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/names/check_names.hpp"
 #include "check/pieces/throw_cover.hpp"
-#include "check/splits/judge_splits.hpp"
+#include "check/splits/check_splits.hpp"
 #include "check/within/within_tolerance.hpp"
-#include "check/zones/judge_zones.hpp"
+#include "check/zones/check_zones.hpp"
 #include "common/foreign_json.hpp"
 #include "geomesh/geomodel/check.hpp"
 #include "geomesh/geomodel/project.hpp"
@@ -46,8 +46,8 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
 }
 
 /// Reads `open_borders` of the report.
-std::vector<ToldGap> gaps_told_beside(const std::filesystem::path& mesh) {
-  std::vector<ToldGap> told;
+std::vector<ReportedGap> gaps_reported_beside(const std::filesystem::path& mesh) {
+  std::vector<ReportedGap> told;
   const auto report = report_beside(mesh);
   if (!report || !report->is_object() || !report->contains("open_borders")) return told;
   const auto text_of = [](const nlohmann::json& entry, const char* key) {
@@ -71,17 +71,17 @@ double unit_in_last_place(const MeshFile& mesh) {
 
 /// Returns how far rounding may have moved anything: the requested value, else what the rounding of crossings may
 /// merge, plus the project's own `tolerance`. Reports of the run are not used.
-double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Claim& claim) {
+double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Specification& specification) {
   constexpr double ulps_of_crossings = 1024, ulps_of_other_tools = 8;
   if (request.tolerance >= 0) return request.tolerance;
   const double ulps = mesh.single_precision ? ulps_of_other_tools : ulps_of_crossings;
-  return ulps * unit_in_last_place(mesh) + 2 * claim.merging;
+  return ulps * unit_in_last_place(mesh) + 2 * specification.merging;
 }
 
 /// Returns how far surfaces may be from their input beyond rounding: the requested value, else that of the project; 0
 /// if not at all.
-double surfaces_may_be_off(const CheckRequest& request, const Claim& claim) {
-  return request.within >= 0 ? request.within : claim.within;
+double surfaces_may_be_off(const CheckRequest& request, const Specification& specification) {
+  return request.within >= 0 ? request.within : specification.within;
 }
 
 bool all_known(const std::vector<Triangle>& faces) {
@@ -90,77 +90,82 @@ bool all_known(const std::vector<Triangle>& faces) {
 }
 
 /// Checks that the surfaces of the specification are covered, or followed within a tolerance.
-void judge_surfaces(const CheckRequest& request, const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
-                    const std::vector<Triangle>& set_faces, CheckResult& result) {
-  const double rounding = tolerance_of(request, mesh.file, claim), within = surfaces_may_be_off(request, claim);
+void check_surfaces(const CheckRequest& request, const CheckedMesh& mesh, const Specification& specification,
+                    const FacesFile* faces, const std::vector<Triangle>& set_faces, CheckResult& result) {
+  const double rounding = tolerance_of(request, mesh.file, specification),
+               within = surfaces_may_be_off(request, specification);
   if (!all_known(set_faces)) {
     result.checks_done.emplace_back("coverage was not checked, for the faults of the face set above");
     return;
   }
-  const ClaimedFaces claimed(mesh, claim, faces, set_faces);
-  if (faces && claim.named) check_throw_cover(claimed, within + rounding, result);
-  if (within == 0) return check_coverage(mesh, claim, faces, set_faces, rounding, result);
+  const CheckedFaces checked(mesh, specification, faces, set_faces);
+  if (faces && specification.named) check_throw_cover(checked, within + rounding, result);
+  if (within == 0) return check_coverage(mesh, specification, faces, set_faces, rounding, result);
   const Allowed allowed{within, rounding};
-  check_surfaces_within(claimed, allowed, result);
-  if (faces) check_midpoints_within(claimed, allowed, result);
-  if (!faces || !claim.named) return;
-  check_sources_within(claimed, allowed, result);
-  check_surface_topology(claimed, allowed, result);
-  check_volumes_within(claimed, allowed, report_beside(request.mesh), result);
+  check_surfaces_within(checked, allowed, result);
+  if (faces) check_midpoints_within(checked, allowed, result);
+  if (!faces || !specification.named) return;
+  check_sources_within(checked, allowed, result);
+  check_surface_topology(checked, allowed, result);
+  check_volumes_within(checked, allowed, report_beside(request.mesh), result);
 }
 
 /// The mesh, its face set and its curves, either as in the files or with fault zones closed.
-struct JudgedFiles {
-  const JudgedMesh& mesh;
+struct CheckedFiles {
+  const CheckedMesh& mesh;
   const FacesFile& faces;
   const std::vector<Triangle>& set_faces;
   const CurvesFile* curves;  ///< null if there are none
 };
 
-bool can_judge_contract(const JudgedFiles& files) {
+bool can_check_contract(const CheckedFiles& files) {
   return !files.mesh.file.region.empty() && all_known(files.set_faces);
 }
 
 /// Checks the files against each other.
-void judge_files(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
-  const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
-  check_patches(claimed, result);
+void check_files(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
+                 CheckResult& result) {
+  const CheckedFaces checked(files.mesh, specification, &files.faces, files.set_faces);
+  check_patches(checked, result);
   check_mesh_points(files.mesh, files.faces.points, files.faces.mesh_point, "the face set", result);
-  std::optional<JudgedCurves> curves;
+  std::optional<CheckedCurves> curves;
   if (files.curves) {
     check_mesh_points(files.mesh, files.curves->points, files.curves->mesh_point, "the curves", result);
     curves.emplace(check_curve_cells(files.mesh, *files.curves, files.faces, result));
-  } else if (claim.output.curves) {
+  } else if (specification.output.curves) {
     result.faults.push_back({"missing_curves", "1 file is missing: the curves that belong to the face set", 1, {}, {}});
   }
   if (const auto report = report_beside(request.mesh))
-    check_report(claimed, curves ? &*curves : nullptr, *report, tolerance_of(request, files.mesh.file, claim), result);
+    check_report(checked, curves ? &*curves : nullptr, *report, tolerance_of(request, files.mesh.file, specification),
+                 result);
 }
 
 /// Checks names, curves and arrays of the files against the project and docs/output-files.md.
-void judge_contract(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
-  const ClaimedFaces claimed(files.mesh, claim, &files.faces, files.set_faces);
-  const double rounding = tolerance_of(request, files.mesh.file, claim), reach = rounding + claim.within;
-  check_surface_lists(claimed, rounding, result);
-  std::optional<JudgedCurves> curves;
+void check_contract(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
+                    CheckResult& result) {
+  const CheckedFaces checked(files.mesh, specification, &files.faces, files.set_faces);
+  const double rounding = tolerance_of(request, files.mesh.file, specification),
+               reach = rounding + specification.within;
+  check_surface_lists(checked, rounding, result);
+  std::optional<CheckedCurves> curves;
   if (files.curves) {
     CheckResult told_already;
     curves.emplace(check_curve_cells(files.mesh, *files.curves, files.faces, told_already));
-    check_surface_curves(claimed, *curves, result);
-    check_wells_and_points(claimed, *curves, reach, result);
+    check_surface_curves(checked, *curves, result);
+    check_wells_and_points(checked, *curves, reach, result);
   }
-  check_point_values(claimed, curves ? &*curves : nullptr, rounding, result);
-  check_region_names(claimed, {claim.within, rounding}, result);
-  check_gaps(claimed, gaps_told_beside(request.mesh), result);
-  check_unit_arrays(claimed, result);
+  check_point_values(checked, curves ? &*curves : nullptr, rounding, result);
+  check_region_names(checked, {specification.within, rounding}, result);
+  check_gaps(checked, gaps_reported_beside(request.mesh), result);
+  check_unit_arrays(checked, result);
   const double ulp = unit_in_last_place(files.mesh.file);
-  check_cell_arrays(claimed, ulp, result);
+  check_cell_arrays(checked, ulp, result);
   if (const auto report = report_beside(request.mesh)) check_report_quality(files.mesh, *report, ulp, result);
 }
 
 /// Returns the length below which the longest edges of tetrahedra lie that fill nine tenths of the model's volume. If
 /// sizes are graded, few elements are as large as the target size, but they fill most of the model. `mesh` has cells.
-double long_edge_by_volume(const JudgedMesh& mesh) {
+double long_edge_by_volume(const CheckedMesh& mesh) {
   std::vector<std::pair<double, double>> edge_and_volume;
   edge_and_volume.reserve(mesh.cells.size());
   double whole = 0;
@@ -185,41 +190,44 @@ double long_edge_by_volume(const JudgedMesh& mesh) {
 
 /// If the project only gives a number of elements, the tolerance follows the derived sizes and is taken from the
 /// report. A value above a twentieth of the mesh's long edges is rejected.
-void adopt_told_tolerance(const CheckRequest& request, const JudgedMesh& mesh, Claim& claim, CheckResult& result) {
+void adopt_told_tolerance(const CheckRequest& request, const CheckedMesh& mesh, Specification& specification,
+                          CheckResult& result) {
   const auto report = report_beside(request.mesh);
   const nlohmann::json::json_pointer told("/tolerance/requested");
   if (request.within >= 0 || mesh.cells.empty()) return;
   if (!report || !report->contains(told) || !report->at(told).is_number()) return;
   const double most = long_edge_by_volume(mesh) / 20, promised = report->at(told).get<double>();
-  claim.within = std::min(promised, most);
+  specification.within = std::min(promised, most);
   char text[240];
   std::snprintf(text, sizeof text,
                 "the project leaves its sizes to a number of elements: surfaces are held to %.4g (the report promises "
                 "%.4g; at most a twentieth of the mesh's long edges counts)",
-                claim.within, promised);
+                specification.within, promised);
   result.checks_done.emplace_back(text);
 }
 
 /// Checks the mesh as it would be without fault zones against the project.
-void judge_closed(const CheckRequest& request, const ClosedFiles& closed, const Claim& claim, CheckResult& result) {
-  JudgedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
+void check_closed(const CheckRequest& request, const ClosedFiles& closed, const Specification& specification,
+                  CheckResult& result) {
+  CheckedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
   if (!check_cells(mesh, result)) return;
   check_faces(mesh, result);
   check_boundary(mesh, result);
   check_regions(mesh, true, result);
   const std::vector<Triangle> set_faces = check_face_set(mesh, closed.faces, result);
-  judge_surfaces(request, mesh, claim, &closed.faces, set_faces, result);
-  const JudgedFiles files{mesh, closed.faces, set_faces, closed.curves ? &*closed.curves : nullptr};
-  if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files))
-    judge_contract(request, files, claim, result);
+  check_surfaces(request, mesh, specification, &closed.faces, set_faces, result);
+  const CheckedFiles files{mesh, closed.faces, set_faces, closed.curves ? &*closed.curves : nullptr};
+  if (request.contract == CheckRequest::Contract::checked && can_check_contract(files))
+    check_contract(request, files, specification, result);
 }
 
-void judge_with_zones(const CheckRequest& request, const JudgedFiles& files, const Claim& claim, CheckResult& result) {
-  const auto closed = close_zones(files.mesh, files.faces, files.curves, claim.output.fault_zones, result);
+void check_with_zones(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
+                      CheckResult& result) {
+  const auto closed = close_zones(files.mesh, files.faces, files.curves, specification.output.fault_zones, result);
   if (!closed) return;
-  check_zones(files.mesh, files.faces, claim.output.fault_zones, result);
+  check_zones(files.mesh, files.faces, specification.output.fault_zones, result);
   CheckResult rest;
-  judge_closed(request, *closed, claim, rest);
+  check_closed(request, *closed, specification, rest);
   for (CheckFault& fault : rest.faults) {
     fault.what += " (with the fault zones closed)";
     result.faults.push_back(std::move(fault));
@@ -254,38 +262,38 @@ GivenFiles read_files(const std::filesystem::path& mesh) {
 }
 
 /// Joins both sides of split surfaces, if the files distinguish them.
-void join_sides(const Claim& claim, GivenFiles& given, CheckResult& result) {
+void join_sides(const Specification& specification, GivenFiles& given, CheckResult& result) {
   const std::vector<Vec3>& points = given.mesh.points;
-  if (claim.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
+  if (specification.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
   if (!given.faces) {
     result.checks_done.emplace_back(
         "the project splits surfaces: the files of a .vtu are needed to join them again, and the mesh is checked as it "
         "stands");
     return;
   }
-  auto joined =
-      join_splits(given.mesh, *given.faces, given.curves, {claim.output.split, claim.output.cohesive}, result);
+  auto joined = join_splits(given.mesh, *given.faces, given.curves,
+                            {specification.output.split, specification.output.cohesive}, result);
   if (joined) given = {std::move(joined->mesh), std::move(joined->faces), std::move(joined->curves)};
 }
 
-void judge_claim(const CheckRequest& request, const JudgedMesh& mesh, const GivenFiles& given, Claim& claim,
-                 const std::vector<Triangle>& set_faces, CheckResult& result) {
+void check_specification(const CheckRequest& request, const CheckedMesh& mesh, const GivenFiles& given,
+                         Specification& specification, const std::vector<Triangle>& set_faces, CheckResult& result) {
   const FacesFile* const faces = given.complete_faces();
-  if (claim.within_by_count) adopt_told_tolerance(request, mesh, claim, result);
-  if (claim.volume) check_volume(mesh, claim, result);
-  if (claim.output.fault_zones.empty()) {
-    judge_surfaces(request, mesh, claim, faces, set_faces, result);
+  if (specification.within_by_count) adopt_told_tolerance(request, mesh, specification, result);
+  if (specification.volume) check_volume(mesh, specification, result);
+  if (specification.output.fault_zones.empty()) {
+    check_surfaces(request, mesh, specification, faces, set_faces, result);
   } else if (!faces) {
     result.checks_done.emplace_back(
         "surfaces were not checked: the project has fault zones, which are closed for that by the files of a .vtu");
   }
   if (!faces) return;
-  const JudgedFiles files{mesh, *faces, set_faces, given.curves ? &*given.curves : nullptr};
-  if (request.contract == CheckRequest::Contract::judged && can_judge_contract(files)) {
-    judge_files(request, files, claim, result);
-    if (claim.output.fault_zones.empty()) judge_contract(request, files, claim, result);
+  const CheckedFiles files{mesh, *faces, set_faces, given.curves ? &*given.curves : nullptr};
+  if (request.contract == CheckRequest::Contract::checked && can_check_contract(files)) {
+    check_files(request, files, specification, result);
+    if (specification.output.fault_zones.empty()) check_contract(request, files, specification, result);
   }
-  if (!claim.output.fault_zones.empty()) judge_with_zones(request, files, claim, result);
+  if (!specification.output.fault_zones.empty()) check_with_zones(request, files, specification, result);
 }
 
 /// Returns the velocities that the project's attributes give.
@@ -298,9 +306,10 @@ Velocities velocities_of(const CheckRequest& request) {
 }
 
 /// Checks the files as given, against each other and against the specification if there is one.
-void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional<Claim> claim, CheckResult& result) {
-  if (claim) join_sides(*claim, given, result);
-  JudgedMesh mesh{given.mesh, given.mesh.tetrahedra, {}, true};
+void check_as_given(const CheckRequest& request, GivenFiles given, std::optional<Specification> specification,
+                    CheckResult& result) {
+  if (specification) join_sides(*specification, given, result);
+  CheckedMesh mesh{given.mesh, given.mesh.tetrahedra, {}, true};
   if (!check_cells(mesh, result)) return;
   check_faces(mesh, result);
   check_boundary(mesh, result);
@@ -311,18 +320,19 @@ void judge_as_given(const CheckRequest& request, GivenFiles given, std::optional
   std::vector<Triangle> set_faces;
   if (given.faces) set_faces = check_face_set(mesh, *given.faces, result);
   if (!given.complete_faces()) set_faces.clear();
-  if (claim) judge_claim(request, mesh, given, *claim, set_faces, result);
+  if (specification) check_specification(request, mesh, given, *specification, set_faces, result);
   if (!request.surfaces.empty())
-    judge_surfaces(request, mesh, claim_of_surfaces(request.surfaces), given.complete_faces(), set_faces, result);
+    check_surfaces(request, mesh, specification_of_surfaces(request.surfaces), given.complete_faces(), set_faces,
+                   result);
   if (request.solver) check_for_solvers(given.mesh, velocities_of(request), result);
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
 /// Checks the elements of a solver's file itself, and everything else through the .vtu beside it, which must have the
 /// same contents.
-void judge_by_vtu(const CheckRequest& request, const MeshFile& file, Claim claim, CheckResult& result) {
+void check_by_vtu(const CheckRequest& request, const MeshFile& file, Specification specification, CheckResult& result) {
   CheckResult own;
-  JudgedMesh mesh{file, file.tetrahedra, {}, true};
+  CheckedMesh mesh{file, file.tetrahedra, {}, true};
   const bool is_understood = check_cells(mesh, own);
   std::erase_if(own.faults, [](const CheckFault& fault) { return fault.id == "equal_points"; });  // of split surfaces
   if (is_understood) {
@@ -333,7 +343,7 @@ void judge_by_vtu(const CheckRequest& request, const MeshFile& file, Claim claim
   of_vtu.mesh = beside(request.mesh, ".vtu");
   of_vtu.solver = false;
   CheckResult rest;
-  judge_as_given(of_vtu, read_files(of_vtu.mesh), std::move(claim), rest);
+  check_as_given(of_vtu, read_files(of_vtu.mesh), std::move(specification), rest);
   const std::string name = of_vtu.mesh.filename().string();
   for (CheckFault& fault : rest.faults) {
     fault.what += " (in " + name + ")";
@@ -352,13 +362,13 @@ CheckResult check_mesh(const CheckRequest& request) {
   GivenFiles given = read_files(request.mesh);
   result.checks_done.push_back("read as " + given.mesh.format +
                                (given.mesh.single_precision ? " (coordinates in single precision)" : ""));
-  std::optional<Claim> claim;
-  if (!request.project.empty()) claim = claim_of_project(request.project);
-  const bool is_contract_judged = claim && request.contract == CheckRequest::Contract::judged;
-  if (is_contract_judged && check_as_in_vtu(request.mesh, claim->output, result))
-    judge_by_vtu(request, given.mesh, *std::move(claim), result);
+  std::optional<Specification> specification;
+  if (!request.project.empty()) specification = specification_of_project(request.project);
+  const bool is_contract_checked = specification && request.contract == CheckRequest::Contract::checked;
+  if (is_contract_checked && check_as_in_vtu(request.mesh, specification->output, result))
+    check_by_vtu(request, given.mesh, *std::move(specification), result);
   else
-    judge_as_given(request, std::move(given), std::move(claim), result);
+    check_as_given(request, std::move(given), std::move(specification), result);
   return result;
 }
 

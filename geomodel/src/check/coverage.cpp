@@ -14,15 +14,15 @@
 #include <optional>
 #include <set>
 
-#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/crossing.hpp"
 #include "check/exact/deviation.hpp"
 #include "check/exact/plane_triangle.hpp"
-#include "check/judged/claimed_faces.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_faces.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/pieces/pieces_without_faces.hpp"
 #include "check/pieces/uncovered_places.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -40,16 +40,16 @@ std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface
   return borders;
 }
 
-class CoverageJudge : public ClaimedFaces {
+class CoverageChecker : public CheckedFaces {
  public:
-  CoverageJudge(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
-                const std::vector<Triangle>& set_faces, double tolerance)
-      : ClaimedFaces(mesh, claim, faces, set_faces),
+  CoverageChecker(const CheckedMesh& mesh, const Specification& specification, const FacesFile* faces,
+                  const std::vector<Triangle>& set_faces, double tolerance)
+      : CheckedFaces(mesh, specification, faces, set_faces),
         tolerance_(tolerance),
-        rules_(claim, 2 * tolerance),
+        rules_(specification, 2 * tolerance),
         tree_(tree_over(mesh.file.points, candidates_)) {
     if (faces_) collect_clip_edges();
-    for (const TriangulatedSurface& s : claim.surfaces) borders_.push_back(border_edges(s));
+    for (const TriangulatedSurface& s : specification.surfaces) borders_.push_back(border_edges(s));
   }
 
   void check_sources(CheckResult& result);
@@ -61,8 +61,8 @@ class CoverageJudge : public ClaimedFaces {
   bool spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face);
   std::vector<Index> faces_on(const PlaneTriangle& triangle, Index surface) const;
   bool may_be_cut_by_horizons(Index surface) const {
-    return claim_.may_be_trimmed(surface) &&
-           !(claim_.trims[surface].above.empty() && claim_.trims[surface].below.empty());
+    return specification_.may_be_trimmed(surface) &&
+           !(specification_.trims[surface].above.empty() && specification_.trims[surface].below.empty());
   }
   bool runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const;
   double height_of(const Triangle& t) const;
@@ -86,11 +86,11 @@ class CoverageJudge : public ClaimedFaces {
       clip_edges_;  ///< edges of the faces of box sides and of bodies that cut, sorted
 };
 
-void CoverageJudge::collect_clip_edges() {
+void CoverageChecker::collect_clip_edges() {
   std::set<std::int32_t> clipping;
   for (const auto& [id, name] : faces_->surface_names) {
     const Index row = surface_of(id);
-    if (row != no_index ? claim_.surfaces[row].cuts_all : is_box_side(id)) clipping.insert(id);
+    if (row != no_index ? specification_.surfaces[row].cuts_all : is_box_side(id)) clipping.insert(id);
   }
   for (Index f = 0; f < candidates_.size(); ++f) {
     const auto& set = set_of(f);
@@ -101,14 +101,14 @@ void CoverageJudge::collect_clip_edges() {
 }
 
 /// Checks that each face lies on the triangle that it names as its source.
-void CoverageJudge::check_sources(CheckResult& result) {
+void CoverageChecker::check_sources(CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   double largest = 0;
   for (Index f = 0; f < candidates_.size(); ++f) {
     const Triangle& t = candidates_[f];
     const Index row = surface_of(faces_->surface[f]);
     if (row == no_index) continue;
-    const TriangulatedSurface& surface = claim_.surfaces[row];
+    const TriangulatedSurface& surface = specification_.surfaces[row];
     const auto source = static_cast<std::size_t>(faces_->source_triangle[f]);
     if (faces_->source_triangle[f] < 0 || source >= surface.triangles.size()) {
       no_source.add(f, centroid(mesh_, t));
@@ -139,9 +139,9 @@ void CoverageJudge::check_sources(CheckResult& result) {
 /// Returns whether the face's centroid is in the triangle that it names, and the rest of it on neighbouring triangles
 /// in the same plane: coplanar triangles of one surface may be meshed as one polygon. Corners and midpoints of edges
 /// are tested.
-bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
+bool CoverageChecker::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
   if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
-  const TriangulatedSurface& s = claim_.surfaces[surface];
+  const TriangulatedSurface& s = specification_.surfaces[surface];
   auto at = surface_trees_.find(surface);
   if (at == surface_trees_.end()) at = surface_trees_.emplace(surface, tree_over(s.points, s.triangles)).first;
   const auto is_on_plane_part = [&](const Vec3& p) {
@@ -165,7 +165,7 @@ bool CoverageJudge::spreads_from(const PlaneTriangle& named, Index surface, cons
 }
 
 /// Checks that no face of a horizon or fault lies inside a body that cuts.
-void CoverageJudge::check_bodies(CheckResult& result) {
+void CoverageChecker::check_bodies(CheckResult& result) {
   if (bodies_.empty()) return;
   FaultCollector inside("faces_inside_bodies");
   for (Index f = 0; f < candidates_.size(); ++f) {
@@ -174,7 +174,7 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       const Index row = surface_of(id);
       if (row == no_index) continue;
       is_cut = is_cut || is_cut_kind(row);
-      bounds_body = bounds_body || claim_.surfaces[row].kind == SurfaceKind::body;
+      bounds_body = bounds_body || specification_.surfaces[row].kind == SurfaceKind::body;
     }
     if (!is_cut || bounds_body || may_be_scarp(f)) continue;
     const Triangle& t = candidates_[f];
@@ -194,7 +194,7 @@ void CoverageJudge::check_bodies(CheckResult& result) {
       "no face of a horizon or fault lies inside a body that cuts (exact, but for faces within rounding of it)");
 }
 
-std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index surface) const {
+std::vector<Index> CoverageChecker::faces_on(const PlaneTriangle& triangle, Index surface) const {
   std::vector<Index> found;
   const auto& c = triangle.corners();
   tree_.query(inflated(box_of(c[0], c[1], c[2]), tolerance_), [&](Index f) {
@@ -209,7 +209,7 @@ std::vector<Index> CoverageJudge::faces_on(const PlaneTriangle& triangle, Index 
 
 /// Returns whether both ends lie on one border edge of the input, where the surface ends anyway. If its parts overlap
 /// by rounding, a neighbour's border lies in the triangle.
-bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
+bool CoverageChecker::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
   return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
     const Corners line{border[0], border[1], border[1]};
     const Vec3 da = nearest_on_triangle(a, line) - a, db = nearest_on_triangle(b, line) - b;
@@ -218,14 +218,14 @@ bool CoverageJudge::runs_along_border(Index surface, const Vec3& a, const Vec3& 
 }
 
 /// Height of a needle; for a regular triangle, two thirds of its height.
-double CoverageJudge::height_of(const Triangle& t) const {
+double CoverageChecker::height_of(const Triangle& t) const {
   const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
   return 4 * triangle.area() / triangle.perimeter();
 }
 
 /// A needle between two borders that are a rounding error apart has its ends on either of them.
-bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
-                                               const std::vector<Index>& pieces) const {
+bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
+                                                 const std::vector<Index>& pieces) const {
   constexpr double thin = 2;  // tolerances
   struct Uses {
     int n = 0;
@@ -252,8 +252,8 @@ bool CoverageJudge::open_edges_run_along_clips(const PlaneTriangle& triangle, In
 }
 
 /// Tests a lattice of points of the triangle: those in the box that no piece covers must have been removed by a rule.
-bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
-                                         Vec3& place) const {
+bool CoverageChecker::uncovered_is_removed(const PlaneTriangle& triangle, Source source,
+                                           const std::vector<Index>& pieces, Vec3& place) const {
   bool removed = true;
   for_each_uncovered(triangle, flat_faces(*this, pieces), tolerance_, [&](const Vec3& p) {
     removed = rules_.may_be_away(source.surface, source.triangle, p) ||
@@ -264,7 +264,7 @@ bool CoverageJudge::uncovered_is_removed(const PlaneTriangle& triangle, Source s
   return removed;
 }
 
-std::function<bool(VertexIndex, VertexIndex)> CoverageJudge::runs_along_clip_or_border(Index surface) const {
+std::function<bool(VertexIndex, VertexIndex)> CoverageChecker::runs_along_clip_or_border(Index surface) const {
   return [this, surface](VertexIndex a, VertexIndex b) {
     return std::binary_search(clip_edges_.begin(), clip_edges_.end(), edge(a, b)) ||
            runs_along_border(surface, mesh_.point(a), mesh_.point(b), tolerance_);
@@ -272,22 +272,22 @@ std::function<bool(VertexIndex, VertexIndex)> CoverageJudge::runs_along_clip_or_
 }
 
 /// Returns whether the uncovered part may be what rules remove; if not, `place` is a point of it.
-bool CoverageJudge::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
-                                   Vec3& place) const {
-  if (claim_.may_be_trimmed(source.surface) || (claim_.volume && !claim_.volume->box))
+bool CoverageChecker::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
+                                     Vec3& place) const {
+  if (specification_.may_be_trimmed(source.surface) || (specification_.volume && !specification_.volume->box))
     return uncovered_is_removed(triangle, source, pieces, place);
   const bool is_cut = is_cut_kind(source.surface);
-  if (bodies_.empty() || !(is_cut || claim_.surfaces[source.surface].kind == SurfaceKind::body)) return false;
+  if (bodies_.empty() || !(is_cut || specification_.surfaces[source.surface].kind == SurfaceKind::body)) return false;
   if (is_cut && faces_ && !open_edges_run_along_clips(triangle, source.surface, pieces)) return false;
   return uncovered_is_removed(triangle, source, pieces, place);
 }
 
-void CoverageJudge::check_triangles(CheckResult& result) {
+void CoverageChecker::check_triangles(CheckResult& result) {
   FaultCollector missing("uncovered_triangles");
   std::size_t n_triangles = 0, n_clipped = 0, n_degenerate = 0, first_of_surface = 0;
   std::set<std::string> short_of;
-  for (Index s = 0; s < claim_.surfaces.size(); ++s) {
-    const TriangulatedSurface& surface = claim_.surfaces[s];
+  for (Index s = 0; s < specification_.surfaces.size(); ++s) {
+    const TriangulatedSurface& surface = specification_.surfaces[s];
     // Set if pieces may be removed as a whole, once there is an uncovered part.
     std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
@@ -303,7 +303,7 @@ void CoverageJudge::check_triangles(CheckResult& result) {
       for (const Index f : pieces)
         covered +=
             triangle.common_area(corner(candidates_[f], 0), corner(candidates_[f], 1), corner(candidates_[f], 2));
-      const double due = claim_.box() ? triangle.area_inside(*claim_.box()) : triangle.area();
+      const double due = specification_.box() ? triangle.area_inside(*specification_.box()) : triangle.area();
       const double slack = 4 * tolerance_ * triangle.perimeter() + 1e-12 * triangle.area();
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
@@ -344,13 +344,13 @@ void CoverageJudge::check_triangles(CheckResult& result) {
 
 }  // namespace
 
-void check_coverage(const JudgedMesh& mesh, const Claim& claim, const FacesFile* faces,
+void check_coverage(const CheckedMesh& mesh, const Specification& specification, const FacesFile* faces,
                     const std::vector<Triangle>& set_faces, double tolerance, CheckResult& result) {
-  CoverageJudge judge(mesh, claim, faces, set_faces, tolerance);
-  if (faces && claim.named) judge.check_sources(result);
-  if (faces && claim.named) judge.check_box_sides(result);
-  if (faces && claim.named) judge.check_bodies(result);
-  judge.check_triangles(result);
+  CoverageChecker checker(mesh, specification, faces, set_faces, tolerance);
+  if (faces && specification.named) checker.check_sources(result);
+  if (faces && specification.named) checker.check_box_sides(result);
+  if (faces && specification.named) checker.check_bodies(result);
+  checker.check_triangles(result);
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -20,7 +20,7 @@ VertexIndex apex(const Tetrahedron& cell, const Triangle& face) {
 
 }  // namespace
 
-void check_delaunay(const JudgedMesh& mesh, const FacesFile* faces, CheckResult& result) {
+void check_delaunay(const CheckedMesh& mesh, const FacesFile* faces, CheckResult& result) {
   if (!mesh.sound) {
     result.checks_done.emplace_back("Delaunay was not checked, for the faults above");
     return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the face set against the faces of the mesh, declared in `check/judged/judged_mesh.hpp`.
+// Checks the face set against the faces of the mesh, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -7,18 +7,18 @@
 #include <tuple>
 
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
 bool less(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-std::int32_t region_of(const JudgedMesh& mesh, Index cell) { return cell == no_index ? 0 : mesh.file.region[cell]; }
+std::int32_t region_of(const CheckedMesh& mesh, Index cell) { return cell == no_index ? 0 : mesh.file.region[cell]; }
 
 /// Checks that each triangle is a mesh face and occurs once. Returns the mesh face of each triangle (nullptr: none).
-std::vector<const FacePair*> check_triangles(const JudgedMesh& mesh, const FacesFile& faces,
+std::vector<const FacePair*> check_triangles(const CheckedMesh& mesh, const FacesFile& faces,
                                              const std::vector<Triangle>& triangles, CheckResult& result) {
   FaultCollector unknown_point("face_points_not_in_mesh"), no_face("faces_not_in_mesh"), repeated("repeated_faces");
   std::vector<const FacePair*> found(triangles.size(), nullptr);
@@ -46,7 +46,7 @@ std::vector<const FacePair*> check_triangles(const JudgedMesh& mesh, const Faces
 
 /// Checks that region_minus and region_plus are those of the tetrahedra at the face, and that the normal points from
 /// minus to plus.
-void check_sides(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
+void check_sides(const CheckedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                  const std::vector<const FacePair*>& found, CheckResult& result) {
   FaultCollector wrong("wrong_face_regions"), inward("boundary_faces_turned");
   for (std::size_t f = 0; f < triangles.size(); ++f) {
@@ -62,13 +62,13 @@ void check_sides(const JudgedMesh& mesh, const FacesFile& faces, const std::vect
 }
 
 /// Returns whether a region reaches the convex hull (`--hull`), where its border belongs to no surface.
-bool is_hull(const JudgedMesh& mesh, std::int32_t region) {
+bool is_hull(const CheckedMesh& mesh, std::int32_t region) {
   const auto name = mesh.file.region_names.find(region);
   return name != mesh.file.region_names.end() && (name->second == "hull" || name->second.starts_with("hull__"));
 }
 
 /// Checks that every face between two regions, or to the outside, is in the set.
-void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>& found, CheckResult& result) {
+void check_all_listed(const CheckedMesh& mesh, const std::vector<const FacePair*>& found, CheckResult& result) {
   std::vector<bool> listed(mesh.faces.size(), false);
   for (const FacePair* face : found)
     if (face) listed[static_cast<std::size_t>(face - mesh.faces.data())] = true;
@@ -83,7 +83,7 @@ void check_all_listed(const JudgedMesh& mesh, const std::vector<const FacePair*>
 }
 
 /// Checks that the listed faces around each region form a closed surface that encloses exactly its volume.
-void check_regions_closed(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
+void check_regions_closed(const CheckedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                           const std::vector<const FacePair*>& found, CheckResult& result) {
   struct RegionEdge {
     std::int32_t region;
@@ -117,7 +117,7 @@ void check_regions_closed(const JudgedMesh& mesh, const FacesFile& faces, const 
   open.report(result, "edges where the faces about a region do not close");
 }
 
-void check_names(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& result) {
+void check_names(const CheckedMesh& mesh, const FacesFile& faces, CheckResult& result) {
   FaultCollector unnamed("unnamed_surfaces"), shared_id("shared_ids"), wrong_set("wrong_surface_sets"),
       wrong_patch("wrong_patches");
   std::set<std::int32_t> region_ids(mesh.file.region.begin(), mesh.file.region.end()), seen;
@@ -142,7 +142,7 @@ void check_names(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& re
 
 }  // namespace
 
-std::vector<VertexIndex> match_points(const JudgedMesh& mesh, const std::vector<Vec3>& points) {
+std::vector<VertexIndex> match_points(const CheckedMesh& mesh, const std::vector<Vec3>& points) {
   std::vector<VertexIndex> order(mesh.n_points()), rows;
   std::iota(order.begin(), order.end(), VertexIndex{0});
   std::sort(order.begin(), order.end(), [&](VertexIndex a, VertexIndex b) {
@@ -156,7 +156,7 @@ std::vector<VertexIndex> match_points(const JudgedMesh& mesh, const std::vector<
   return rows;
 }
 
-std::vector<Triangle> check_face_set(const JudgedMesh& mesh, const FacesFile& faces, CheckResult& result) {
+std::vector<Triangle> check_face_set(const CheckedMesh& mesh, const FacesFile& faces, CheckResult& result) {
   const std::vector<VertexIndex> rows = match_points(mesh, faces.points);
   std::vector<Triangle> triangles;
   for (const Triangle& t : faces.triangles) triangles.push_back({rows[t[0]], rows[t[1]], rows[t[2]]});

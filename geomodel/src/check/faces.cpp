@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs faces between cells, declared in `check/judged/judged_mesh.hpp`.
+// Pairs faces between cells, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <tuple>
 #include <utility>
 
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -17,7 +17,7 @@ struct HalfFace {
   bool odd;
 };
 
-std::vector<HalfFace> sorted_half_faces(const JudgedMesh& mesh) {
+std::vector<HalfFace> sorted_half_faces(const CheckedMesh& mesh) {
   std::vector<HalfFace> halves;
   halves.reserve(4 * mesh.cells.size());
   for (Index cell = 0; cell < mesh.cells.size(); ++cell)
@@ -40,14 +40,14 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-const FacePair* find_face(const JudgedMesh& mesh, const Triangle& t) {
+const FacePair* find_face(const CheckedMesh& mesh, const Triangle& t) {
   const Triangle key = sorted(t);
   const auto it = std::lower_bound(mesh.faces.begin(), mesh.faces.end(), key,
                                    [](const FacePair& face, const Triangle& wanted) { return face.key < wanted; });
   return it != mesh.faces.end() && it->key == key ? &*it : nullptr;
 }
 
-void check_faces(JudgedMesh& mesh, CheckResult& result) {
+void check_faces(CheckedMesh& mesh, CheckResult& result) {
   FaultCollector crowded("faces_shared_by_many"), same_side("faces_shared_from_one_side");
   const std::vector<HalfFace> halves = sorted_half_faces(mesh);
   for (std::size_t i = 0, j = 0; i < halves.size(); i = j) {

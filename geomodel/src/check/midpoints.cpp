@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks second-order elements, declared in `check/judged/judged_mesh.hpp` and `check/within/within_tolerance.hpp`.
+// Checks second-order elements, declared in `check/mesh/checked_mesh.hpp` and `check/within/within_tolerance.hpp`.
 #include <CGAL/Mpzf.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <set>
 
 #include "check/exact/deviation.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -23,7 +23,7 @@ constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// Returns the midpoint of each edge; reports edges with several midpoints.
-std::map<Edge, VertexIndex> midpoints_of_edges(const JudgedMesh& mesh, CheckResult& result) {
+std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckResult& result) {
   std::map<Edge, VertexIndex> of_edge;
   std::map<VertexIndex, Edge> edge_of_node;
   std::vector<bool> is_corner(mesh.n_points(), false);
@@ -100,7 +100,7 @@ bool all_positive(const std::array<Vec3, 10>& nodes) {
   return true;
 }
 
-void check_jacobians(const JudgedMesh& mesh, CheckResult& result) {
+void check_jacobians(const CheckedMesh& mesh, CheckResult& result) {
   FaultCollector bad("jacobian_not_positive");
   for (std::size_t t = 0; t < mesh.file.tetrahedra.size(); ++t) {
     std::array<Vec3, 10> nodes;
@@ -115,14 +115,14 @@ void check_jacobians(const JudgedMesh& mesh, CheckResult& result) {
 
 }  // namespace
 
-void check_second_order(const JudgedMesh& mesh, CheckResult& result) {
+void check_second_order(const CheckedMesh& mesh, CheckResult& result) {
   if (mesh.file.midpoints.empty()) return;
   midpoints_of_edges(mesh, result);
   check_jacobians(mesh, result);
 }
 
-void check_midpoints_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
-  const JudgedMesh& mesh = claimed.mesh();
+void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result) {
+  const CheckedMesh& mesh = checked.mesh();
   if (mesh.file.midpoints.empty()) return;
   CheckResult told_already;
   const std::map<Edge, VertexIndex> of_edge = midpoints_of_edges(mesh, told_already);
@@ -131,13 +131,13 @@ void check_midpoints_within(const ClaimedFaces& claimed, const Allowed& allowed,
   double largest = 0;
   std::size_t n_curved = 0;
   std::set<std::pair<VertexIndex, Index>> seen;
-  for (Index f = 0; f < claimed.candidates().size(); ++f)
-    for (const std::int32_t id : claimed.set_of(f)) {
-      const Index row = claimed.surface_of(id);
+  for (Index f = 0; f < checked.candidates().size(); ++f)
+    for (const std::int32_t id : checked.set_of(f)) {
+      const Index row = checked.surface_of(id);
       if (row == no_index) continue;  // a side of the model
       auto& set = sets[row];
-      if (!set) set.emplace(triangles_of(claimed.claim().surfaces[row]));
-      const Triangle& t = claimed.candidates()[f];
+      if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
+      const Triangle& t = checked.candidates()[f];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto at = of_edge.find(edge_of(t[i], t[(i + 1) % 3]));
         if (at == of_edge.end() || !seen.insert({at->second, row}).second) continue;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks volumes of regions and of the whole mesh, declared in `check/judged/judged_mesh.hpp`.
+// Checks volumes of regions and of the whole mesh, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
+#include "check/mesh/faults.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -19,7 +19,7 @@ struct RegionSum {
   ExactVolume volume;
 };
 
-std::map<std::int32_t, RegionSum> sum_regions(const JudgedMesh& mesh) {
+std::map<std::int32_t, RegionSum> sum_regions(const CheckedMesh& mesh) {
   std::map<std::int32_t, RegionSum> sums;
   for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
     RegionSum& sum = sums[mesh.file.region[i]];
@@ -32,7 +32,7 @@ std::map<std::int32_t, RegionSum> sum_regions(const JudgedMesh& mesh) {
 
 }  // namespace
 
-void check_regions(const JudgedMesh& mesh, bool contract, CheckResult& result) {
+void check_regions(const CheckedMesh& mesh, bool contract, CheckResult& result) {
   if (mesh.file.region.empty()) {
     if (contract)
       result.faults.push_back({"no_region_array",
@@ -88,8 +88,8 @@ bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
 
 }  // namespace
 
-void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& result) {
-  const ModelVolume& volume = *claim.volume;
+void check_volume(const CheckedMesh& mesh, const Specification& specification, CheckResult& result) {
+  const ModelVolume& volume = *specification.volume;
   const Box3& box = volume.bounds;
   // Largest distance of points from a side, in ulps. Sides that are not along the axes are rounded, and surfaces that
   // lie on them up to rounding are joined to them, within 32 ulps. Points between joined surfaces are rounded again.
@@ -99,14 +99,14 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
     for (const Triangle& t : side.triangles)
       side_area += 0.5 * norm(cross(side.points[t[1]] - side.points[t[0]], side.points[t[2]] - side.points[t[0]]));
   Box3 all = box;
-  for (const TriangulatedSurface& s : claim.surfaces)
+  for (const TriangulatedSurface& s : specification.surfaces)
     for (const Vec3& p : s.points) all.add(p);
   for (const Vec3& p : {all.min, all.max})
     for (std::size_t i = 0; i < 3; ++i) ulp = std::max(ulp, std::nextafter(std::abs(p[i]), INFINITY) - std::abs(p[i]));
   const double room = ulps_off_a_side * ulp;
   const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + room * side_area / volume.volume;
   char text[200];
-  if (!(error <= tolerance && (claim.ends_inside || error >= -tolerance))) {
+  if (!(error <= tolerance && (specification.ends_inside || error >= -tolerance))) {
     std::snprintf(text, sizeof text,
                   "1 volume is wrong: the tetrahedra fill %.15g, the box %.15g (relative error %.2g)", result.volume,
                   volume.volume, std::abs(error));
@@ -120,7 +120,7 @@ void check_volume(const JudgedMesh& mesh, const Claim& claim, CheckResult& resul
     if (volume.box ? !in_bounds : !is_within(volume, p, room)) outside.add(v, p);
   }
   outside.report(result, "points lie outside the box");
-  if (claim.ends_inside) {
+  if (specification.ends_inside) {
     std::snprintf(
         text, sizeof text,
         "the model fills %.6g of its box, the rest lies beyond the surface at which it ends; every point is in the box",

@@ -105,7 +105,7 @@ bool bounds(const HorizonContacts& contacts, double area, Index first, Index las
 
 }  // namespace
 
-UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column) {
+UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column) {
   UnitVerdict verdict;
   if (!column.given()) return verdict;
   const Index last_unit = static_cast<Index>(column.units.size() - 1);

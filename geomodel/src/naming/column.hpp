@@ -65,7 +65,7 @@ struct UnitVerdict {
 /// (pinch-outs, erosion, onlap) the tightest bounds are used. A horizon that has the component on both sides joins two
 /// units only if those bounds leave both possible; elsewhere it is a dangling face inside one unit. A horizon bounds
 /// nothing if a horizon beyond it, or it itself, has the component on both sides over a larger area.
-UnitVerdict judge_unit(const HorizonContacts& contacts, const Column& column);
+UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column);
 
 /// Returns "chalk", or "chalk+basement" for joined units; empty if unknown.
 std::string unit_name(const UnitVerdict& verdict, const Column& column);

@@ -10,8 +10,8 @@
 #include <tuple>
 
 #include "geomesh/core/predicates.hpp"
-#include "naming/judge_by_heights.hpp"
 #include "naming/sums.hpp"
+#include "naming/units_by_heights.hpp"
 
 namespace geomesh::geomodel {
 
@@ -92,7 +92,7 @@ std::vector<Index> hinted(const ConstrainedTetrahedralization& mesh, const Polyg
                           const std::vector<RegionHint>& hints) {
   std::map<std::pair<Index, Index>, std::vector<std::pair<Index, bool>>> at_triangle;
   for (Index h = 0; h < hints.size(); ++h)
-    for (const RegionHint::Side& side : hints[h].boundary)
+    for (const RegionHint::OrientedTriangle& side : hints[h].boundary)
       at_triangle[{side.surface, side.triangle}].push_back({h, side.as_stored});
   std::vector<std::map<Index, double>> votes(mesh.n_components);
   for (const auto& face : mesh.faces) {
@@ -156,12 +156,12 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
 }
 
 /// Determines the units of components that touch no horizon.
-void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
-                       const std::vector<TriangulatedSurface>& surfaces, const Column& column,
-                       std::vector<UnitVerdict>& verdicts) {
+void find_units_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
+                            const std::vector<TriangulatedSurface>& surfaces, const Column& column,
+                            std::vector<UnitVerdict>& verdicts) {
   for (std::size_t c = 0; c < facts.size(); ++c) {
     if (verdicts[c].kind != UnitVerdict::Kind::unknown) continue;
-    UnitVerdict verdict = judge_unit(contacts_on_vertical(soup, surfaces, column, facts[c].inside_point), column);
+    UnitVerdict verdict = find_unit(contacts_on_vertical(soup, surfaces, column, facts[c].inside_point), column);
     if (verdict.kind == UnitVerdict::Kind::unknown) continue;
     verdict.kind = UnitVerdict::Kind::vertical;
     verdicts[c] = verdict;
@@ -170,8 +170,8 @@ void judge_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSo
 
 /// If the faces of a region leave several units possible between an unconformity and a horizon below it, the region is
 /// the unit deposited directly on that horizon, because the others were eroded.
-void judge_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
-                                const Column& column, std::vector<UnitVerdict>& verdicts) {
+void find_units_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
+                                     const Column& column, std::vector<UnitVerdict>& verdicts) {
   for (UnitVerdict& verdict : verdicts) {
     if (verdict.kind != UnitVerdict::Kind::incomplete || verdict.first_possible == 0) continue;
     const std::string& above = surfaces[column.horizons[verdict.first_possible - 1]].name;
@@ -339,10 +339,10 @@ NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, co
   const std::vector<std::vector<Index>> around = bodies_around(facts, surfaces, warnings);
   NamedRegions named;
   for (const HorizonContacts& contacts : horizon_contacts(mesh, soup, plc, column))
-    named.verdicts.push_back(judge_unit(contacts, column));
-  if (column.given()) judge_by_vertical(facts, soup, surfaces, column, named.verdicts);
-  if (column.given()) judge_below_unconformities(rules, surfaces, column, named.verdicts);
-  if (column.given()) judge_by_heights(mesh, rules, column, named.verdicts);
+    named.verdicts.push_back(find_unit(contacts, column));
+  if (column.given()) find_units_by_vertical(facts, soup, surfaces, column, named.verdicts);
+  if (column.given()) find_units_below_unconformities(rules, surfaces, column, named.verdicts);
+  if (column.given()) find_units_by_heights(mesh, rules, column, named.verdicts);
   std::vector<Label> labels = make_labels(model, {facts, around, named.verdicts}, rules, column, warnings);
   std::vector<std::string> units;
   for (const Label& label : labels) units.push_back(label.name);

@@ -128,7 +128,7 @@ ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& 
   const std::string where = (end.above ? "above the topography " : "below the bottom ") + end.horizon;
   std::vector<bool> keep(mesh.n_components, true);
   for (std::size_t c = 0; c < keep.size(); ++c) {
-    const UnitVerdict verdict = judge_unit(contacts[c], column);
+    const UnitVerdict verdict = find_unit(contacts[c], column);
     const bool is_beyond = verdict.kind == UnitVerdict::Kind::unit && verdict.first == left_out;
     const bool goes_round = is_beyond && lies_about(contacts[c], end, other_horizons[c]);
     keep[c] = !is_beyond || goes_round;

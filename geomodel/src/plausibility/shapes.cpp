@@ -183,7 +183,7 @@ void doubt_volume(const TriangulatedSurface& s, std::vector<Finding>& findings) 
                       "a dyke or sill is given as one sheet with thickness: T in its entry"});
 }
 
-void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
+void doubt_duplicates(const Inspected& model, std::vector<Finding>& findings) {
   const auto& surfaces = model.inputs.surfaces;
   std::vector<std::size_t> order;
   for (std::size_t s = 0; s < surfaces.size(); ++s)
@@ -209,7 +209,7 @@ void doubt_twins(const Inspected& model, std::vector<Finding>& findings) {
 }
 
 /// Finds wells with identical paths.
-void doubt_twin_wells(const Inspected& model, std::vector<Finding>& findings) {
+void doubt_duplicate_wells(const Inspected& model, std::vector<Finding>& findings) {
   std::map<std::vector<std::tuple<double, double, double>>, std::string> known;
   for (const Polyline& well : model.inputs.wells) {
     std::vector<std::tuple<double, double, double>> path;
@@ -254,8 +254,8 @@ void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
       doubt_open_body(model, surface, rule, findings);
     }
   }
-  doubt_twins(model, findings);
-  doubt_twin_wells(model, findings);
+  doubt_duplicates(model, findings);
+  doubt_duplicate_wells(model, findings);
 }
 
 }  // namespace geomesh::geomodel

@@ -14,7 +14,7 @@
 #include "rules/planar/borders.hpp"
 #include "rules/planar/single_valued.hpp"
 #include "stack/horizon_group.hpp"
-#include "stack/merge_told.hpp"
+#include "stack/merge_stack_reports.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -257,7 +257,7 @@ class BlockStack {
     std::set<Index> blocks;
     for (const SettledBlock& s : settled_) {
       blocks.insert(s.block);
-      merge_told(s.group->told(), built_.stack);
+      merge_stack_reports(s.group->told(), built_.stack);
     }
     const std::set<Index> rows(stack_.rows.begin(), stack_.rows.end());
     for (std::size_t k = 0; k < stack_.rows.size(); ++k) replace(k, blocks, rows);

@@ -5,7 +5,7 @@
 
 #include "arrangement/model/surface_ends.hpp"
 #include "arrangement/pockets/close_pockets.hpp"
-#include "arrangement/pockets/cut_flaps.hpp"
+#include "arrangement/pockets/cut_dangling_faces.hpp"
 #include "arrangement/pockets/fill_holes.hpp"
 #include "arrangement/snap/snap.hpp"
 
@@ -61,13 +61,13 @@ std::size_t n_turned(const Complex& complex, Index surface) {
 
 }  // namespace
 
-TEST_CASE("flaps: what hangs from a closed body and is thinner than the distance goes", "[arrangement]") {
+TEST_CASE("dangling faces: what hangs from a closed body and is thinner than the distance goes", "[arrangement]") {
   const std::vector<Part> one{{{0, 1, 4}, {0}}}, two{{{0, 1, 4}, {0}}, {{1, 5, 4}, {0}}};
   for (const std::vector<Part>& flap : {one, two}) {
     Complex complex = complex_of(tetrahedron_and_points_beside(0.01), with(sides, flap));
     CHECK(surface_ends(complex).size() == flap.size() + 1);
-    const CutFlaps cut = cut_flaps(complex, 0.02);
-    CHECK(cut.n_flaps == 1);
+    const CutDanglingFaces cut = cut_dangling_faces(complex, 0.02);
+    CHECK(cut.n_pieces == 1);
     CHECK(cut.vanished.size() == flap.size());
     CHECK(cut.moved.largest == Approx(0.01 * std::sqrt(2.)));
     CHECK(complex.facets.size() == 4);
@@ -76,13 +76,14 @@ TEST_CASE("flaps: what hangs from a closed body and is thinner than the distance
   }
 }
 
-TEST_CASE("flaps: what reaches farther than the distance stays", "[arrangement]") {
+TEST_CASE("dangling faces: what reaches farther than the distance stays", "[arrangement]") {
   Complex complex = complex_of(tetrahedron_and_points_beside(0.1), with(sides, {{{0, 1, 4}, {0}}}));
-  CHECK(cut_flaps(complex, 0.02).n_flaps == 0);
+  CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 0);
   CHECK(complex.facets.size() == 5);
 }
 
-TEST_CASE("flaps: a wide sheet between two hinges stays, though all of its corners are on these", "[arrangement]") {
+TEST_CASE("dangling faces: a wide sheet between two hinges stays, though all of its corners are on these",
+          "[arrangement]") {
   // Two tetrahedra three apart, and a sheet from an edge of the one to an edge of the other.
   std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
   for (const Vec3& p : {Vec3{0, -3, 0}, Vec3{1, -3, 0}, Vec3{0, -4, 0.5}, Vec3{0, -3.5, 1}}) points.push_back(p);
@@ -90,25 +91,25 @@ TEST_CASE("flaps: a wide sheet between two hinges stays, though all of its corne
       sheet{{{0, 1, 7}, {0}}, {{0, 7, 6}, {0}}};
   Complex complex = complex_of(points, with(with(sides, other), sheet));
   REQUIRE(surface_ends(complex).size() == 2);
-  CHECK(cut_flaps(complex, 0.02).n_flaps == 0);
+  CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 0);
   CHECK(complex.facets.size() == 10);
 }
 
-TEST_CASE("flaps: the end of a surface is none, however thin", "[arrangement]") {
+TEST_CASE("dangling faces: the end of a surface is none, however thin", "[arrangement]") {
   Complex open = complex_of(tetrahedron_and_points_beside(0.01), {{{0, 2, 1}, {0}}, {{0, 1, 4}, {0}}});
-  CHECK(cut_flaps(open, 0.02).n_flaps == 0);
+  CHECK(cut_dangling_faces(open, 0.02).n_pieces == 0);
   CHECK(open.facets.size() == 2);
 }
 
-TEST_CASE("flaps: of two that share a hinge the surface keeps what makes it whole", "[arrangement]") {
+TEST_CASE("dangling faces: of two that share a hinge the surface keeps what makes it whole", "[arrangement]") {
   // Three strips that meet at one edge: without any two of them the surface would end there.
   Complex strips = complex_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0.01, 0}, {0.5, -0.01, 0}, {0.5, 0, 0.01}},
                               {{{0, 1, 2}, {0}}, {{0, 1, 3}, {0}}, {{0, 1, 4}, {0}}});
-  CHECK(cut_flaps(strips, 0.02).n_flaps == 1);
+  CHECK(cut_dangling_faces(strips, 0.02).n_pieces == 1);
   CHECK(strips.facets.size() == 2);
 }
 
-TEST_CASE("flaps: one on which another surface ends becomes that one's", "[arrangement]") {
+TEST_CASE("dangling faces: one on which another surface ends becomes that one's", "[arrangement]") {
   // Surface 1 comes from far below and ends on the flap's edge (1, 4), or on one facet of two.
   std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
   points.push_back({0.7, -3, -3});
@@ -116,7 +117,7 @@ TEST_CASE("flaps: one on which another surface ends becomes that one's", "[arran
       two{{{0, 1, 4}, {0}}, {{1, 5, 4}, {0}}, {{1, 6, 5}, {1}}};
   for (const std::vector<Part>& more : {one, two}) {
     Complex complex = complex_of(points, with(sides, more));
-    CHECK(cut_flaps(complex, 0.02).n_flaps == 1);
+    CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 1);
     REQUIRE(complex.facets.size() == sides.size() + more.size());
     for (std::size_t f = sides.size(); f < complex.facets.size(); ++f) {
       REQUIRE(complex.origins.of(f).size() == 1);
@@ -127,7 +128,7 @@ TEST_CASE("flaps: one on which another surface ends becomes that one's", "[arran
   }
 }
 
-TEST_CASE("flaps: one that another surface crosses, or on which two end, stays", "[arrangement]") {
+TEST_CASE("dangling faces: one that another surface crosses, or on which two end, stays", "[arrangement]") {
   std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
   points.push_back({0.7, -3, -3});
   points.push_back({0.2, -3, -3});
@@ -135,12 +136,12 @@ TEST_CASE("flaps: one that another surface crosses, or on which two end, stays",
   for (const std::vector<Part>& more : {std::vector<Part>{flap, {{1, 6, 4}, {1}}, {{1, 4, 7}, {1}}},
                                         std::vector<Part>{flap, {{1, 6, 4}, {1}}, {{0, 4, 7}, {2}}}}) {
     Complex complex = complex_of(points, with(sides, more));
-    CHECK(cut_flaps(complex, 0.02).n_flaps == 0);
+    CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 0);
     CHECK(complex.origins.of(4)[0].surface == 0);
   }
 }
 
-TEST_CASE("flaps: a facet that is a flap of two surfaces stays that of one, and holds what ends on it",
+TEST_CASE("dangling faces: a facet that is a flap of two surfaces stays that of one, and holds what ends on it",
           "[arrangement]") {
   // Two tetrahedra on either side of the edge (0, 1), of surfaces 0 and 1, share a flap; surface 2 ends on it.
   std::vector<Vec3> points = tetrahedron_and_points_beside(0.01);
@@ -153,14 +154,14 @@ TEST_CASE("flaps: a facet that is a flap of two surfaces stays that of one, and 
                                                     {{0, 7, 6}, {1}},
                                                     {{0, 1, 4}, {0, 1}},
                                                     {{1, 8, 4}, {2}}}));
-  CHECK(cut_flaps(complex, 0.02).n_flaps == 1);
+  CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 1);
   REQUIRE(complex.facets.size() == 10);
   CHECK(complex.origins.of(8).size() == 1);
 }
 
-TEST_CASE("flaps: a facet that another surface has too stays that one's", "[arrangement]") {
+TEST_CASE("dangling faces: a facet that another surface has too stays that one's", "[arrangement]") {
   Complex complex = complex_of(tetrahedron_and_points_beside(0.01), with(sides, {{{0, 1, 4}, {0, 1}}}));
-  CHECK(cut_flaps(complex, 0.02).n_flaps == 1);
+  CHECK(cut_dangling_faces(complex, 0.02).n_pieces == 1);
   REQUIRE(complex.facets.size() == 5);
   REQUIRE(complex.origins.of(4).size() == 1);
   CHECK(complex.origins.of(4)[0].surface == 1);

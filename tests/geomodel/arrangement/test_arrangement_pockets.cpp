@@ -4,7 +4,7 @@
 
 #include "arrangement/join/flatten_slivers.hpp"
 #include "arrangement/pockets/shells.hpp"
-#include "arrangement/snap/slits.hpp"
+#include "arrangement/snap/cracks.hpp"
 #include "arrangement_inputs.hpp"
 #include "dice.hpp"
 #include "require_sound.hpp"
@@ -138,7 +138,7 @@ TEST_CASE("slits: an end of a surface beside vertices of its own is closed, once
   complex.dirty_facet.assign(4, 0);
   complex.input_point.assign(6, no_index);
   std::vector<std::uint8_t> active(4, 0);
-  arrangement::mark_slits(complex, 1e-10, active);
+  arrangement::mark_cracks(complex, 1e-10, active);
   const bool is_slit = off < 1e-10;
   CHECK(active == (is_slit ? std::vector<std::uint8_t>{1, 1, 1, 0} : std::vector<std::uint8_t>(4, 0)));
   arrangement::Joining joining;

@@ -242,12 +242,12 @@ TEST_CASE("sides: facets on an upright edge exactly are left to the intersection
       "f", {{Vec3{0, -8, -2}, Vec3{0, 18, -2}, Vec3{0, 18, 10}}, {Vec3{0, -8, -2}, Vec3{0, 18, 10}, Vec3{0, -8, 10}}})};
   auto ingested = arrangement::ingest({given, sides}, {}, {}, std::nullopt);
   const auto before = ingested.complex.points;
-  CHECK_FALSE(arrangement::draw_to_creases(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
+  CHECK_FALSE(arrangement::draw_to_feature_edges(ingested.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
   CHECK(ingested.complex.points == before);
   auto beside = given;
   for (Vec3& p : beside[0].points) p.x = 0x1p-10;
   auto other = arrangement::ingest({beside, sides}, {}, {}, std::nullopt);
-  CHECK(arrangement::draw_to_creases(other.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
+  CHECK(arrangement::draw_to_feature_edges(other.complex, {32 * 0x1p-49, std::nullopt, 1, true}, 0.5));
 }
 
 TEST_CASE("sides: an end on a turned side stays there where a fault's edge passes it", "[arrangement]") {

@@ -25,7 +25,7 @@ std::vector<std::string> fault_names(const CheckResult& result) {
 }
 
 /// Checks the model's files, alone or against its project.
-CheckResult judge(const CheckModel& model, const std::string& name, bool with_project = false) {
+CheckResult check(const CheckModel& model, const std::string& name, bool with_project = false) {
   const auto folder = fresh_folder(name);
   CheckRequest request;
   request.contract = CheckRequest::Contract::passed_over;
@@ -75,7 +75,7 @@ void add_copy(CheckModel& model, double scale, const Vec3& shift) {
 }  // namespace
 
 TEST_CASE("check: a sound mesh passes, with its exact volumes", "[check]") {
-  const CheckResult result = judge(sound_model(), "sound", true);
+  const CheckResult result = check(sound_model(), "sound", true);
   INFO(geomesh::geomodel::to_text(result));
   CHECK(fault_names(result).empty());
   CHECK(result.volume == 27.0);
@@ -95,7 +95,7 @@ TEST_CASE("check: a mesh of another tool needs no regions and no face set", "[ch
   model.faces.clear();
   model.region.clear();
   model.region_names.clear();
-  CHECK(fault_names(judge(model, "plain")).empty());
+  CHECK(fault_names(check(model, "plain")).empty());
 }
 
 TEST_CASE("check: Gmsh and Abaqus files of the mesh pass with the same regions", "[check]") {
@@ -118,43 +118,43 @@ TEST_CASE("check: faults of cells and points are named", "[check]") {
   CheckModel model = sound_model();
   SECTION("inverted by the order of its points") {
     std::swap(model.tetrahedra[100][0], model.tetrahedra[100][1]);
-    const CheckResult result = judge(model, "inverted_order");
+    const CheckResult result = check(model, "inverted_order");
     CHECK(fault_names(result) == std::vector<std::string>{"inverted_tetrahedra"});
     CHECK(result.faults.front().examples == std::vector<std::size_t>{100});
   }
   SECTION("inverted by a point pulled through a face") {
     const Tetrahedron t = model.tetrahedra[inner_tetrahedron(model, 1)];
     model.points[t[0]] = model.points[t[0]] + 2.5 * (model.points[t[1]] - model.points[t[0]]);
-    const CheckResult result = judge(model, "inverted_place");
+    const CheckResult result = check(model, "inverted_place");
     CHECK(caught(result, "inverted_tetrahedra"));
     CHECK(caught(result, "faces_shared_from_one_side"));
   }
   SECTION("flat") {
     model.tetrahedra.push_back({grid_point(0, 0, 0), grid_point(1, 0, 0), grid_point(0, 1, 0), grid_point(1, 1, 0)});
     model.region.push_back(1);
-    CHECK(caught(judge(model, "flat"), "flat_tetrahedra"));
+    CHECK(caught(check(model, "flat"), "flat_tetrahedra"));
   }
   SECTION("nearly flat, and positive all the same") {
     CheckModel sliver;
     sliver.points = {{0, 0, 0}, {1e7, 0, 0}, {0, 1e7, 0}, {1e7 + 3, 1e7 - 7, 1e-300}};
     sliver.tetrahedra = {{0, 1, 2, 3}};
-    CHECK(fault_names(judge(sliver, "sliver")).empty());
+    CHECK(fault_names(check(sliver, "sliver")).empty());
     sliver.points[3].z = -1e-300;
-    CHECK(fault_names(judge(sliver, "sliver_below")) == std::vector<std::string>{"inverted_tetrahedra"});
+    CHECK(fault_names(check(sliver, "sliver_below")) == std::vector<std::string>{"inverted_tetrahedra"});
   }
   SECTION("two points in one place") {
     model.points.push_back(model.points[model.tetrahedra[7][2]]);
     model.tetrahedra[7][2] = static_cast<std::uint32_t>(model.points.size() - 1);
-    CHECK(caught(judge(model, "equal_points"), "equal_points"));
+    CHECK(caught(check(model, "equal_points"), "equal_points"));
   }
   SECTION("a point that nothing uses") {
     model.points.push_back({0.1, 0.2, 0.3});
-    CHECK(fault_names(judge(model, "unused")) == std::vector<std::string>{"unused_points"});
+    CHECK(fault_names(check(model, "unused")) == std::vector<std::string>{"unused_points"});
   }
   SECTION("a coordinate that is no number") {
     model.points[5].y = std::numeric_limits<double>::quiet_NaN();
     model.faces.clear();
-    CHECK(caught(judge(model, "nan"), "not_finite"));
+    CHECK(caught(check(model, "nan"), "not_finite"));
   }
 }
 
@@ -173,28 +173,28 @@ TEST_CASE("check: faults of conformity and overlap are named", "[check]") {
     model.tetrahedra[i][1] = middle;
     model.tetrahedra.push_back({middle, t[1], t[2], t[3]});
     model.region.push_back(model.region[i]);
-    CHECK(caught(judge(model, "hanging"), exact ? "hanging_faces" : "boundary_crossings"));
+    CHECK(caught(check(model, "hanging"), exact ? "hanging_faces" : "boundary_crossings"));
   }
   SECTION("one tetrahedron twice") {
     model.tetrahedra.push_back(model.tetrahedra[42]);
     model.region.push_back(model.region[42]);
-    CHECK(caught(judge(model, "twice"), "faces_shared_by_many"));
+    CHECK(caught(check(model, "twice"), "faces_shared_by_many"));
   }
   SECTION("two meshes through each other") {
     add_copy(model, 1, {1.03, 0.97, 1.01});
-    CHECK(caught(judge(model, "through"), "boundary_crossings"));
+    CHECK(caught(check(model, "through"), "boundary_crossings"));
   }
   SECTION("a mesh inside another, boundaries apart") {
     add_copy(model, 0.5, {0.71, 0.73, 0.77});
-    CHECK(fault_names(judge(model, "inside")) == std::vector<std::string>{"overlapping_tetrahedra"});
+    CHECK(fault_names(check(model, "inside")) == std::vector<std::string>{"overlapping_tetrahedra"});
   }
   SECTION("a mesh beside another is no fault") {
     add_copy(model, 1, {3.5, 0, 0});
-    CHECK(fault_names(judge(model, "beside")).empty());
+    CHECK(fault_names(check(model, "beside")).empty());
   }
   SECTION("a mesh that touches another with the same points, not shared") {
     add_copy(model, 1, {3, 0, 0});
-    const CheckResult result = judge(model, "touching");
+    const CheckResult result = check(model, "touching");
     CHECK(caught(result, "equal_points"));
     CHECK(caught(result, "hanging_faces"));
   }
@@ -202,7 +202,7 @@ TEST_CASE("check: faults of conformity and overlap are named", "[check]") {
     const std::size_t i = inner_tetrahedron(model, 1);
     model.tetrahedra.erase(model.tetrahedra.begin() + static_cast<std::ptrdiff_t>(i));
     model.region.erase(model.region.begin() + static_cast<std::ptrdiff_t>(i));
-    CHECK(fault_names(judge(model, "cavity")).empty());
+    CHECK(fault_names(check(model, "cavity")).empty());
   }
 }
 
@@ -212,54 +212,54 @@ TEST_CASE("check: faults of regions and face sets are named", "[check]") {
     const std::size_t i = inner_tetrahedron(model, 1);
     model.tetrahedra.erase(model.tetrahedra.begin() + static_cast<std::ptrdiff_t>(i));
     model.region.erase(model.region.begin() + static_cast<std::ptrdiff_t>(i));
-    const CheckResult result = judge(model, "hole", true);
+    const CheckResult result = check(model, "hole", true);
     CHECK(caught(result, "box_volume"));
     CHECK(caught(result, "unlisted_region_faces"));
   }
   SECTION("a tetrahedron with the wrong region") {
     model.region[inner_tetrahedron(model, 1)] = 2;
-    CHECK(caught(judge(model, "wrong_region"), "unlisted_region_faces"));
+    CHECK(caught(check(model, "wrong_region"), "unlisted_region_faces"));
   }
   SECTION("a region without a name") {
     model.region_names.erase(2);
-    CHECK(fault_names(judge(model, "unnamed")) == std::vector<std::string>{"unnamed_regions"});
+    CHECK(fault_names(check(model, "unnamed")) == std::vector<std::string>{"unnamed_regions"});
   }
   SECTION("a name without a region") {
     model.region_names[9] = "nowhere";
-    CHECK(fault_names(judge(model, "empty_region")) == std::vector<std::string>{"empty_regions"});
+    CHECK(fault_names(check(model, "empty_region")) == std::vector<std::string>{"empty_regions"});
   }
   SECTION("a wrong region on a face") {
     model.faces[face_of(model, 4)].region_plus = 3;
-    const CheckResult result = judge(model, "wrong_side");
+    const CheckResult result = check(model, "wrong_side");
     CHECK(caught(result, "wrong_face_regions"));
     CHECK(caught(result, "open_regions"));
   }
   SECTION("a boundary face turned inwards") {
     Face& face = model.faces[face_of(model, 7)];
     std::swap(face.vertices[0], face.vertices[1]);
-    CHECK(caught(judge(model, "turned"), "boundary_faces_turned"));
+    CHECK(caught(check(model, "turned"), "boundary_faces_turned"));
   }
   SECTION("a face twice") {
     model.faces.push_back(model.faces[face_of(model, 5)]);
-    CHECK(fault_names(judge(model, "repeated")) == std::vector<std::string>{"repeated_faces"});
+    CHECK(fault_names(check(model, "repeated")) == std::vector<std::string>{"repeated_faces"});
   }
   SECTION("a triangle that is no face") {
     model.faces[face_of(model, 5)].vertices = {grid_point(0, 0, 0), grid_point(3, 0, 3), grid_point(0, 4, 0)};
-    CHECK(caught(judge(model, "no_face"), "faces_not_in_mesh"));
+    CHECK(caught(check(model, "no_face"), "faces_not_in_mesh"));
   }
   SECTION("a surface without a name") {
     model.faces[face_of(model, 5)].surface = 77;
-    CHECK(caught(judge(model, "unnamed_surface"), "unnamed_surfaces"));
+    CHECK(caught(check(model, "unnamed_surface"), "unnamed_surfaces"));
   }
   SECTION("input points after added ones") {
     model.input_vertex_of_point_3 = -1;
-    CHECK(fault_names(judge(model, "not_first")) == std::vector<std::string>{"input_points_not_first"});
+    CHECK(fault_names(check(model, "not_first")) == std::vector<std::string>{"input_points_not_first"});
   }
   SECTION("ids shared between regions and surfaces") {
     model.surface_names[2] = "fault";
     for (Face& face : model.faces)
       if (face.surface == 5) face.surface = 2;
-    CHECK(caught(judge(model, "shared_ids"), "shared_ids"));
+    CHECK(caught(check(model, "shared_ids"), "shared_ids"));
   }
 }
 
@@ -267,25 +267,25 @@ TEST_CASE("check: input triangles must be covered", "[check]") {
   CheckModel model = sound_model();
   SECTION("a piece of a fault is missing, where nothing else tells") {
     model.faces.erase(model.faces.begin() + static_cast<std::ptrdiff_t>(face_of(model, 5)));
-    CHECK(fault_names(judge(model, "missing_fault_piece")).empty());
-    CHECK(fault_names(judge(model, "missing_fault_piece_project", true)) ==
+    CHECK(fault_names(check(model, "missing_fault_piece")).empty());
+    CHECK(fault_names(check(model, "missing_fault_piece_project", true)) ==
           std::vector<std::string>{"uncovered_triangles"});
   }
   SECTION("a piece of the horizon is missing") {
     model.faces.erase(model.faces.begin() + static_cast<std::ptrdiff_t>(face_of(model, 4)));
-    CHECK(caught(judge(model, "missing_horizon_piece", true), "uncovered_triangles"));
+    CHECK(caught(check(model, "missing_horizon_piece", true), "uncovered_triangles"));
   }
   SECTION("a piece of the horizon inside the salt") {
     // The square of the middle level about the body's axis: mesh faces, inside the body.
     const auto a = grid_point(2, 2, 3), b = grid_point(3, 2, 3), c = grid_point(3, 3, 3);
     model.faces.push_back({{a, b, c}, 4, 0, 1, 3, 3, 0});
-    CHECK(caught(judge(model, "inside_salt", true), "faces_inside_bodies"));
+    CHECK(caught(check(model, "inside_salt", true), "faces_inside_bodies"));
   }
   SECTION("faces that name the wrong triangle") {
     model.faces[face_of(model, 4)].source_triangle ^= 1;
-    CHECK(fault_names(judge(model, "wrong_source", true)) == std::vector<std::string>{"faces_off_their_triangle"});
+    CHECK(fault_names(check(model, "wrong_source", true)) == std::vector<std::string>{"faces_off_their_triangle"});
     model.faces[face_of(model, 4)].source_triangle = 12;
-    CHECK(caught(judge(model, "no_source", true), "wrong_source_triangles"));
+    CHECK(caught(check(model, "no_source", true), "wrong_source_triangles"));
   }
   SECTION("a surface moved by a thousandth") {
     const auto folder = fresh_folder("moved");

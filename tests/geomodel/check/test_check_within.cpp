@@ -20,7 +20,7 @@ using geomesh::geomodel::CheckRequest;
 using geomesh::geomodel::CheckResult;
 using geomesh::geomodel::checking::Corners;
 using geomesh::geomodel::checking::Deviation;
-using geomesh::geomodel::checking::DeviationJudge;
+using geomesh::geomodel::checking::DeviationChecker;
 using geomesh::geomodel::checking::TriangleSet;
 
 namespace {
@@ -63,7 +63,7 @@ CheckModel numbered_model() {
   return model;
 }
 
-struct Judged {
+struct Checked {
   CheckResult result;
   bool passes() const { return result.faults.empty(); }
   bool caught(const std::string& id) const {
@@ -76,8 +76,8 @@ struct Judged {
 };
 
 /// Against the project; `report`: text of the report beside the mesh, empty: none.
-Judged judge(const CheckModel& model, const std::string& name, double allowed = within,
-             const std::string& report = "") {
+Checked check(const CheckModel& model, const std::string& name, double allowed = within,
+              const std::string& report = "") {
   const auto folder = fresh_folder("within_" + name);
   CheckRequest request;
   request.contract = CheckRequest::Contract::passed_over;
@@ -101,46 +101,46 @@ std::string report_of(double lower, double upper, double salt) {
 TEST_CASE("check within a tolerance: surfaces that moved by less pass, by more do not", "[check][within]") {
   CheckModel model = numbered_model();
   SECTION("nothing moved") {
-    const Judged judged = judge(model, "sound", within, report_of(13, 13, 1));
-    INFO(geomesh::geomodel::to_text(judged.result));
-    CHECK(judged.passes());
-    CHECK(judged.says("proven within 0.04 for 100 % of the area"));
-    CHECK(judged.says("1 closed bodies hold the volume"));
-    CHECK(judged.says("region volumes are those of the input"));
+    const Checked checked = check(model, "sound", within, report_of(13, 13, 1));
+    INFO(geomesh::geomodel::to_text(checked.result));
+    CHECK(checked.passes());
+    CHECK(checked.says("proven within 0.04 for 100 % of the area"));
+    CHECK(checked.says("1 closed bodies hold the volume"));
+    CHECK(checked.says("region volumes are those of the input"));
   }
   SECTION("a point of a horizon off its plane") {
     Vec3& p = model.points[grid_point(1, 1, mid_level)];
     p.z = mid_level * spacing + 0.6 * within;
-    CHECK(judge(model, "near", within, report_of(13, 13, 1)).passes());
-    CHECK_FALSE(judge(model, "exact", 0).passes());
+    CHECK(check(model, "near", within, report_of(13, 13, 1)).passes());
+    CHECK_FALSE(check(model, "exact", 0).passes());
     p.z = mid_level * spacing + 2 * within;
-    const Judged judged = judge(model, "far");
-    CHECK(judged.caught("faces_off_their_surface"));
-    CHECK(judged.caught("input_off_the_mesh"));
-    CHECK(judged.says("surfaces: mid"));
-    CHECK(judged.says("the largest distance seen: 0.08"));
+    const Checked checked = check(model, "far");
+    CHECK(checked.caught("faces_off_their_surface"));
+    CHECK(checked.caught("input_off_the_mesh"));
+    CHECK(checked.says("surfaces: mid"));
+    CHECK(checked.says("the largest distance seen: 0.08"));
   }
   SECTION("a point of a body") {
     Vec3& p = model.points[grid_point(body_from, 3, 3)];
     p.x -= 2 * within;
-    CHECK(judge(model, "body").caught("faces_off_their_surface"));
+    CHECK(check(model, "body").caught("faces_off_their_surface"));
     p.x += 1.4 * within;
-    CHECK(judge(model, "body_near").passes());
+    CHECK(check(model, "body_near").passes());
   }
   SECTION("a point of a fault's tip") {
     Vec3& p = model.points[grid_point(fault_column, fault_tip_row, 5)];
     p.y -= 2 * within;
-    const Judged shorter = judge(model, "tip_short");
+    const Checked shorter = check(model, "tip_short");
     CHECK(shorter.caught("borders_off"));
     CHECK(shorter.caught("input_off_the_mesh"));
     p.y += 4 * within;
-    CHECK(judge(model, "tip_long").caught("faces_off_their_surface"));
+    CHECK(check(model, "tip_long").caught("faces_off_their_surface"));
     p.y -= 1.5 * within;
-    CHECK(judge(model, "tip_near").passes());
+    CHECK(check(model, "tip_near").passes());
   }
   SECTION("a side of the box stays where it is") {
     model.points[grid_point(0, 1, 1)].x = 1e-6;
-    CHECK(judge(model, "box").caught("faces_off_box_side"));
+    CHECK(check(model, "box").caught("faces_off_box_side"));
   }
 }
 
@@ -151,9 +151,9 @@ TEST_CASE("check within a tolerance: what is missing, swapped or renamed is caug
   };
   SECTION("a facet of a fault") {
     model.faces.erase(first_of(5));
-    const Judged judged = judge(model, "no_facet");
-    CHECK(judged.caught("input_off_the_mesh"));
-    CHECK(judged.caught("borders_off"));
+    const Checked checked = check(model, "no_facet");
+    CHECK(checked.caught("input_off_the_mesh"));
+    CHECK(checked.caught("borders_off"));
   }
   SECTION("a whole fault that nothing clips") {
     // With the fault inside the box; the mesh knows nothing of it.
@@ -166,16 +166,16 @@ TEST_CASE("check within a tolerance: what is missing, swapped or renamed is caug
     request.project = write_project(folder);
     request.within = within;
     write_ts(folder / "fault.ts", "fault", {{2.5, 2.3, 2.2}, {2.6, 2.8, 2.2}, {2.5, 2.8, 2.8}}, {{0, 1, 2}});
-    CHECK(Judged{check_mesh(request)}.caught("missing_surfaces"));
+    CHECK(Checked{check_mesh(request)}.caught("missing_surfaces"));
   }
   SECTION("regions swapped in cells and faces alike") {
     std::swap(model.region_names[1], model.region_names[3]);
-    const Judged judged = judge(model, "swapped", within, report_of(13, 13, 1));
-    CHECK(judged.caught("region_volumes"));
-    CHECK(judged.says("lower: 1, in the input 13"));
+    const Checked checked = check(model, "swapped", within, report_of(13, 13, 1));
+    CHECK(checked.caught("region_volumes"));
+    CHECK(checked.says("lower: 1, in the input 13"));
   }
   SECTION("a report that does not fill the box") {
-    CHECK(judge(model, "report", within, report_of(13, 13, 1.5)).caught("region_volumes"));
+    CHECK(check(model, "report", within, report_of(13, 13, 1.5)).caught("region_volumes"));
   }
   SECTION("a cell of the body given to what is about it") {
     for (std::size_t t = 0; t < model.tetrahedra.size(); ++t)
@@ -186,12 +186,12 @@ TEST_CASE("check within a tolerance: what is missing, swapped or renamed is caug
     model.faces.clear();
     add_faces(model);
     number_patches(model);
-    CHECK(judge(model, "cell").caught("faces_off_their_surface"));
+    CHECK(check(model, "cell").caught("faces_off_their_surface"));
   }
   SECTION("a face of the horizon deep in the body") {
     const auto a = grid_point(2, 2, 3), b = grid_point(3, 2, 3), c = grid_point(3, 3, 3);
     model.faces.push_back({{a, b, c}, 4, 0, 99, 3, 3, 0});
-    CHECK(judge(model, "deep").caught("faces_inside_bodies"));
+    CHECK(check(model, "deep").caught("faces_inside_bodies"));
   }
   SECTION("a curve where two surfaces cross") {
     // The input's horizon stands a little aslant in the salt: the curve runs elsewhere than the mesh's.
@@ -203,11 +203,11 @@ TEST_CASE("check within a tolerance: what is missing, swapped or renamed is caug
     write_ts(folder / "mid.ts", "mid", {{-1, -1, 1.3}, {4, -1, 1.3}, {4, 4, 1.7}, {-1, 4, 1.7}},
              {{0, 1, 2}, {0, 2, 3}});
     request.within = 0.3;
-    CHECK(Judged{check_mesh(request)}.passes());
+    CHECK(Checked{check_mesh(request)}.passes());
     request.within = 0.015;  // the curves are 0.04 apart
-    const Judged judged{check_mesh(request)};
-    CHECK(judged.caught("curves_off"));
-    CHECK(judged.caught("faces_off_their_surface"));
+    const Checked checked{check_mesh(request)};
+    CHECK(checked.caught("curves_off"));
+    CHECK(checked.caught("faces_off_their_surface"));
   }
 }
 
@@ -232,17 +232,17 @@ TEST_CASE("check within a tolerance: a mesh alone against surfaces", "[check][wi
   request.surfaces = {folder / "salt.ts"};
   request.within = within;
   const std::uint32_t corner = rows[grid_point(body_from, body_from, body_from)];
-  const auto judge_with_corner_moved = [&](double by) {
+  const auto check_with_corner_moved = [&](double by) {
     const Vec3 was = model.points[corner];
     model.points[corner].x += by;
     request.mesh = model.write(folder);
     model.points[corner] = was;
-    return Judged{check_mesh(request)};
+    return Checked{check_mesh(request)};
   };
-  CHECK(judge_with_corner_moved(0).passes());
-  CHECK(judge_with_corner_moved(0.7 * within).passes());
-  CHECK(judge_with_corner_moved(2 * within).caught("input_off_the_mesh"));
-  CHECK(judge_with_corner_moved(-2 * within).caught("faces_off_their_surface"));
+  CHECK(check_with_corner_moved(0).passes());
+  CHECK(check_with_corner_moved(0.7 * within).passes());
+  CHECK(check_with_corner_moved(2 * within).caught("input_off_the_mesh"));
+  CHECK(check_with_corner_moved(-2 * within).caught("faces_off_their_surface"));
 }
 
 TEST_CASE("check within a tolerance: what is called proven is so at many points", "[check][within]") {
@@ -280,7 +280,7 @@ TEST_CASE("check within a tolerance: what is called proven is so at many points"
         largest =
             std::max(largest, set.distance(t[0] + double(i) / grid * (t[1] - t[0]) + double(j) / grid * (t[2] - t[0])));
     Deviation deviation;
-    const auto witness = DeviationJudge(set, tolerance).judge(t, deviation);
+    const auto witness = DeviationChecker(set, tolerance).check(t, deviation);
     if (witness) {
       CHECK(set.distance(*witness) > tolerance);
       ++n_beyond;

@@ -2,8 +2,8 @@
 // What rules may have taken of a surface, at their limits: on the limit and within the room beyond it, not farther.
 #include <catch2/catch.hpp>
 
-#include "check/claim/taken_by_rules.hpp"
 #include "check/pieces/taken_pieces.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 using namespace geomesh;
 using namespace geomesh::geomodel;
@@ -24,11 +24,11 @@ TriangulatedSurface level(double height) {
 TEST_CASE("Above and below another surface are told on the vertical, and beside it at the nearest point", "[check]") {
   constexpr double room = 0.125, half = room / 2;
   for (const bool above : {true, false}) {
-    Claim claim;
-    claim.surfaces = {level(0), level(3)};
-    claim.trims.resize(2);
-    (above ? claim.trims[0].above : claim.trims[0].below) = {1};
-    const TakenByRules taken(claim, room);
+    Specification specification;
+    specification.surfaces = {level(0), level(3)};
+    specification.trims.resize(2);
+    (above ? specification.trims[0].above : specification.trims[0].below) = {1};
+    const TakenByRules taken(specification, room);
     const double beyond = above ? 1 : -1;
     for (const double x : {0.0, 20.0}) {  // over the other surface, and beside it
       CHECK(taken.may_be_away(0, 0, {x, 0.5, 3 + beyond}));

@@ -31,7 +31,7 @@ std::size_t n_triangles(const FileContents& contents) {
 double enclosed_volume(const RegionHint& region, const FileContents& contents) {
   const Vec3 origin = contents.surfaces.front().points.front();
   long double sum = 0;
-  for (const RegionHint::Side& side : region.boundary) {
+  for (const RegionHint::OrientedTriangle& side : region.boundary) {
     const TriangulatedSurface& s = contents.surfaces[side.surface];
     const Triangle& t = s.triangles[side.triangle];
     const Vec3 a = s.points[t[0]] - origin, b = s.points[t[1]] - origin, c = s.points[t[2]] - origin;

@@ -38,7 +38,7 @@ struct CheckRequest {
   /// coverage.
   double within = -1;
   /// Whether names, curves and arrays are checked too, provided that there are a project and a set of faces.
-  enum class Contract { judged, passed_over } contract = Contract::judged;
+  enum class Contract { checked, passed_over } contract = Contract::checked;
 };
 
 struct CheckFault {

@@ -51,11 +51,11 @@ struct RegionHint {
   std::string name;
   /// Oriented boundary as (surface row, triangle row, orientation as stored (true) or reversed); the region lies on the
   /// side that the normal points away from (outward normals).
-  struct Side {
+  struct OrientedTriangle {
     Index surface, triangle;
     bool as_stored;
   };
-  std::vector<Side> boundary;
+  std::vector<OrientedTriangle> boundary;
 };
 
 /// Points that belong together without connections: interpreted picks or a point cloud.

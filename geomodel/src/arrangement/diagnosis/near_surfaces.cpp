@@ -89,7 +89,7 @@ class Nearness {
 
 }  // namespace
 
-NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double twin_distance,
+NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double duplicate_distance,
                            double end_distance) {
   std::vector<Box3> boxes;
   for (const TriangulatedSurface& s : surfaces) boxes.push_back(box_of(s));
@@ -98,9 +98,9 @@ NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, dou
   for (Index a = 0; a < surfaces.size(); ++a)
     for (Index b = a + 1; b < surfaces.size(); ++b) {
       if (surfaces[a].triangles.empty() || surfaces[b].triangles.empty()) continue;
-      if (!are_near(boxes[a], boxes[b], std::max(twin_distance, end_distance))) continue;
-      if (nearness.follows(a, b, twin_distance) || nearness.follows(b, a, twin_distance))
-        found.twins.emplace_back(a, b);
+      if (!are_near(boxes[a], boxes[b], std::max(duplicate_distance, end_distance))) continue;
+      if (nearness.follows(a, b, duplicate_distance) || nearness.follows(b, a, duplicate_distance))
+        found.duplicates.emplace_back(a, b);
       if (nearness.ends_beside(a, b, end_distance) || nearness.ends_beside(b, a, end_distance))
         found.ending.emplace_back(a, b);
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "arrangement/snap/slits.hpp"
+#include "arrangement/snap/cracks.hpp"
 #include "common/union_find.hpp"
 
 namespace geomesh::geomodel::arrangement {
@@ -64,7 +64,7 @@ SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunC
                             std::size_t memory_bound) {
   std::vector<std::uint8_t> active;
   for (const Triangle& t : complex.facets) active.push_back(is_sliver(complex, t, joining.distance));
-  mark_slits(complex, joining.distance, active);
+  mark_cracks(complex, joining.distance, active);
   return bring_together(complex, std::move(active), joining, context, memory_bound);
 }
 

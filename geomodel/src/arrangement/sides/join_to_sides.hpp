@@ -31,7 +31,7 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
 /// element fits between. The edges of sides keep their places up to rounding. Returns nothing if everything near lies
 /// on these edges exactly. Vertices that are near must be on them already: move_to_sides() comes first. O(n log c) for
 /// n facets and c such edges, if each facet's box meets few of these.
-std::optional<SnapOutcome> draw_to_creases(Complex& complex, const Joining& joining, double tolerance);
+std::optional<SnapOutcome> draw_to_feature_edges(Complex& complex, const Joining& joining, double tolerance);
 
 /// Returns the bits for SnapOptions::sides_of for a volume that is not a box along the axes; otherwise empty. O(n log
 /// s).

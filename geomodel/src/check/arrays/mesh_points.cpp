@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the points of the files against each other, declared in check/arrays/judge_arrays.hpp.
-#include "check/arrays/judge_arrays.hpp"
-#include "check/judged/faults.hpp"
+// Checks the points of the files against each other, declared in check/arrays/check_arrays.hpp.
+#include "check/arrays/check_arrays.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 
-void check_mesh_points(const JudgedMesh& mesh, const std::vector<Vec3>& points, const std::vector<std::int32_t>& rows,
+void check_mesh_points(const CheckedMesh& mesh, const std::vector<Vec3>& points, const std::vector<std::int32_t>& rows,
                        const std::string& file, CheckResult& result) {
   FaultCollector wrong("wrong_mesh_points");
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the numbers of patches, declared in check/arrays/judge_arrays.hpp.
+// Checks the numbers of patches, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <numeric>
 
-#include "check/arrays/judge_arrays.hpp"
-#include "check/judged/faults.hpp"
+#include "check/arrays/check_arrays.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
 /// Returns a union-find root for each face; faces are joined across edges with exactly two faces, both of one set of
 /// surfaces.
-std::vector<Index> joined_faces(const ClaimedFaces& claimed) {
+std::vector<Index> joined_faces(const CheckedFaces& checked) {
   std::map<MeshEdge, std::vector<Index>> edges;
-  const auto& triangles = claimed.candidates();
+  const auto& triangles = checked.candidates();
   for (Index f = 0; f < triangles.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const VertexIndex a = triangles[f][i], b = triangles[f][(i + 1) % 3];
@@ -26,7 +26,7 @@ std::vector<Index> joined_faces(const ClaimedFaces& claimed) {
     return f;
   };
   for (const auto& [edge, at] : edges)
-    if (at.size() == 2 && claimed.set_of(at[0]) == claimed.set_of(at[1])) {
+    if (at.size() == 2 && checked.set_of(at[0]) == checked.set_of(at[1])) {
       const Index a = find(at[0]), b = find(at[1]);
       root[std::max(a, b)] = std::min(a, b);
     }
@@ -36,11 +36,11 @@ std::vector<Index> joined_faces(const ClaimedFaces& claimed) {
 
 }  // namespace
 
-void check_patches(const ClaimedFaces& claimed, CheckResult& result) {
-  const FacesFile& faces = *claimed.faces();
-  const std::vector<Index> root = joined_faces(claimed);
+void check_patches(const CheckedFaces& checked, CheckResult& result) {
+  const FacesFile& faces = *checked.faces();
+  const std::vector<Index> root = joined_faces(checked);
   // If the model ends at a surface, the part that connects two pieces of a patch may lie outside.
-  const bool parts_may_be_joined_outside = claimed.claim().ends_inside || !claimed.claim().volume;
+  const bool parts_may_be_joined_outside = checked.specification().ends_inside || !checked.specification().volume;
   std::map<Index, std::int32_t> patch_of_root;
   std::map<std::int32_t, Index> root_of_patch;
   FaultCollector wrong("wrong_patches");
@@ -48,8 +48,8 @@ void check_patches(const ClaimedFaces& claimed, CheckResult& result) {
     const bool is_one = patch_of_root.try_emplace(root[f], faces.patch[f]).first->second == faces.patch[f];
     const Index first = root_of_patch.try_emplace(faces.patch[f], root[f]).first->second;
     const bool is_alone =
-        first == root[f] || (parts_may_be_joined_outside && claimed.set_of(first) == claimed.set_of(f));
-    if (!is_one || !is_alone) wrong.add(f, claimed.corner(claimed.candidates()[f], 0));
+        first == root[f] || (parts_may_be_joined_outside && checked.set_of(first) == checked.set_of(f));
+    if (!is_one || !is_alone) wrong.add(f, checked.corner(checked.candidates()[f], 0));
   }
   wrong.report(
       result,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of points, declared in check/arrays/judge_arrays.hpp.
+// Checks the arrays of points, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
 
-#include "check/arrays/judge_arrays.hpp"
+#include "check/arrays/check_arrays.hpp"
 #include "check/exact/deviation.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/names/region_places.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -22,11 +22,11 @@ struct AtPoint {
   bool may_be_on_curve = false;  ///< set if the files contain no curves
 };
 
-std::vector<AtPoint> things_at_points(const ClaimedFaces& claimed, const JudgedCurves* curves) {
-  std::vector<AtPoint> at(claimed.mesh().n_points());
-  for (Index f = 0; f < claimed.candidates().size(); ++f)
-    for (const VertexIndex v : claimed.candidates()[f])
-      if (v != no_vertex) at[v].surfaces.insert(claimed.set_of(f).begin(), claimed.set_of(f).end());
+std::vector<AtPoint> things_at_points(const CheckedFaces& checked, const CheckedCurves* curves) {
+  std::vector<AtPoint> at(checked.mesh().n_points());
+  for (Index f = 0; f < checked.candidates().size(); ++f)
+    for (const VertexIndex v : checked.candidates()[f])
+      if (v != no_vertex) at[v].surfaces.insert(checked.set_of(f).begin(), checked.set_of(f).end());
   if (!curves) {
     for (AtPoint& a : at) a.may_be_on_curve = true;
     return at;
@@ -86,9 +86,9 @@ bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool 
 
 /// Returns whether two triangles of the input without a common corner pass p within rounding: merging surfaces there,
 /// or closing a crack, may have left only the point of the intersection. O(triangles).
-bool were_apart_at(const Claim& claim, const Vec3& p, double rounding) {
+bool were_apart_at(const Specification& specification, const Vec3& p, double rounding) {
   std::vector<Corners> near;
-  for (const TriangulatedSurface& s : claim.surfaces)
+  for (const TriangulatedSurface& s : specification.surfaces)
     for (const Triangle& t : s.triangles) {
       const Corners corners{s.points[t[0]], s.points[t[1]], s.points[t[2]]};
       const Vec3 d = nearest_on_triangle(p, corners) - p;
@@ -104,16 +104,18 @@ bool were_apart_at(const Claim& claim, const Vec3& p, double rounding) {
 
 }  // namespace
 
-void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves, double rounding, CheckResult& result) {
-  const JudgedMesh& mesh = claimed.mesh();
-  const Claim& claim = claimed.claim();
+void check_point_values(const CheckedFaces& checked, const CheckedCurves* curves, double rounding,
+                        CheckResult& result) {
+  const CheckedMesh& mesh = checked.mesh();
+  const Specification& specification = checked.specification();
   if (mesh.file.kind.size() != mesh.n_points() || mesh.file.input_vertex.size() != mesh.n_points()) return;
-  const std::vector<AtPoint> at = things_at_points(claimed, curves);
-  const InputRows rows(claim.input_points);
+  const std::vector<AtPoint> at = things_at_points(checked, curves);
+  const InputRows rows(specification.input_points);
   const bool trimmed =
-      std::any_of(claim.trims.begin(), claim.trims.end(), [](const TrimRules& t) { return t.any(); }) ||
-      std::any_of(claim.surfaces.begin(), claim.surfaces.end(), [](const auto& s) { return s.cuts_all; });
-  const bool exact = claim.within == 0 && claim.merging == 0;
+      std::any_of(specification.trims.begin(), specification.trims.end(), [](const TrimRules& t) { return t.any(); }) ||
+      std::any_of(specification.surfaces.begin(), specification.surfaces.end(),
+                  [](const auto& s) { return s.cuts_all; });
+  const bool exact = specification.within == 0 && specification.merging == 0;
   const std::set<VertexIndex> midpoints(mesh.file.midpoints.begin(), mesh.file.midpoints.end());
   FaultCollector wrong_kind("wrong_kinds"), wrong_row("wrong_input_vertices");
   for (VertexIndex v = 0; v < mesh.n_points(); ++v) {
@@ -122,16 +124,16 @@ void check_point_values(const ClaimedFaces& claimed, const JudgedCurves* curves,
     if (midpoints.contains(v)) continue;
     const std::int32_t row = mesh.file.input_vertex[v], here = rows.first_at(p);
     if (row >= 0) {
-      const bool known = static_cast<std::size_t>(row) < claim.input_points.size();
-      const Vec3 d = known ? claim.input_points[static_cast<std::size_t>(row)] - p : Vec3{};
-      if (!known || std::sqrt(dot(d, d)) > rounding + claim.within + claim.merging ||
+      const bool known = static_cast<std::size_t>(row) < specification.input_points.size();
+      const Vec3 d = known ? specification.input_points[static_cast<std::size_t>(row)] - p : Vec3{};
+      if (!known || std::sqrt(dot(d, d)) > rounding + specification.within + specification.merging ||
           (exact && here >= 0 && row != here))
         wrong_row.add(v, p);
     } else if (row != -1 || (exact && here >= 0 && !at[v].surfaces.empty())) {
       wrong_row.add(v, p);
     }
-    if (!fits(mesh.file.kind[v], at[v], row, trimmed || claim.merging > 0) &&
-        !(fits(mesh.file.kind[v], at[v], row, true) && were_apart_at(claim, p, rounding)))
+    if (!fits(mesh.file.kind[v], at[v], row, trimmed || specification.merging > 0) &&
+        !(fits(mesh.file.kind[v], at[v], row, true) && were_apart_at(specification, p, rounding)))
       wrong_kind.add(v, p);
   }
   wrong_kind.report(

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the report against the mesh, declared in check/arrays/judge_arrays.hpp.
+// Checks the report against the mesh, declared in check/arrays/check_arrays.hpp.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "check/arrays/judge_arrays.hpp"
-#include "check/judged/faults.hpp"
+#include "check/arrays/check_arrays.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -39,7 +39,7 @@ bool number_is(const nlohmann::json& entry, const char* key, double due, double 
 
 }  // namespace
 
-void check_report(const ClaimedFaces& claimed, const JudgedCurves* curves, const nlohmann::json& report,
+void check_report(const CheckedFaces& checked, const CheckedCurves* curves, const nlohmann::json& report,
                   double tolerance, CheckResult& result) {
   FaultCollector differs("report_differs");
   auto regions = by_id(report, "regions");
@@ -51,12 +51,12 @@ void check_report(const ClaimedFaces& claimed, const JudgedCurves* curves, const
       differs.add(static_cast<std::size_t>(region.id), {});
   }
   std::map<std::int32_t, double> areas, lengths;
-  for (Index f = 0; f < claimed.candidates().size(); ++f) {
-    const Corners c = corners_of(claimed, f);
-    for (const std::int32_t id : claimed.set_of(f)) areas[id] += 0.5 * length_of(cross(c[1] - c[0], c[2] - c[0]));
+  for (Index f = 0; f < checked.candidates().size(); ++f) {
+    const Corners c = corners_of(checked, f);
+    for (const std::int32_t id : checked.set_of(f)) areas[id] += 0.5 * length_of(cross(c[1] - c[0], c[2] - c[0]));
   }
   auto surfaces = by_id(report, "surfaces");
-  for (const auto& [id, name] : claimed.faces()->surface_names) {
+  for (const auto& [id, name] : checked.faces()->surface_names) {
     const auto at = surfaces.find(id);
     if (at == surfaces.end() || !text_is(at->second, "name", name) || !number_is(at->second, "area", areas[id]))
       differs.add(static_cast<std::size_t>(id), {});
@@ -65,7 +65,7 @@ void check_report(const ClaimedFaces& claimed, const JudgedCurves* curves, const
     for (std::size_t e = 0; e < curves->edges.size(); ++e)
       if (curves->edges[e][1] != no_vertex)
         lengths[curves->file.edge_curve[e]] +=
-            length_of(claimed.mesh().point(curves->edges[e][0]) - claimed.mesh().point(curves->edges[e][1]));
+            length_of(checked.mesh().point(curves->edges[e][0]) - checked.mesh().point(curves->edges[e][1]));
     auto listed = by_id(report, "curves");
     for (const auto& curve : curves->file.curves) {
       const auto at = listed.find(curve.id);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the element shapes in the report against the mesh, declared in check/arrays/judge_arrays.hpp.
+// Checks the element shapes in the report against the mesh, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "check/arrays/judge_arrays.hpp"
-#include "check/arrays/judged_shape.hpp"
-#include "check/judged/faults.hpp"
+#include "check/arrays/check_arrays.hpp"
+#include "check/arrays/element_shape.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -94,7 +94,7 @@ struct Shapes {
   Mean mean_min_dihedral{180}, mean_max_dihedral{180}, mean_radius_ratio{1}, mean_mean_ratio{1}, mean_aspect{1};
   Bins least_angles{18, 5}, angles{36, 5}, radius_ratios{20, 0.05};
 
-  void add(const JudgedShape& s) {
+  void add(const ElementShape& s) {
     const double of_angles = s.slack_of_angles(), of_ratios = s.slack_of_ratios();
     ++n;
     n_sharp += s.min_dihedral + of_angles < sharp;
@@ -163,11 +163,11 @@ bool agree_on_parts(const json& quality, const Shapes& due) {
 }
 
 /// Checks an element in the list of the worst: its row, angles, place and region.
-bool agree_on_element(const JudgedMesh& mesh, const json& told, double ulp) {
+bool agree_on_element(const CheckedMesh& mesh, const json& told, double ulp) {
   const json& row = at(told, "/tetrahedron");
   if (!is_count(row, 0, mesh.cells.size() - 1)) return false;
   const std::size_t c = row.get<std::size_t>();
-  const JudgedShape s = judged_shape(mesh, mesh.cells[c], ulp);
+  const ElementShape s = element_shape(mesh, mesh.cells[c], ulp);
   const double slack = s.slack_of_angles();
   const Vec3 place = centroid(mesh, mesh.cells[c]);
   const double by_rounding = 8 * ulp;
@@ -186,7 +186,7 @@ struct MeasuredShapes {
 };
 
 /// Checks the report of a mesh made in one process (docs/report.schema.json).
-void compare(const JudgedMesh& mesh, const json& quality, const MeasuredShapes& due, FaultCollector& differs) {
+void compare(const CheckedMesh& mesh, const json& quality, const MeasuredShapes& due, FaultCollector& differs) {
   if (!agree_on_whole(quality, due.whole)) differs.add(0, {});
   const json& told = at(quality, "/regions");
   for (const auto& [id, shapes] : due.regions) {
@@ -201,13 +201,13 @@ void compare(const JudgedMesh& mesh, const json& quality, const MeasuredShapes& 
 
 }  // namespace
 
-void check_report_quality(const JudgedMesh& mesh, const json& report, double ulp, CheckResult& result) {
+void check_report_quality(const CheckedMesh& mesh, const json& report, double ulp, CheckResult& result) {
   const json& quality = at(report, "/quality");
   if (!quality.is_object()) return;
   Shapes whole;
   std::map<std::int32_t, Shapes> regions;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
-    const JudgedShape shape = judged_shape(mesh, mesh.cells[c], ulp);
+    const ElementShape shape = element_shape(mesh, mesh.cells[c], ulp);
     whole.add(shape);
     regions[mesh.file.region[c]].add(shape);
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the lists of surfaces and of their sets, declared in check/arrays/judge_arrays.hpp.
+// Checks the lists of surfaces and of their sets, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "check/arrays/judge_arrays.hpp"
+#include "check/arrays/check_arrays.hpp"
 #include "check/exact/deviation.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -17,22 +17,22 @@ struct Listed {
 };
 
 /// Returns the expected list: the project's surfaces in its order, then the sides of the volume.
-std::vector<Listed> due_surfaces(const Claim& claim) {
+std::vector<Listed> due_surfaces(const Specification& specification) {
   std::vector<Listed> due;
-  for (const TriangulatedSurface& s : claim.surfaces) due.push_back({s.name, to_string(s.kind)});
-  if (claim.box())
+  for (const TriangulatedSurface& s : specification.surfaces) due.push_back({s.name, to_string(s.kind)});
+  if (specification.box())
     for (const char* name : box_side_names) due.push_back({name, "box"});
-  if (claim.volume && !claim.volume->box)
-    for (const TriangulatedSurface& side : claim.volume->sides) due.push_back({side.name, "box"});
+  if (specification.volume && !specification.volume->box)
+    for (const TriangulatedSurface& side : specification.volume->sides) due.push_back({side.name, "box"});
   return due;
 }
 
-void check_list(const ClaimedFaces& claimed, CheckResult& result) {
+void check_list(const CheckedFaces& checked, CheckResult& result) {
   FaultCollector wrong("wrong_surface_list");
-  const FacesFile& faces = *claimed.faces();
-  const auto& regions = claimed.mesh().file.region_names;
+  const FacesFile& faces = *checked.faces();
+  const auto& regions = checked.mesh().file.region_names;
   std::int32_t id = regions.empty() ? 0 : regions.rbegin()->first;
-  const std::vector<Listed> due = due_surfaces(claimed.claim());
+  const std::vector<Listed> due = due_surfaces(checked.specification());
   for (const Listed& surface : due) {
     ++id;
     const auto name = faces.surface_names.find(id), kind = faces.surface_kinds.find(id);
@@ -64,17 +64,17 @@ void check_set_names(const FacesFile& faces, CheckResult& result) {
 }
 
 /// A face in which several surfaces coincide must lie on each of them; the first is checked by its source triangle.
-void check_members(const ClaimedFaces& claimed, double rounding, CheckResult& result) {
+void check_members(const CheckedFaces& checked, double rounding, CheckResult& result) {
   FaultCollector off("faces_off_their_surface");
   std::map<Index, std::optional<TriangleSet>> sets;
-  for (Index f = 0; f < claimed.candidates().size(); ++f) {
-    const auto& ids = claimed.set_of(f);
+  for (Index f = 0; f < checked.candidates().size(); ++f) {
+    const auto& ids = checked.set_of(f);
     for (std::size_t k = 1; k < ids.size(); ++k) {
-      const Index row = claimed.surface_of(ids[k]);
+      const Index row = checked.surface_of(ids[k]);
       if (row == no_index) continue;  // sides of the box are checked separately
       auto& set = sets[row];
-      if (!set) set.emplace(triangles_of(claimed.claim().surfaces[row]));
-      const Corners c = corners_of(claimed, f);
+      if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
+      const Corners c = corners_of(checked, f);
       const Vec3 middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
       for (const Vec3& p : {c[0], c[1], c[2], middle})
         if (set->near(p, rounding).empty()) {
@@ -88,10 +88,10 @@ void check_members(const ClaimedFaces& claimed, double rounding, CheckResult& re
 
 }  // namespace
 
-void check_surface_lists(const ClaimedFaces& claimed, double rounding, CheckResult& result) {
-  check_list(claimed, result);
-  check_set_names(*claimed.faces(), result);
-  if (claimed.claim().within == 0) check_members(claimed, rounding, result);
+void check_surface_lists(const CheckedFaces& checked, double rounding, CheckResult& result) {
+  check_list(checked, result);
+  check_set_names(*checked.faces(), result);
+  if (checked.specification().within == 0) check_members(checked, rounding, result);
   result.checks_done.emplace_back("surfaces and their sets are listed as the project orders them");
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of units, declared in check/arrays/judge_arrays.hpp.
+// Checks the arrays of units, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
 
-#include "check/arrays/judge_arrays.hpp"
-#include "check/judged/faults.hpp"
+#include "check/arrays/check_arrays.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/names/name_parts.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -15,19 +15,19 @@ namespace {
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
 /// Returns a region's unit and name; an entry for the name takes precedence over one for the unit.
-std::map<std::int32_t, std::array<std::string, 2>> unit_and_name(const ClaimedFaces& claimed) {
-  const std::set<std::string> known = names_of_claim(claimed.claim());
+std::map<std::int32_t, std::array<std::string, 2>> unit_and_name(const CheckedFaces& checked) {
+  const std::set<std::string> known = names_of_specification(checked.specification());
   std::map<std::int32_t, std::array<std::string, 2>> names;
-  for (const auto& [id, name] : claimed.mesh().file.region_names) names[id] = {parts_of(name, known).base, name};
+  for (const auto& [id, name] : checked.mesh().file.region_names) names[id] = {parts_of(name, known).base, name};
   return names;
 }
 
 }  // namespace
 
-void check_unit_arrays(const ClaimedFaces& claimed, CheckResult& result) {
-  const MeshFile& file = claimed.mesh().file;
-  const ClaimedNames& asked = claimed.claim().names;
-  const auto names = unit_and_name(claimed);
+void check_unit_arrays(const CheckedFaces& checked, CheckResult& result) {
+  const MeshFile& file = checked.mesh().file;
+  const SpecifiedNames& asked = checked.specification().names;
+  const auto names = unit_and_name(checked);
   FaultCollector wrong_group("wrong_groups"), wrong_value("wrong_attributes");
   std::size_t row = 0;
   for (const auto& [group, members] : asked.groups) {
@@ -59,7 +59,7 @@ void check_unit_arrays(const ClaimedFaces& claimed, CheckResult& result) {
     }
     for (std::size_t c = 0; c < file.region.size(); ++c)
       if (!due.contains(file.region[c]) || !same(given->second[c], due[file.region[c]]))
-        wrong_value.add(file.cell[c], centroid(claimed.mesh(), claimed.mesh().cells[c]));
+        wrong_value.add(file.cell[c], centroid(checked.mesh(), checked.mesh().cells[c]));
   }
   wrong_group.report(result, "groups do not hold the regions that the project puts in them");
   wrong_value.report(result, "cells or arrays do not have the attributes that the project gives their unit");

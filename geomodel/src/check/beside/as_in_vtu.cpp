@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/formats.hpp"
 #include "geomesh/geomodel/model_mesh.hpp"

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks cells of curves against edges of the mesh, declared in check/curves/judge_curves.hpp.
+// Checks cells of curves against edges of the mesh, declared in check/curves/check_curves.hpp.
 #include <algorithm>
 #include <set>
 
-#include "check/curves/judge_curves.hpp"
-#include "check/judged/faults.hpp"
+#include "check/curves/check_curves.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
 MeshEdge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-std::set<MeshEdge> edges_of_mesh(const JudgedMesh& mesh) {
+std::set<MeshEdge> edges_of_mesh(const CheckedMesh& mesh) {
   std::vector<MeshEdge> all;
   for (const FacePair& face : mesh.faces)
     for (std::size_t i = 0; i < 3; ++i) all.push_back(edge_of(face.key[i], face.key[(i + 1) % 3]));
@@ -24,7 +24,7 @@ constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", 
 
 /// Checks that ids are distinct, and follow those of regions and surfaces; that kinds are known; and that each curve
 /// has cells.
-void check_lists(const JudgedMesh& mesh, const CurvesFile& file, const FacesFile& faces, CheckResult& result) {
+void check_lists(const CheckedMesh& mesh, const CurvesFile& file, const FacesFile& faces, CheckResult& result) {
   FaultCollector wrong("wrong_curve_lists");
   std::set<std::int32_t> used(file.edge_curve.begin(), file.edge_curve.end()), listed, taken;
   used.insert(file.vertex_curve.begin(), file.vertex_curve.end());
@@ -49,9 +49,9 @@ void check_lists(const JudgedMesh& mesh, const CurvesFile& file, const FacesFile
 
 }  // namespace
 
-JudgedCurves check_curve_cells(const JudgedMesh& mesh, const CurvesFile& file, const FacesFile& faces,
-                               CheckResult& result) {
-  JudgedCurves curves{file, {}, {}, {}};
+CheckedCurves check_curve_cells(const CheckedMesh& mesh, const CurvesFile& file, const FacesFile& faces,
+                                CheckResult& result) {
+  CheckedCurves curves{file, {}, {}, {}};
   const std::vector<VertexIndex> rows = match_points(mesh, file.points);
   for (const auto& e : file.edges) curves.edges.push_back(edge_of(rows[e[0]], rows[e[1]]));
   for (const VertexIndex v : file.vertices) curves.vertices.push_back(rows[v]);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Determines the curves that surfaces must have, declared in check/curves/judge_curves.hpp.
+// Determines the curves that surfaces must have, declared in check/curves/check_curves.hpp.
 #include <algorithm>
 #include <set>
 
-#include "check/curves/judge_curves.hpp"
-#include "check/judged/faults.hpp"
+#include "check/curves/check_curves.hpp"
+#include "check/mesh/faults.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -15,10 +15,10 @@ struct Named {
 };
 
 /// Returns the rows of faces at each edge of the face set.
-std::map<MeshEdge, std::vector<Index>> faces_at_edges(const ClaimedFaces& claimed) {
+std::map<MeshEdge, std::vector<Index>> faces_at_edges(const CheckedFaces& checked) {
   std::map<MeshEdge, std::vector<Index>> at;
-  for (Index f = 0; f < claimed.candidates().size(); ++f) {
-    const Triangle& t = claimed.candidates()[f];
+  for (Index f = 0; f < checked.candidates().size(); ++f) {
+    const Triangle& t = checked.candidates()[f];
     for (std::size_t i = 0; i < 3; ++i)
       at[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}].push_back(f);
   }
@@ -26,17 +26,17 @@ std::map<MeshEdge, std::vector<Index>> faces_at_edges(const ClaimedFaces& claime
 }
 
 /// Returns the curve that docs/output-files.md defines for an edge with these faces; nothing inside a patch.
-std::optional<Named> curve_at(const ClaimedFaces& claimed, const std::vector<Index>& faces) {
-  if (faces.size() == 2 && claimed.set_of(faces[0]) == claimed.set_of(faces[1])) return std::nullopt;
+std::optional<Named> curve_at(const CheckedFaces& checked, const std::vector<Index>& faces) {
+  if (faces.size() == 2 && checked.set_of(faces[0]) == checked.set_of(faces[1])) return std::nullopt;
   std::set<std::int32_t> ids;
-  for (const Index f : faces) ids.insert(claimed.set_of(f).begin(), claimed.set_of(f).end());
+  for (const Index f : faces) ids.insert(checked.set_of(f).begin(), checked.set_of(f).end());
   const auto name_of = [&](std::int32_t id) {
-    const auto name = claimed.faces()->surface_names.find(id);
-    return name == claimed.faces()->surface_names.end() ? std::string() : name->second;
+    const auto name = checked.faces()->surface_names.find(id);
+    return name == checked.faces()->surface_names.end() ? std::string() : name->second;
   };
   if (ids.size() == 1 && faces.size() == 1) {
-    const Index row = claimed.surface_of(*ids.begin());
-    const bool is_fault = row != no_index && claimed.claim().surfaces[row].kind == SurfaceKind::fault;
+    const Index row = checked.surface_of(*ids.begin());
+    const bool is_fault = row != no_index && checked.specification().surfaces[row].kind == SurfaceKind::fault;
     return is_fault ? Named{"fault_tip", name_of(*ids.begin()) + ".tip"}
                     : Named{"border", name_of(*ids.begin()) + ".border"};
   }
@@ -51,7 +51,7 @@ std::optional<Named> curve_at(const ClaimedFaces& claimed, const std::vector<Ind
 
 }  // namespace
 
-void check_surface_curves(const ClaimedFaces& claimed, const JudgedCurves& curves, CheckResult& result) {
+void check_surface_curves(const CheckedFaces& checked, const CheckedCurves& curves, CheckResult& result) {
   std::map<MeshEdge, std::set<Named>> given;
   for (std::size_t e = 0; e < curves.edges.size(); ++e) {
     const auto row = curves.row_of_id.find(curves.file.edge_curve[e]);
@@ -60,11 +60,11 @@ void check_surface_curves(const ClaimedFaces& claimed, const JudgedCurves& curve
     if (curve.kind != "well") given[curves.edges[e]].insert({curve.kind, curve.name});
   }
   FaultCollector missing("missing_curve_edges"), wrong("wrong_curve_edges");
-  const JudgedMesh& mesh = claimed.mesh();
+  const CheckedMesh& mesh = checked.mesh();
   const auto place = [&](const MeshEdge& e) { return 0.5 * (mesh.point(e[0]) + mesh.point(e[1])); };
   std::size_t n_due = 0;
-  for (const auto& [edge, faces] : faces_at_edges(claimed)) {
-    const auto due = curve_at(claimed, faces);
+  for (const auto& [edge, faces] : faces_at_edges(checked)) {
+    const auto due = curve_at(checked, faces);
     const auto at = given.find(edge);
     n_due += due ? 1 : 0;
     if (due && (at == given.end() || !at->second.contains(*due))) missing.add(n_due, place(edge));

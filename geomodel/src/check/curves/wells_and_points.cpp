@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks wells and named points, declared in check/curves/judge_curves.hpp.
+// Checks wells and named points, declared in check/curves/check_curves.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
 
-#include "check/claim/taken_by_rules.hpp"
-#include "check/curves/judge_curves.hpp"
-#include "check/judged/faults.hpp"
+#include "check/curves/check_curves.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/names/region_places.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -25,10 +25,10 @@ std::pair<double, double> along(const Vec3& p, const Vec3& a, const Vec3& b) {
   return {t, std::sqrt(dot(off, off))};
 }
 
-class WellJudge {
+class WellChecker {
  public:
-  WellJudge(const ClaimedFaces& claimed, const JudgedCurves& curves, double room)
-      : claimed_(claimed), curves_(curves), room_(room), volume_(claimed.claim(), 2 * room) {}
+  WellChecker(const CheckedFaces& checked, const CheckedCurves& curves, double room)
+      : checked_(checked), curves_(curves), room_(room), volume_(checked.specification(), 2 * room) {}
 
   void check(const Polyline& well);
   void check_no_others();
@@ -40,8 +40,8 @@ class WellJudge {
   void check_covered(const Polyline& well, const std::vector<MeshEdge>& edges);
   bool is_due(const Vec3& p) const;
 
-  const ClaimedFaces& claimed_;
-  const JudgedCurves& curves_;
+  const CheckedFaces& checked_;
+  const CheckedCurves& curves_;
   double room_;
   TakenByRules volume_;
   std::set<std::string> known_;
@@ -49,7 +49,7 @@ class WellJudge {
   FaultCollector off_{"wells_off"}, missing_{"missing_well_parts"}, wrong_{"wrong_wells"};
 };
 
-std::vector<MeshEdge> WellJudge::edges_of(const std::string& name) {
+std::vector<MeshEdge> WellChecker::edges_of(const std::string& name) {
   std::vector<MeshEdge> edges;
   for (std::size_t e = 0; e < curves_.edges.size(); ++e) {
     const auto row = curves_.row_of_id.find(curves_.file.edge_curve[e]);
@@ -62,8 +62,8 @@ std::vector<MeshEdge> WellJudge::edges_of(const std::string& name) {
 }
 
 /// Returns whether five points of the edge, from end to end, are each near some segment of the path.
-bool WellJudge::lies_on(const MeshEdge& e, const Polyline& well) const {
-  const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
+bool WellChecker::lies_on(const MeshEdge& e, const Polyline& well) const {
+  const Vec3 &a = checked_.mesh().point(e[0]), &b = checked_.mesh().point(e[1]);
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const Vec3 p = a + t * (b - a);
     bool near = false;
@@ -76,25 +76,25 @@ bool WellJudge::lies_on(const MeshEdge& e, const Polyline& well) const {
 
 /// Returns whether a point is inside the mesh and farther than the allowed distance from its border, tested at places
 /// around p.
-bool WellJudge::is_due(const Vec3& p) const {
+bool WellChecker::is_due(const Vec3& p) const {
   if (volume_.is_outside(p)) return false;
-  if (claimed_.claim().volume && !claimed_.claim().ends_inside) return true;
+  if (checked_.specification().volume && !checked_.specification().ends_inside) return true;
   const double d = 2 * room_;
   for (const Vec3& off : {Vec3{d, 0, 0}, Vec3{-d, 0, 0}, Vec3{0, d, 0}, Vec3{0, -d, 0}, Vec3{0, 0, d}, Vec3{0, 0, -d}})
-    if (regions_at(claimed_.mesh(), p + off).empty()) return false;
+    if (regions_at(checked_.mesh(), p + off).empty()) return false;
   return true;
 }
 
 /// Checks that edges run along the whole of each segment of the path inside the mesh.
-void WellJudge::check_covered(const Polyline& well, const std::vector<MeshEdge>& edges) {
+void WellChecker::check_covered(const Polyline& well, const std::vector<MeshEdge>& edges) {
   for (std::size_t i = 1; i < well.points.size(); ++i) {
     const Vec3 &a = well.points[i - 1], &b = well.points[i];
     const double length = std::sqrt(dot(b - a, b - a));
     if (length == 0) continue;
     std::vector<Interval> covered;
     for (const MeshEdge& e : edges) {
-      const auto [t, d] = along(claimed_.mesh().point(e[0]), a, b);
-      const auto [u, f] = along(claimed_.mesh().point(e[1]), a, b);
+      const auto [t, d] = along(checked_.mesh().point(e[0]), a, b);
+      const auto [u, f] = along(checked_.mesh().point(e[1]), a, b);
       // If points may move, an edge may cut a corner of the path: each of its ends is then near one of the two
       // segments.
       if (d <= 2 * room_ || f <= 2 * room_) covered.push_back({std::min(t, u), std::max(t, u)});
@@ -116,21 +116,21 @@ void WellJudge::check_covered(const Polyline& well, const std::vector<MeshEdge>&
   }
 }
 
-void WellJudge::check(const Polyline& well) {
+void WellChecker::check(const Polyline& well) {
   known_.insert(well.name);
   const std::vector<MeshEdge> edges = edges_of(well.name);
   n_edges_ += edges.size();
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (!lies_on(edges[e], well)) off_.add(e, claimed_.mesh().point(edges[e][0]));
+    if (!lies_on(edges[e], well)) off_.add(e, checked_.mesh().point(edges[e][0]));
   check_covered(well, edges);
 }
 
-void WellJudge::check_no_others() {
+void WellChecker::check_no_others() {
   for (std::size_t row = 0; row < curves_.file.curves.size(); ++row)
     if (curves_.file.curves[row].kind == "well" && !known_.contains(curves_.file.curves[row].name)) wrong_.add(row, {});
 }
 
-void WellJudge::report(CheckResult& result) {
+void WellChecker::report(CheckResult& result) {
   char text[200];
   std::snprintf(text, sizeof text, "edges of wells lie farther from the well's path than %.3g", room_);
   off_.report(result, text);
@@ -143,21 +143,21 @@ void WellJudge::report(CheckResult& result) {
 
 /// Checks that each named point inside the model exists under its name, at exactly the requested place, or near it if
 /// features were merged.
-void check_points(const ClaimedFaces& claimed, const JudgedCurves& curves, double room, CheckResult& result) {
+void check_points(const CheckedFaces& checked, const CheckedCurves& curves, double room, CheckResult& result) {
   FaultCollector wrong("wrong_named_points");
   std::set<std::string> asked;
-  for (std::size_t i = 0; i < claimed.claim().points.size(); ++i) {
-    const NamedPoint& point = claimed.claim().points[i];
+  for (std::size_t i = 0; i < checked.specification().points.size(); ++i) {
+    const NamedPoint& point = checked.specification().points[i];
     asked.insert(point.name);
     bool found = false;
     for (std::size_t v = 0; v < curves.vertices.size(); ++v) {
       const auto row = curves.row_of_id.find(curves.file.vertex_curve[v]);
       if (row == curves.row_of_id.end() || curves.vertices[v] == no_vertex) continue;
       const auto& curve = curves.file.curves[row->second];
-      const Vec3 d = claimed.mesh().point(curves.vertices[v]) - point.point;
+      const Vec3 d = checked.mesh().point(curves.vertices[v]) - point.point;
       found = found || (curve.kind == "point" && curve.name == point.name && std::sqrt(dot(d, d)) <= room);
     }
-    if (!found && !regions_at(claimed.mesh(), point.point).empty()) wrong.add(i, point.point);
+    if (!found && !regions_at(checked.mesh(), point.point).empty()) wrong.add(i, point.point);
   }
   for (std::size_t row = 0; row < curves.file.curves.size(); ++row)
     if (curves.file.curves[row].kind == "point" && !asked.contains(curves.file.curves[row].name)) wrong.add(row, {});
@@ -166,12 +166,13 @@ void check_points(const ClaimedFaces& claimed, const JudgedCurves& curves, doubl
 
 }  // namespace
 
-void check_wells_and_points(const ClaimedFaces& claimed, const JudgedCurves& curves, double room, CheckResult& result) {
-  WellJudge judge(claimed, curves, room);
-  for (const Polyline& well : claimed.claim().wells) judge.check(well);
-  judge.check_no_others();
-  judge.report(result);
-  check_points(claimed, curves, room, result);
+void check_wells_and_points(const CheckedFaces& checked, const CheckedCurves& curves, double room,
+                            CheckResult& result) {
+  WellChecker checker(checked, curves, room);
+  for (const Polyline& well : checked.specification().wells) checker.check(well);
+  checker.check_no_others();
+  checker.report(result);
+  check_points(checked, curves, room, result);
 }
 
 }  // namespace geomesh::geomodel::checking

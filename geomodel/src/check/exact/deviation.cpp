@@ -107,12 +107,12 @@ std::optional<std::array<Vec3, 2>> TriangleSet::shared_edge(Index a, Index b) co
   return edge;
 }
 
-DeviationJudge::DeviationJudge(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due)
+DeviationChecker::DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due)
     : set_(set), tolerance_(tolerance), is_due_(std::move(is_due)) {}
 
-DeviationJudge::Spot DeviationJudge::look(const Vec3& p) const { return {p, set_.near(p, tolerance_)}; }
+DeviationChecker::Spot DeviationChecker::look(const Vec3& p) const { return {p, set_.near(p, tolerance_)}; }
 
-bool DeviationJudge::is_proven_across_edge(const Spot& a, const Spot& b, const Spot& c) const {
+bool DeviationChecker::is_proven_across_edge(const Spot& a, const Spot& b, const Spot& c) const {
   for (const auto& x : a.near) {
     const auto xb = std::find_if(b.near.begin(), b.near.end(), [&](const auto& n) { return n.triangle == x.triangle; });
     if (xb == b.near.end()) continue;
@@ -128,7 +128,7 @@ bool DeviationJudge::is_proven_across_edge(const Spot& a, const Spot& b, const S
   return false;
 }
 
-bool DeviationJudge::is_proven(const Piece& piece, double longest) const {
+bool DeviationChecker::is_proven(const Piece& piece, double longest) const {
   const auto& [a, b, c] = piece.corners;
   for (const auto& n : a.near) {
     const auto has = [&](const Spot& s) {
@@ -143,7 +143,7 @@ bool DeviationJudge::is_proven(const Piece& piece, double longest) const {
          is_proven_across_edge(c, a, b);
 }
 
-std::optional<Vec3> DeviationJudge::judge(const Corners& triangle, Deviation& so_far) const {
+std::optional<Vec3> DeviationChecker::check(const Corners& triangle, Deviation& so_far) const {
   std::vector<Piece> open{{{look(triangle[0]), look(triangle[1]), look(triangle[2])}, 0}};
   const auto note = [&](const Spot& s) {
     double d = tolerance_;

@@ -61,14 +61,14 @@ struct Deviation {
 };
 
 /// Decides whether triangles lie within a tolerance of the set.
-class DeviationJudge {
+class DeviationChecker {
  public:
   /// `is_due` returns whether a point farther away than the tolerance is a fault; without it, every such point is.
-  DeviationJudge(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
+  DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
   /// Adds the triangle to `so_far`. Returns a point that is farther than the tolerance and counts as a fault. At most
   /// `most_pieces` pieces are examined; what is undecided then was sampled at the corners of pieces.
-  std::optional<Vec3> judge(const Corners& triangle, Deviation& so_far) const;
+  std::optional<Vec3> check(const Corners& triangle, Deviation& so_far) const;
 
  private:
   struct Spot {

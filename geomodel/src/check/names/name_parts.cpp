@@ -34,17 +34,17 @@ NameParts parts_of(const std::string& name, const std::set<std::string>& known) 
   return parts;
 }
 
-std::set<std::string> names_of_claim(const Claim& claim) {
+std::set<std::string> names_of_specification(const Specification& specification) {
   std::set<std::string> known;
-  const auto& column = claim.names.column;
+  const auto& column = specification.names.column;
   for (std::size_t i = 0; i < column.size(); i += 2) {
     std::string joined = column[i];
     known.insert(joined);
     for (std::size_t j = i + 2; j < column.size(); j += 2) known.insert(joined += "+" + column[j]);
   }
-  for (const TriangulatedSurface& s : claim.surfaces)
+  for (const TriangulatedSurface& s : specification.surfaces)
     if (s.kind == SurfaceKind::body) known.insert(s.name);
-  for (const NamedPoint& seed : claim.names.seeds) known.insert(seed.name);
+  for (const NamedPoint& seed : specification.names.seeds) known.insert(seed.name);
   return known;
 }
 

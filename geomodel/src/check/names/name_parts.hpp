@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "check/claim/claim.hpp"
+#include "check/specification/specification.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -20,6 +20,6 @@ struct NameParts {
 NameParts parts_of(const std::string& name, const std::set<std::string>& known);
 
 /// Returns the names of units of the column, of neighbouring units joined by `+`, of bodies and of seeds.
-std::set<std::string> names_of_claim(const Claim& claim);
+std::set<std::string> names_of_specification(const Specification& specification);
 
 }  // namespace geomesh::geomodel::checking

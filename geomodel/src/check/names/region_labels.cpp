@@ -29,17 +29,17 @@ bool holds(const std::vector<Index>& rows, Index row) { return std::find(rows.be
 
 }  // namespace
 
-LabelJudge::LabelJudge(const ClaimedFaces& claimed, const Allowed& allowed)
-    : claimed_(claimed),
+LabelFinder::LabelFinder(const CheckedFaces& checked, const Allowed& allowed)
+    : checked_(checked),
       reach_(allowed.both()),
       least_volume_(allowed.rounding * allowed.rounding * allowed.rounding),
-      units_(claimed, allowed.both()),
-      places_(region_places(claimed.mesh(), n_samples)) {}
+      units_(checked, allowed.both()),
+      places_(region_places(checked.mesh(), n_samples)) {}
 
-std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& place) const {
+std::optional<std::vector<Index>> LabelFinder::bodies_about(const RegionPlace& place) const {
   std::vector<Index> about;
-  for (const Body& body : claimed_.bodies()) {
-    const auto row = static_cast<Index>(body.surface - claimed_.claim().surfaces.data());
+  for (const Body& body : checked_.bodies()) {
+    const auto row = static_cast<Index>(body.surface - checked_.specification().surfaces.data());
     if (body.surface->kind != SurfaceKind::body || !is_closed(*body.surface)) continue;
     bool decided = false;
     for (const Vec3& p : place.samples) {
@@ -56,11 +56,11 @@ std::optional<std::vector<Index>> LabelJudge::bodies_about(const RegionPlace& pl
 }
 
 /// The first seed in a region names it. A seed on a border names none, since it is not certain which.
-std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
+std::map<std::int32_t, RegionLabel> LabelFinder::seeded() const {
   std::map<std::int32_t, RegionLabel> labels;
-  const auto& seeds = claimed_.claim().names.seeds;
+  const auto& seeds = checked_.specification().names.seeds;
   for (Index s = 0; s < seeds.size(); ++s) {
-    const auto regions = regions_at(claimed_.mesh(), seeds[s].point);
+    const auto regions = regions_at(checked_.mesh(), seeds[s].point);
     if (regions.size() == 1) labels.try_emplace(regions[0], RegionLabel{LabelKind::seed, s, seeds[s].name});
   }
   return labels;
@@ -68,8 +68,8 @@ std::map<std::int32_t, RegionLabel> LabelJudge::seeded() const {
 
 /// Returns the innermost of the bodies around a region: one that contains no other of them; the first if there are
 /// several. One lies within another if all regions in it are in the other, but not vice versa.
-std::optional<RegionLabel> LabelJudge::body_label(const std::vector<std::vector<Index>>& about,
-                                                  const std::vector<Index>& own) const {
+std::optional<RegionLabel> LabelFinder::body_label(const std::vector<std::vector<Index>>& about,
+                                                   const std::vector<Index>& own) const {
   const auto is_within = [&](Index inner, Index outer) {
     bool all = true, strictly = false;
     for (const auto& bodies : about) {
@@ -80,11 +80,11 @@ std::optional<RegionLabel> LabelJudge::body_label(const std::vector<std::vector<
   };
   for (const Index body : own)
     if (std::none_of(own.begin(), own.end(), [&](Index other) { return other != body && is_within(other, body); }))
-      return RegionLabel{LabelKind::body, body, claimed_.claim().surfaces[body].name};
+      return RegionLabel{LabelKind::body, body, checked_.specification().surfaces[body].name};
   return std::nullopt;
 }
 
-std::map<std::int32_t, AllowedLabels> LabelJudge::labels() const {
+std::map<std::int32_t, AllowedLabels> LabelFinder::labels() const {
   std::map<std::int32_t, std::optional<std::vector<Index>>> bodies;
   std::vector<std::vector<Index>> about;
   for (const auto& [region, place] : places_) {
@@ -106,7 +106,7 @@ std::map<std::int32_t, AllowedLabels> LabelJudge::labels() const {
     } else if (place.volume <= least_volume_) {
       continue;
     } else {
-      for (const UnitVerdict& verdict : units_.judge(region, place)) {
+      for (const UnitVerdict& verdict : units_.verdicts_of(region, place)) {
         if (verdict.close) {
           allowed.clear();
           break;

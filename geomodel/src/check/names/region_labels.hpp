@@ -24,11 +24,11 @@ struct RegionLabel {
 /// nothing is known.
 using AllowedLabels = std::vector<RegionLabel>;
 
-class LabelJudge {
+class LabelFinder {
  public:
-  LabelJudge(const ClaimedFaces& claimed, const Allowed& allowed);
+  LabelFinder(const CheckedFaces& checked, const Allowed& allowed);
   std::map<std::int32_t, AllowedLabels> labels() const;
-  const UnitJudge& units() const { return units_; }
+  const UnitFinder& units() const { return units_; }
   const std::map<std::int32_t, RegionPlace>& places() const { return places_; }
 
  private:
@@ -38,10 +38,10 @@ class LabelJudge {
   std::optional<RegionLabel> body_label(const std::vector<std::vector<Index>>& about,
                                         const std::vector<Index>& own) const;
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   double reach_;
   double least_volume_;  ///< least volume of a region that is compared with horizons, since rounding makes smaller ones
-  UnitJudge units_;
+  UnitFinder units_;
   std::map<std::int32_t, RegionPlace> places_;
 };
 

@@ -10,7 +10,7 @@ namespace geomesh::geomodel::checking {
 
 bool comes_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::size_t n_samples) {
+std::map<std::int32_t, RegionPlace> region_places(const CheckedMesh& mesh, std::size_t n_samples) {
   std::map<std::int32_t, std::vector<std::pair<double, Index>>> cells;  // six volumes, cell
   for (Index c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];
@@ -45,7 +45,7 @@ std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::s
   return places;
 }
 
-std::vector<std::int32_t> regions_at(const JudgedMesh& mesh, const Vec3& p) {
+std::vector<std::int32_t> regions_at(const CheckedMesh& mesh, const Vec3& p) {
   std::vector<std::int32_t> regions;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];

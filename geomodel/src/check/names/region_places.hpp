@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "check/exact/box_tree.hpp"
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -20,10 +20,10 @@ struct RegionPlace {
 };
 
 /// Returns the location of each region by id, with at most `n_samples` places in each.
-std::map<std::int32_t, RegionPlace> region_places(const JudgedMesh& mesh, std::size_t n_samples);
+std::map<std::int32_t, RegionPlace> region_places(const CheckedMesh& mesh, std::size_t n_samples);
 
 /// Returns the regions whose closed tetrahedra contain p, decided exactly.
-std::vector<std::int32_t> regions_at(const JudgedMesh& mesh, const Vec3& p);
+std::vector<std::int32_t> regions_at(const CheckedMesh& mesh, const Vec3& p);
 
 /// Compares by x, then y, then z.
 bool comes_before(const Vec3& a, const Vec3& b);

@@ -11,10 +11,10 @@ namespace geomesh::geomodel::checking {
 namespace {
 
 /// Joins cells across faces of one region that are not candidates.
-UnionFind parts_of(const ClaimedFaces& claimed) {
-  const JudgedMesh& mesh = claimed.mesh();
+UnionFind parts_of(const CheckedFaces& checked) {
+  const CheckedMesh& mesh = checked.mesh();
   std::vector<Triangle> walls;
-  for (const Triangle& t : claimed.candidates()) walls.push_back(sorted(t));
+  for (const Triangle& t : checked.candidates()) walls.push_back(sorted(t));
   std::sort(walls.begin(), walls.end());
   UnionFind parts(mesh.cells.size());
   for (const FacePair& face : mesh.faces)
@@ -25,9 +25,9 @@ UnionFind parts_of(const ClaimedFaces& claimed) {
 }
 
 /// Returns for each cell whether it is in a small part.
-std::vector<bool> cells_of_small_parts(const ClaimedFaces& claimed, double min_volume) {
-  const JudgedMesh& mesh = claimed.mesh();
-  UnionFind parts = parts_of(claimed);
+std::vector<bool> cells_of_small_parts(const CheckedFaces& checked, double min_volume) {
+  const CheckedMesh& mesh = checked.mesh();
+  UnionFind parts = parts_of(checked);
   std::vector<double> volume(mesh.cells.size(), 0);  // volume of the part that the cell represents
   for (Index c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];
@@ -48,15 +48,15 @@ std::vector<bool> cells_of_small_parts(const ClaimedFaces& claimed, double min_v
 
 }  // namespace
 
-std::vector<SmallSides> sides_in_small_parts(const ClaimedFaces& claimed) {
-  std::vector<SmallSides> sides(claimed.candidates().size());
-  const ClaimedNames& names = claimed.claim().names;
+std::vector<SmallSides> sides_in_small_parts(const CheckedFaces& checked) {
+  std::vector<SmallSides> sides(checked.candidates().size());
+  const SpecifiedNames& names = checked.specification().names;
   if (!names.merges_small || !(names.min_volume > 0)) return sides;
-  const JudgedMesh& mesh = claimed.mesh();
-  const std::vector<bool> small = cells_of_small_parts(claimed, names.min_volume);
-  const FacesFile& faces = *claimed.faces();
+  const CheckedMesh& mesh = checked.mesh();
+  const std::vector<bool> small = cells_of_small_parts(checked, names.min_volume);
+  const FacesFile& faces = *checked.faces();
   for (Index f = 0; f < sides.size(); ++f) {
-    const FacePair* const face = find_face(mesh, sorted(claimed.candidates()[f]));
+    const FacePair* const face = find_face(mesh, sorted(checked.candidates()[f]));
     if (!face || !is_inner(*face)) continue;
     const auto is_small_in = [&](std::int32_t region) {
       return (mesh.file.region[face->even] == region && small[face->even]) ||

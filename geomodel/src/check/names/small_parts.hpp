@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -15,9 +15,9 @@ struct SmallSides {
   bool minus = false, plus = false;
 };
 
-/// Returns the result for each face of `claimed.candidates()`. A part is small if it is smaller than
-/// ClaimedNames::min_volume and not the largest of its region. Parts are joined across faces of no surface. Empty if
-/// small regions are not merged into others. Precondition: `claimed.faces()`. O(n log n) in the tetrahedra.
-std::vector<SmallSides> sides_in_small_parts(const ClaimedFaces& claimed);
+/// Returns the result for each face of `checked.candidates()`. A part is small if it is smaller than
+/// SpecifiedNames::min_volume and not the largest of its region. Parts are joined across faces of no surface. Empty if
+/// small regions are not merged into others. Precondition: `checked.faces()`. O(n log n) in the tetrahedra.
+std::vector<SmallSides> sides_in_small_parts(const CheckedFaces& checked);
 
 }  // namespace geomesh::geomodel::checking

@@ -23,18 +23,19 @@ double area_of(const std::map<Index, double>& areas, Index h) {
 
 }  // namespace
 
-UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claimed) {
-  const Claim& claim = claimed.claim();
-  const auto& column = claim.names.column;
+UnitFinder::UnitFinder(const CheckedFaces& checked, double reach) : checked_(checked) {
+  const Specification& specification = checked.specification();
+  const auto& column = specification.names.column;
   for (std::size_t i = 0; i < column.size(); i += 2) units_.push_back(column[i]);
   for (std::size_t i = 1; i < column.size(); i += 2)
-    for (Index row = 0; row < claim.surfaces.size(); ++row) {
-      if (claim.surfaces[row].name != column[i]) continue;
+    for (Index row = 0; row < specification.surfaces.size(); ++row) {
+      if (specification.surfaces[row].name != column[i]) continue;
       horizon_of_surface_[row] = static_cast<Index>(horizons_.size());
-      const auto& cutting = claim.names.unconformities;
+      const auto& cutting = specification.names.unconformities;
       const bool is_unconformity = std::find(cutting.begin(), cutting.end(), column[i]) != cutting.end();
-      horizons_.push_back({row, is_unconformity, upper_sides(claim.surfaces[row]),
-                           TriangleSet(triangles_of(claim.surfaces[row])), tree_over_triangles(claim.surfaces[row])});
+      horizons_.push_back({row, is_unconformity, upper_sides(specification.surfaces[row]),
+                           TriangleSet(triangles_of(specification.surfaces[row])),
+                           tree_over_triangles(specification.surfaces[row])});
     }
   left_.resize(horizons_.size());
   add_faces(reach);
@@ -42,18 +43,18 @@ UnitJudge::UnitJudge(const ClaimedFaces& claimed, double reach) : claimed_(claim
 
 /// Determines on which side of a horizon each face lies for its two regions, by the input triangle nearest to the face.
 /// A small part that was merged into a region of another unit is ignored.
-void UnitJudge::add_faces(double reach) {
-  const FacesFile& faces = *claimed_.faces();
-  const std::vector<SmallSides> in_small_part = sides_in_small_parts(claimed_);
-  for (Index f = 0; f < claimed_.candidates().size(); ++f) {
-    const Corners c = corners_of(claimed_, f);
+void UnitFinder::add_faces(double reach) {
+  const FacesFile& faces = *checked_.faces();
+  const std::vector<SmallSides> in_small_part = sides_in_small_parts(checked_);
+  for (Index f = 0; f < checked_.candidates().size(); ++f) {
+    const Corners c = corners_of(checked_, f);
     const Vec3 normal = cross(c[1] - c[0], c[2] - c[0]), middle = (1.0 / 3) * (c[0] + c[1] + c[2]);
     const double area = 0.5 * std::sqrt(dot(normal, normal));
-    for (const std::int32_t id : claimed_.set_of(f)) {
-      const auto at = horizon_of_surface_.find(claimed_.surface_of(id));
+    for (const std::int32_t id : checked_.set_of(f)) {
+      const auto at = horizon_of_surface_.find(checked_.surface_of(id));
       if (at == horizon_of_surface_.end()) continue;
       const Index h = at->second;
-      const auto& surface = claimed_.claim().surfaces[at->first];
+      const auto& surface = checked_.specification().surfaces[at->first];
       double best = -1, agreement = 0;
       for (const auto& near : horizons_[h].triangles.near(middle, reach)) {
         const Triangle& t = surface.triangles[near.triangle];
@@ -83,7 +84,7 @@ void UnitJudge::add_faces(double reach) {
   }
 }
 
-UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
+UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   UnitVerdict verdict;
   Index first = 0, last = static_cast<Index>(units_.size() - 1);
   bool has_over = false, has_under = false;
@@ -125,13 +126,13 @@ UnitVerdict UnitJudge::verdict_of(const Contacts& contacts) const {
 }
 
 /// Returns the horizons next above and below, from their remaining parts in the mesh, else from the input.
-UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
+UnitFinder::Contacts UnitFinder::on_vertical(const Vec3& p) const {
   Contacts contacts;
   for (const bool of_input : {false, true}) {
     double over = std::numeric_limits<double>::infinity(), under = -over;
     Index above = no_index, below = no_index;
     for (Index h = 0; h < horizons_.size(); ++h) {
-      const TriangulatedSurface& s = of_input ? claimed_.claim().surfaces[horizons_[h].surface] : left_[h];
+      const TriangulatedSurface& s = of_input ? checked_.specification().surfaces[horizons_[h].surface] : left_[h];
       if (s.triangles.empty()) continue;
       const auto look_at = [&](Index, double z) {
         if (z >= p.z && (z < over || (z == over && h > above))) over = z, above = h;
@@ -146,11 +147,11 @@ UnitJudge::Contacts UnitJudge::on_vertical(const Vec3& p) const {
   return contacts;
 }
 
-bool UnitJudge::narrow(const Vec3& p, Index& first, Index& last) const {
+bool UnitFinder::narrow(const Vec3& p, Index& first, Index& last) const {
   Index least = first, most = last;
   bool tells = false;
   for (Index h = first; h < last; ++h) {
-    const TriangulatedSurface& s = claimed_.claim().surfaces[horizons_[h].surface];
+    const TriangulatedSurface& s = checked_.specification().surfaces[horizons_[h].surface];
     bool is_over = false, is_under = false;
     for_each_height(s, horizons_[h].tree, p, 0, [&](Index, double z) { (z >= p.z ? is_over : is_under) = true; });
     tells = tells || is_over || is_under;
@@ -164,7 +165,7 @@ bool UnitJudge::narrow(const Vec3& p, Index& first, Index& last) const {
   return tells;
 }
 
-UnitJudge::Narrowed UnitJudge::narrowed(const RegionPlace& place, Index first, Index last) const {
+UnitFinder::Narrowed UnitFinder::narrowed(const RegionPlace& place, Index first, Index last) const {
   Narrowed found{{}, true};
   for (const Vec3& p : place.samples) {
     Index least = first, most = last;
@@ -175,7 +176,7 @@ UnitJudge::Narrowed UnitJudge::narrowed(const RegionPlace& place, Index first, I
   return found;
 }
 
-std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace& place) const {
+std::vector<UnitVerdict> UnitFinder::verdicts_of(std::int32_t region, const RegionPlace& place) const {
   const auto at = contacts_.find(region);
   if (at != contacts_.end()) {
     const UnitVerdict verdict = verdict_of(at->second);
@@ -197,7 +198,7 @@ std::vector<UnitVerdict> UnitJudge::judge(std::int32_t region, const RegionPlace
   return verdicts;
 }
 
-std::string UnitJudge::name_of(const UnitVerdict& verdict) const {
+std::string UnitFinder::name_of(const UnitVerdict& verdict) const {
   if (verdict.first == no_index) return "";
   std::string name = units_[verdict.first];
   for (Index u = verdict.first + 1; u <= verdict.last; ++u) name += "+" + units_[u];

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check/exact/deviation.hpp"
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 #include "check/names/region_places.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -24,17 +24,17 @@ struct UnitVerdict {
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
-class UnitJudge {
+class UnitFinder {
  public:
   /// `reach` is how far a face may be from the triangles that it represents.
-  UnitJudge(const ClaimedFaces& claimed, double reach);
+  UnitFinder(const CheckedFaces& checked, double reach);
 
   bool given() const { return !units_.empty(); }
   const std::vector<std::string>& units() const { return units_; }
   /// Decides by the horizons at the region; if there are none, by the vertical line through each sampled place. If
   /// these leave several units possible, or none, the input's horizons above and below each place are used too, because
   /// rules may have removed a whole horizon there. Each possible unit is one verdict.
-  std::vector<UnitVerdict> judge(std::int32_t region, const RegionPlace& place) const;
+  std::vector<UnitVerdict> verdicts_of(std::int32_t region, const RegionPlace& place) const;
   std::string name_of(const UnitVerdict& verdict) const;
   /// Returns whether the surface is a horizon of the column.
   bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
@@ -65,7 +65,7 @@ class UnitJudge {
   };
   Narrowed narrowed(const RegionPlace& place, Index first, Index last) const;
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   std::vector<std::string> units_;
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;

@@ -7,10 +7,10 @@
 #include <functional>
 #include <vector>
 
-#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/plane_triangle.hpp"
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 #include "check/pieces/taken_pieces.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -18,7 +18,7 @@ class PiecesWithoutFaces {
  public:
   /// `may_end_at` returns whether an edge runs along something other than horizons that may cut the surface, or along
   /// its own border.
-  PiecesWithoutFaces(const ClaimedFaces& claimed, Index surface, const TakenByRules& rules, double tolerance,
+  PiecesWithoutFaces(const CheckedFaces& checked, Index surface, const TakenByRules& rules, double tolerance,
                      const std::function<bool(VertexIndex, VertexIndex)>& may_end_at);
 
   /// Adds a triangle of the surface that `faces`, the faces in its plane, do not cover.
@@ -30,7 +30,7 @@ class PiecesWithoutFaces {
  private:
   bool runs_on(const PlaneTriangle& triangle, const Vec3& a, const Vec3& b) const;
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   Index surface_;
   const TakenByRules& rules_;
   double tolerance_;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/vertical_line.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -30,8 +30,8 @@ struct Verticals {
 
 class ThrowCover {
  public:
-  ThrowCover(const ClaimedFaces& claimed, Index row, double reach, const TakenByRules& rules)
-      : claimed_(claimed),
+  ThrowCover(const CheckedFaces& checked, Index row, double reach, const TakenByRules& rules)
+      : checked_(checked),
         row_(row),
         reach_(reach),
         rules_(rules),
@@ -42,7 +42,7 @@ class ThrowCover {
       for (const VertexIndex v : t) bounds_.add(given().points[v]);
   }
 
-  void judge(FaultCollector& lost) {
+  void check(FaultCollector& lost) {
     const double step = std::max(bounds_.max.x - bounds_.min.x, bounds_.max.y - bounds_.min.y) / places_across;
     const std::size_t n_given = given_.surface.triangles.size();
     double all = 0, away = 0;
@@ -60,21 +60,21 @@ class ThrowCover {
   }
 
  private:
-  const TriangulatedSurface& given() const { return claimed_.claim().surfaces[row_]; }
+  const TriangulatedSurface& given() const { return checked_.specification().surfaces[row_]; }
 
   TriangulatedSurface mesh_faces() const {
     TriangulatedSurface s;
-    for (Index f = 0; f < claimed_.candidates().size(); ++f) {
-      if (!claimed_.carries(f, row_)) continue;
+    for (Index f = 0; f < checked_.candidates().size(); ++f) {
+      if (!checked_.carries(f, row_)) continue;
       const auto first = static_cast<VertexIndex>(s.points.size());
-      for (int i = 0; i < 3; ++i) s.points.push_back(claimed_.corner(claimed_.candidates()[f], i));
+      for (int i = 0; i < 3; ++i) s.points.push_back(checked_.corner(checked_.candidates()[f], i));
       s.triangles.push_back({first, first + 1, first + 2});
     }
     return s;
   }
   TriangulatedSurface given_alone() const {
     TriangulatedSurface s = given();
-    s.triangles.resize(std::min(s.triangles.size(), claimed_.claim().trims[row_].n_given_triangles));
+    s.triangles.resize(std::min(s.triangles.size(), checked_.specification().trims[row_].n_given_triangles));
     return s;
   }
   /// Returns all faults of the input, with their extensions for this horizon.
@@ -85,11 +85,11 @@ class ThrowCover {
       all.points.insert(all.points.end(), corners.begin(), corners.end());
       all.triangles.push_back({first, first + 1, first + 2});
     };
-    for (const TriangulatedSurface& s : claimed_.claim().surfaces) {
+    for (const TriangulatedSurface& s : checked_.specification().surfaces) {
       if (s.kind != SurfaceKind::fault) continue;
       for (const Triangle& t : s.triangles) add({s.points[t[0]], s.points[t[1]], s.points[t[2]]});
     }
-    for (const auto& corners : claimed_.claim().trims[row_].partings) add(corners);
+    for (const auto& corners : checked_.specification().trims[row_].partings) add(corners);
     return all;
   }
 
@@ -114,7 +114,7 @@ class ThrowCover {
       return false;
     const double length = std::sqrt(dot(normal, normal));
     return length > 0 && !is_taken(p) && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
-           !claimed_.is_removed(row_, p, (reach_ / length) * normal);
+           !checked_.is_removed(row_, p, (reach_ / length) * normal);
   }
   /// Returns whether a rule removed the horizon above or below p: p may overshoot into the block that is given there.
   bool is_taken(const Vec3& p) const {
@@ -125,7 +125,7 @@ class ThrowCover {
     return taken;
   }
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   Index row_;
   double reach_;
   const TakenByRules& rules_;
@@ -135,22 +135,23 @@ class ThrowCover {
 
 }  // namespace
 
-void check_throw_cover(const ClaimedFaces& claimed, double reach, CheckResult& result) {
-  const Claim& claim = claimed.claim();
-  const TakenByRules rules(claim, reach);
+void check_throw_cover(const CheckedFaces& checked, double reach, CheckResult& result) {
+  const Specification& specification = checked.specification();
+  const TakenByRules rules(specification, reach);
   std::string names;
   FaultCollector lost("horizon_lost_beyond_faults");
-  std::size_t n_judged = 0;
-  for (Index row = 0; row < claim.trims.size(); ++row) {
-    if (!claim.trims[row].given_beyond_faults || claim.surfaces[row].kind != SurfaceKind::horizon) continue;
+  std::size_t n_checked = 0;
+  for (Index row = 0; row < specification.trims.size(); ++row) {
+    if (!specification.trims[row].given_beyond_faults || specification.surfaces[row].kind != SurfaceKind::horizon)
+      continue;
     const std::size_t before = lost.count();
-    ThrowCover(claimed, row, reach, rules).judge(lost);
-    ++n_judged;
-    if (lost.count() > before) names += (names.empty() ? "" : ", ") + claim.surfaces[row].name;
+    ThrowCover(checked, row, reach, rules).check(lost);
+    ++n_checked;
+    if (lost.count() > before) names += (names.empty() ? "" : ", ") + specification.surfaces[row].name;
   }
   lost.report(result, "given triangles of horizons with throw (" + names +
                           ") are nowhere in the mesh over or under their place, and no fault passes there");
-  if (n_judged > 0)
+  if (n_checked > 0)
     result.checks_done.emplace_back(
         "horizons with throw are over or under each given place, but for the heave of faults (sampled, to 3% of area)");
 }

@@ -3,7 +3,7 @@
 /// Determines which parts of horizons with throw may be missing beyond their faults.
 #pragma once
 
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -13,6 +13,6 @@ namespace geomesh::geomodel::checking {
 /// it. Sampled places where none of this holds are lost. If they amount to more than three hundredths of the horizon's
 /// area in the volume, they are reported as `horizon_lost_beyond_faults`. `reach` is how far surfaces may be off in the
 /// map. Cost: at most 256 places for a large triangle, one for a small one, each O(log n).
-void check_throw_cover(const ClaimedFaces& claimed, double reach, CheckResult& result);
+void check_throw_cover(const CheckedFaces& checked, double reach, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

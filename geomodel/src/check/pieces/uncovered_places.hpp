@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "check/exact/plane_triangle.hpp"
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -15,11 +15,11 @@ namespace geomesh::geomodel::checking {
 inline constexpr int lattice_parts = 14;
 
 /// Returns the faces, projected into their planes.
-inline std::vector<PlaneTriangle> flat_faces(const ClaimedFaces& claimed, const std::vector<Index>& faces) {
+inline std::vector<PlaneTriangle> flat_faces(const CheckedFaces& checked, const std::vector<Index>& faces) {
   std::vector<PlaneTriangle> flat;
   for (const Index f : faces) {
-    const Triangle& t = claimed.candidates()[f];
-    flat.emplace_back(claimed.corner(t, 0), claimed.corner(t, 1), claimed.corner(t, 2));
+    const Triangle& t = checked.candidates()[f];
+    flat.emplace_back(checked.corner(t, 0), checked.corner(t, 1), checked.corner(t, 2));
   }
   return flat;
 }

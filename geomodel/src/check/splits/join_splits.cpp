@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Returns a mesh without its split faults, declared in check/splits/judge_splits.hpp.
+// Returns a mesh without its split faults, declared in check/splits/check_splits.hpp.
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
 
-#include "check/arrays/judge_arrays.hpp"
-#include "check/judged/faults.hpp"
-#include "check/judged/walls.hpp"
-#include "check/splits/judge_splits.hpp"
+#include "check/arrays/check_arrays.hpp"
+#include "check/mesh/faults.hpp"
+#include "check/mesh/walls.hpp"
+#include "check/splits/check_splits.hpp"
 #include "check/splits/split_sectors.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -120,7 +120,7 @@ class SplitJoiner {
   void join_faces(CheckResult& result) {
     FaultCollector alone("wrong_splits"), inside("wrong_splits");
     CheckResult told_of_the_rest;
-    JudgedMesh whole{joined_.mesh, joined_.mesh.tetrahedra, {}, true};
+    CheckedMesh whole{joined_.mesh, joined_.mesh.tetrahedra, {}, true};
     check_faces(as_split_, told_of_the_rest);
     check_faces(whole, told_of_the_rest);
     const auto is_outer = [&](const Triangle& t) {
@@ -228,7 +228,7 @@ class SplitJoiner {
   const MeshFile& mesh_;
   const FacesFile& faces_;
   const AskedSplits& asked_;
-  JudgedMesh as_split_;
+  CheckedMesh as_split_;
   std::vector<VertexIndex> row_;                           // row of each node's place
   std::set<Triangle> split_;                               // faces, by places
   std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // nodes of both sides of faces, if any of them differ

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "check/judged/judged_mesh.hpp"
+#include "check/mesh/checked_mesh.hpp"
 
 namespace geomesh::geomodel::checking {
 

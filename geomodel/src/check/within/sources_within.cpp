@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -53,15 +53,15 @@ double gap_between(const Corners& a, const Corners& b) {
 
 }  // namespace
 
-void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
+void check_sources_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
-  const FacesFile& faces = *claimed.faces();
+  const FacesFile& faces = *checked.faces();
   double farthest = 0;
-  for (Index f = 0; f < claimed.candidates().size(); ++f) {
-    const Index row = claimed.surface_of(faces.surface[f]);
+  for (Index f = 0; f < checked.candidates().size(); ++f) {
+    const Index row = checked.surface_of(faces.surface[f]);
     if (row == no_index) continue;
-    const TriangulatedSurface& surface = claimed.claim().surfaces[row];
-    const Corners face = corners_of(claimed, f);
+    const TriangulatedSurface& surface = checked.specification().surfaces[row];
+    const Corners face = corners_of(checked, f);
     const auto source = static_cast<std::size_t>(faces.source_triangle[f]);
     if (faces.source_triangle[f] < 0 || source >= surface.triangles.size()) {
       no_source.add(f, face[0]);

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/input_border.hpp"
 #include "check/within/passage.hpp"
 #include "check/within/within_tolerance.hpp"
@@ -82,15 +82,15 @@ std::string words(const Topology& t) {
          std::to_string(t.euler);
 }
 
-class TopologyJudge {
+class TopologyChecker {
  public:
-  TopologyJudge(const ClaimedFaces& claimed, const Allowed& allowed)
-      : claimed_(claimed),
-        claim_(claimed.claim()),
+  TopologyChecker(const CheckedFaces& checked, const Allowed& allowed)
+      : checked_(checked),
+        specification_(checked.specification()),
         allowed_(allowed),
-        pairs_(pair_surfaces(claimed, allowed.rounding)),
-        edges_(edges_of(claimed.candidates())) {
-    for (const TriangulatedSurface& s : claim_.surfaces) borders_.emplace_back(s, allowed_);
+        pairs_(pair_surfaces(checked, allowed.rounding)),
+        edges_(edges_of(checked.candidates())) {
+    for (const TriangulatedSurface& s : specification_.surfaces) borders_.emplace_back(s, allowed_);
   }
 
   void check_presence(CheckResult& result);
@@ -100,7 +100,9 @@ class TopologyJudge {
 
  private:
   /// Returns whether rules may trim the surface; clipping by a volume that is not a box counts as such.
-  bool may_be_trimmed(Index row) const { return claim_.may_be_trimmed(row) || (claim_.volume && !claim_.volume->box); }
+  bool may_be_trimmed(Index row) const {
+    return specification_.may_be_trimmed(row) || (specification_.volume && !specification_.volume->box);
+  }
   bool is_in_box(const Vec3& p, double room) const;
   /// Returns whether a body may remove parts of the surface.
   bool may_be_cut(Index row) const;
@@ -113,7 +115,7 @@ class TopologyJudge {
   bool is_cracked(Index row) const;
   bool may_be_joined(Index row, Index edge, const Vec3& p) const;
   Corners as_corners(const Edge& e) const {
-    const Vec3 &a = claimed_.mesh().point(e[0]), &b = claimed_.mesh().point(e[1]);
+    const Vec3 &a = checked_.mesh().point(e[0]), &b = checked_.mesh().point(e[1]);
     return {a, b, b};
   }
   struct Places {
@@ -130,8 +132,8 @@ class TopologyJudge {
   bool is_lost(const Passage& passage, const TriangleSet& meeting) const;
   void check_crossings(Index i, Index j, FaultCollector& off, Places& places);
 
-  const ClaimedFaces& claimed_;
-  const Claim& claim_;
+  const CheckedFaces& checked_;
+  const Specification& specification_;
   Allowed allowed_;
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
@@ -139,43 +141,43 @@ class TopologyJudge {
   std::vector<FollowedSurface> followed_;     ///< the input's surfaces, prepared when curves are checked
 };
 
-bool TopologyJudge::is_in_box(const Vec3& p, double room) const {
-  if (!claim_.box()) return true;
-  const Box3 inner = inflated(*claim_.box(), -room);
+bool TopologyChecker::is_in_box(const Vec3& p, double room) const {
+  if (!specification_.box()) return true;
+  const Box3 inner = inflated(*specification_.box(), -room);
   return p.x >= inner.min.x && p.y >= inner.min.y && p.z >= inner.min.z && p.x <= inner.max.x && p.y <= inner.max.y &&
          p.z <= inner.max.z;
 }
 
-bool TopologyJudge::may_be_cut(Index row) const {
-  if (!claimed_.is_cut_kind(row)) return false;
+bool TopologyChecker::may_be_cut(Index row) const {
+  if (!checked_.is_cut_kind(row)) return false;
   const auto box_of_surface = [](const TriangulatedSurface& s) {
     Box3 box;
     for (const Vec3& p : s.points) box.add(p);
     return box;
   };
-  const Box3 own = box_of_surface(claim_.surfaces[row]);
-  return std::any_of(claimed_.bodies().begin(), claimed_.bodies().end(), [&](const Body& body) {
+  const Box3 own = box_of_surface(specification_.surfaces[row]);
+  return std::any_of(checked_.bodies().begin(), checked_.bodies().end(), [&](const Body& body) {
     return body.surface->cuts_all && overlap(own, box_of_surface(*body.surface));
   });
 }
 
-bool TopologyJudge::is_whole(Index row) const {
-  const auto& points = claim_.surfaces[row].points;
+bool TopologyChecker::is_whole(Index row) const {
+  const auto& points = specification_.surfaces[row].points;
   return !may_be_trimmed(row) && !may_be_cut(row) &&
          std::all_of(points.begin(), points.end(), [&](const Vec3& p) { return is_in_box(p, 0); });
 }
 
-std::vector<Triangle> TopologyJudge::faces_of(Index row) const {
+std::vector<Triangle> TopologyChecker::faces_of(Index row) const {
   std::vector<Triangle> faces;
-  for (const Index f : pairs_[row].faces) faces.push_back(claimed_.candidates()[f]);
+  for (const Index f : pairs_[row].faces) faces.push_back(checked_.candidates()[f]);
   return faces;
 }
 
-void TopologyJudge::check_presence(CheckResult& result) {
+void TopologyChecker::check_presence(CheckResult& result) {
   FaultCollector missing("missing_surfaces");
   std::string names;
-  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
-    const TriangulatedSurface& s = claim_.surfaces[row];
+  for (Index row = 0; row < specification_.surfaces.size(); ++row) {
+    const TriangulatedSurface& s = specification_.surfaces[row];
     if (!pairs_[row].faces.empty() || !is_whole(row) || s.triangles.empty()) continue;
     missing.add(row, s.points[s.triangles[0][0]]);
     names += (names.empty() ? "" : ", ") + s.name;
@@ -185,13 +187,13 @@ void TopologyJudge::check_presence(CheckResult& result) {
 
 /// Returns whether place p of the input's border may have been merged with another part of the border, or with another
 /// patch of the fault.
-bool TopologyJudge::may_be_joined(Index row, Index edge, const Vec3& p) const {
-  const bool is_fault = claim_.surfaces[row].kind == SurfaceKind::fault;
+bool TopologyChecker::may_be_joined(Index row, Index edge, const Vec3& p) const {
+  const bool is_fault = specification_.surfaces[row].kind == SurfaceKind::fault;
   return borders_[row].faces_border(edge, p) || (is_fault && borders_[row].faces_other_piece(edge, p));
 }
 
 /// Returns whether parts of its border may have been merged with each other.
-bool TopologyJudge::is_cracked(Index row) const {
+bool TopologyChecker::is_cracked(Index row) const {
   const InputBorder& border = borders_[row];
   for (Index e = 0; e < border.edges().size(); ++e) {
     const Corners& edge = border.edges()[e];
@@ -205,49 +207,51 @@ bool TopologyJudge::is_cracked(Index row) const {
 
 /// Checks that surfaces which nothing clips have the topology of their input. Where its border faces itself, parts may
 /// have been merged, which changes the topology.
-void TopologyJudge::check_whole_surfaces(CheckResult& result) {
+void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   FaultCollector changed("surfaces_changed");
   std::string how;
-  std::size_t n_judged = 0;
-  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
+  std::size_t n_checked = 0;
+  for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
-    const Topology input = topology_of(welded(claim_.surfaces[row])), now = topology_of(faces_of(row));
+    const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
     if (!input.manifold || !now.manifold) continue;  // the surface meets itself and is divided there
-    ++n_judged;
+    ++n_checked;
     if (input == now) continue;
-    changed.add(row, claim_.surfaces[row].points[claim_.surfaces[row].triangles[0][0]]);
-    how += (how.empty() ? "" : "; ") + claim_.surfaces[row].name + ": " + words(now) + ", in the input " + words(input);
+    changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);
+    how += (how.empty() ? "" : "; ") + specification_.surfaces[row].name + ": " + words(now) + ", in the input " +
+           words(input);
   }
   changed.report(result, "surfaces are not made of the pieces, borders and handles of their input (" + how + ")");
   result.checks_done.push_back(
-      std::to_string(n_judged) + " of " + std::to_string(claim_.surfaces.size()) +
+      std::to_string(n_checked) + " of " + std::to_string(specification_.surfaces.size()) +
       " surfaces are clipped by nothing, have no cracks and do not meet themselves: their pieces, borders and Euler "
       "characteristic were held against the input's");
 }
 
 /// A surface may end at the box, at a body that cuts it, and, if rules trim it, at any other surface.
-bool TopologyJudge::is_excused(const Edge& e, Index row) const {
+bool TopologyChecker::is_excused(const Edge& e, Index row) const {
   for (const Index f : edges_.at(e))
-    for (const std::int32_t id : claimed_.set_of(f)) {
-      const Index other = claimed_.surface_of(id);
+    for (const std::int32_t id : checked_.set_of(f)) {
+      const Index other = checked_.surface_of(id);
       if (other == row) continue;
-      if (claimed_.is_box_side(id) || (other != no_index && (may_be_trimmed(row) || (claim_.surfaces[other].cuts_all &&
-                                                                                     claimed_.is_cut_kind(row)))))
+      if (checked_.is_box_side(id) ||
+          (other != no_index &&
+           (may_be_trimmed(row) || (specification_.surfaces[other].cuts_all && checked_.is_cut_kind(row)))))
         return true;
     }
   return false;
 }
 
 /// Returns whether a body that cuts the surface passes through the place, where rules may have removed the body's wall.
-bool TopologyJudge::was_cut_at(Index row, const Vec3& p) const {
-  return claimed_.is_cut_kind(row) &&
-         std::any_of(claimed_.bodies().begin(), claimed_.bodies().end(), [&](const Body& body) {
-           const auto of_body = static_cast<Index>(body.surface - claim_.surfaces.data());
+bool TopologyChecker::was_cut_at(Index row, const Vec3& p) const {
+  return checked_.is_cut_kind(row) &&
+         std::any_of(checked_.bodies().begin(), checked_.bodies().end(), [&](const Body& body) {
+           const auto of_body = static_cast<Index>(body.surface - specification_.surfaces.data());
            return body.surface->cuts_all && may_be_trimmed(of_body) && is_near(body, p, allowed_.both());
          });
 }
 
-std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) const {
+std::vector<Corners> TopologyChecker::free_edges(Index row, bool but_excused) const {
   std::vector<Corners> free;
   for (const auto& [e, at] : edges_of(faces_of(row)))
     if (at.size() == 1 && !(but_excused && is_excused(e, row))) free.push_back(as_corners(e));
@@ -256,21 +260,22 @@ std::vector<Corners> TopologyJudge::free_edges(Index row, bool but_excused) cons
 
 /// Returns the triangles that rules made to continue a surface: any part of them may be absent, so that the surface may
 /// end anywhere there.
-std::vector<Corners> TopologyJudge::continuation_of(Index row) const {
+std::vector<Corners> TopologyChecker::continuation_of(Index row) const {
   std::vector<Corners> made;
-  if (row >= claim_.trims.size() || !claim_.trims[row].continuation) return made;
-  const TriangulatedSurface& s = claim_.surfaces[row];
-  for (std::size_t t = claim_.trims[row].n_given_triangles; t < s.triangles.size(); ++t)
+  if (row >= specification_.trims.size() || !specification_.trims[row].continuation) return made;
+  const TriangulatedSurface& s = specification_.surfaces[row];
+  for (std::size_t t = specification_.trims[row].n_given_triangles; t < s.triangles.size(); ++t)
     made.push_back({s.points[s.triangles[t][0]], s.points[s.triangles[t][1]], s.points[s.triangles[t][2]]});
   return made;
 }
 
-void TopologyJudge::check_borders(CheckResult& result) {
+void TopologyChecker::check_borders(CheckResult& result) {
   FaultCollector off("borders_off");
-  for (Index row = 0; row < claim_.surfaces.size(); ++row) {
+  for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     const InputBorder& border = borders_[row];
     const TriangleSet input(border.edges()), mesh(free_edges(row, false));
-    const TriangleSet partings(row < claim_.trims.size() ? claim_.trims[row].partings : std::vector<Corners>{});
+    const TriangleSet partings(row < specification_.trims.size() ? specification_.trims[row].partings
+                                                                 : std::vector<Corners>{});
     const TriangleSet continuation(continuation_of(row));
     const auto is_at = [&](const TriangleSet& set, const Vec3& p) { return !set.near(p, allowed_.both()).empty(); };
     for (const Corners& e : free_edges(row, true))
@@ -285,7 +290,7 @@ void TopologyJudge::check_borders(CheckResult& result) {
         const Corners& e = border.edges()[i];
         const Vec3 p = e[0] + t * (e[1] - e[0]);
         if (border.is_crack(i) || may_be_trimmed(row) || !is_in_box(p, allowed_.both()) || is_at(mesh, p) ||
-            may_be_joined(row, i, p) || claimed_.is_removed(row, p, {}))
+            may_be_joined(row, i, p) || checked_.is_removed(row, p, {}))
           continue;
         off.add(row, p);
         break;
@@ -301,27 +306,27 @@ void TopologyJudge::check_borders(CheckResult& result) {
 }
 
 /// Returns the mesh edges at which both surfaces meet, and the faces that belong to both.
-TriangleSet TopologyJudge::meeting_of(Index i, Index j) const {
+TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {
     const auto carries = [&, &at = at](Index row) {
-      return std::any_of(at.begin(), at.end(), [&](Index f) { return claimed_.carries(f, row); });
+      return std::any_of(at.begin(), at.end(), [&](Index f) { return checked_.carries(f, row); });
     };
     if (carries(i) && carries(j)) shared.push_back(as_corners(e));
   }
   for (const Index f : pairs_[i].faces)
-    if (claimed_.carries(f, j)) shared.push_back(checking::corners_of(claimed_, f));
+    if (checked_.carries(f, j)) shared.push_back(checking::corners_of(checked_, f));
   return TriangleSet(std::move(shared));
 }
 
 /// Returns whether the input surfaces pass through each other there, each deeper than the allowed distance, and the
 /// surfaces of the mesh meet nowhere nearby. Both may have been moved: where they are closer to each other than the
 /// allowed distance, their curve may be anywhere in between.
-bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) const {
+bool TopologyChecker::is_lost(const Passage& passage, const TriangleSet& meeting) const {
   const Vec3 &place = passage.place, &along = passage.along;
   bool is_met = false;
   const auto passes = [&](Index surface, Index triangle, Index other) {
-    const AlongLine line{[&](const Vec3& p) { return !is_in_box(p, 0) || claimed_.is_removed(surface, p, {}, other); },
+    const AlongLine line{[&](const Vec3& p) { return !is_in_box(p, 0) || checked_.is_removed(surface, p, {}, other); },
                          [&](const Vec3& p) { is_met = is_met || !meeting.near(p, allowed_.both()).empty(); }};
     return passes_through(followed_[surface], triangle, {place, along}, followed_[other], allowed_.both(), line);
   };
@@ -331,11 +336,11 @@ bool TopologyJudge::is_lost(const Passage& passage, const TriangleSet& meeting) 
 /// Checks that where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh
 /// nearby. This is not required if they pass through by less than the allowed distance, or if they only touch: horizons
 /// that end on both sides of a fault touch at a point, up to rounding.
-void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
+void TopologyChecker::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
   const FollowedSurface &a = followed_[i], &b = followed_[j];
   const TriangleSet meeting = meeting_of(i, j);
   const auto is_due = [&](const Vec3& p) {
-    return is_in_box(p, allowed_.both()) && !claimed_.is_removed(i, p, {}, j) && !claimed_.is_removed(j, p, {}, i);
+    return is_in_box(p, allowed_.both()) && !checked_.is_removed(i, p, {}, j) && !checked_.is_removed(j, p, {}, i);
   };
   for (Index k = 0; k < a.triangles().size(); ++k) {
     const Corners& s = a.triangles()[k];
@@ -357,12 +362,12 @@ void TopologyJudge::check_crossings(Index i, Index j, FaultCollector& off, Place
   }
 }
 
-void TopologyJudge::check_curves(CheckResult& result) {
+void TopologyChecker::check_curves(CheckResult& result) {
   FaultCollector off("curves_off");
   Places places;
-  for (const TriangulatedSurface& surface : claim_.surfaces) followed_.emplace_back(surface);
-  for (Index i = 0; i < claim_.surfaces.size(); ++i)
-    for (Index j = i + 1; j < claim_.surfaces.size(); ++j)
+  for (const TriangulatedSurface& surface : specification_.surfaces) followed_.emplace_back(surface);
+  for (Index i = 0; i < specification_.surfaces.size(); ++i)
+    for (Index j = i + 1; j < specification_.surfaces.size(); ++j)
       if (!may_be_trimmed(i) && !may_be_trimmed(j)) check_crossings(i, j, off, places);
   off.report(result,
              "places where input surfaces pass through each other deeper than the tolerance, and do not meet in the "
@@ -376,12 +381,12 @@ void TopologyJudge::check_curves(CheckResult& result) {
 
 }  // namespace
 
-void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
-  TopologyJudge judge(claimed, allowed);
-  judge.check_presence(result);
-  judge.check_whole_surfaces(result);
-  judge.check_borders(result);
-  judge.check_curves(result);
+void check_surface_topology(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result) {
+  TopologyChecker checker(checked, allowed);
+  checker.check_presence(result);
+  checker.check_whole_surfaces(result);
+  checker.check_borders(result);
+  checker.check_curves(result);
 }
 
 }  // namespace geomesh::geomodel::checking

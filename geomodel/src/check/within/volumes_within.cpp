@@ -8,7 +8,7 @@
 
 #include "check/exact/crossing.hpp"
 #include "check/exact/exact.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -21,12 +21,12 @@ double face_area(const Corners& c) {
 
 /// Returns for each region the area, in floating point, of its faces that can have moved, which excludes those only on
 /// box sides.
-std::map<std::int32_t, double> movable_areas(const ClaimedFaces& claimed) {
+std::map<std::int32_t, double> movable_areas(const CheckedFaces& checked) {
   std::map<std::int32_t, double> areas;
-  const FacesFile& faces = *claimed.faces();
-  for (Index f = 0; f < claimed.candidates().size(); ++f) {
-    if (claimed.is_side_alone(f) || faces.region_minus[f] == faces.region_plus[f]) continue;
-    const double area = face_area(corners_of(claimed, f));
+  const FacesFile& faces = *checked.faces();
+  for (Index f = 0; f < checked.candidates().size(); ++f) {
+    if (checked.is_side_alone(f) || faces.region_minus[f] == faces.region_plus[f]) continue;
+    const double area = face_area(corners_of(checked, f));
     areas[faces.region_minus[f]] += area;
     areas[faces.region_plus[f]] += area;
   }
@@ -52,8 +52,8 @@ std::optional<double> enclosed_volume(const TriangulatedSurface& s) {
 
 class VolumesWithin {
  public:
-  VolumesWithin(const ClaimedFaces& claimed, const Allowed& allowed)
-      : claimed_(claimed), allowed_(allowed), areas_(movable_areas(claimed)) {}
+  VolumesWithin(const CheckedFaces& checked, const Allowed& allowed)
+      : checked_(checked), allowed_(allowed), areas_(movable_areas(checked)) {}
 
   void check_regions(const nlohmann::json& report, CheckResult& result);
   void check_bodies(CheckResult& result);
@@ -63,7 +63,7 @@ class VolumesWithin {
   std::map<std::string, double> told_volumes(const nlohmann::json& report) const;
   bool is_open_or_crosses_itself(const Body& body) const;
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   Allowed allowed_;
   std::map<std::int32_t, double> areas_;
 };
@@ -102,8 +102,8 @@ void VolumesWithin::check_regions(const nlohmann::json& report, CheckResult& res
                   region.name.c_str(), region.volume, input == told.end() ? 0 : input->second, bound);
     how += text;
   }
-  const Claim& claim = claimed_.claim();
-  if (claim.volume && !claim.ends_inside && std::abs(sum / claim.volume->volume - 1) > 1e-9) {
+  const Specification& specification = checked_.specification();
+  if (specification.volume && !specification.ends_inside && std::abs(sum / specification.volume->volume - 1) > 1e-9) {
     wrong.add(0, {});
     how += how.empty() ? "those of the report do not fill the box" : "; those of the report do not fill the box";
   }
@@ -118,7 +118,7 @@ void VolumesWithin::check_regions(const nlohmann::json& report, CheckResult& res
 }
 
 /// Returns for each region the centroid of its largest tetrahedron, a place well inside it.
-std::map<std::int32_t, Vec3> inner_places(const JudgedMesh& mesh) {
+std::map<std::int32_t, Vec3> inner_places(const CheckedMesh& mesh) {
   std::map<std::int32_t, std::pair<double, Index>> largest;
   for (Index t = 0; t < mesh.cells.size(); ++t) {
     const Tetrahedron& c = mesh.cells[t];
@@ -140,10 +140,10 @@ bool lies_in(const Vec3& p, const Body& body) {
 /// and encloses parts of space twice. A body without faces lies outside, or is reported missing by other checks.
 bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
   std::map<std::array<VertexIndex, 2>, int> uses;
-  const auto row = static_cast<Index>(body.surface - claimed_.claim().surfaces.data());
-  for (Index f = 0; f < claimed_.candidates().size(); ++f) {
-    if (!claimed_.carries(f, row)) continue;
-    const Triangle& t = claimed_.candidates()[f];
+  const auto row = static_cast<Index>(body.surface - checked_.specification().surfaces.data());
+  for (Index f = 0; f < checked_.candidates().size(); ++f) {
+    if (!checked_.carries(f, row)) continue;
+    const Triangle& t = checked_.candidates()[f];
     for (std::size_t i = 0; i < 3; ++i) ++uses[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
   }
   return uses.empty() || std::any_of(uses.begin(), uses.end(), [](const auto& u) { return u.second != 2; });
@@ -152,13 +152,13 @@ bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
 void VolumesWithin::check_bodies(CheckResult& result) {
   FaultCollector wrong("body_volumes");
   std::string how;
-  std::size_t n_judged = 0;
-  const std::map<std::int32_t, Vec3> places = inner_places(claimed_.mesh());
-  for (const Body& body : claimed_.bodies()) {
+  std::size_t n_checked = 0;
+  const std::map<std::int32_t, Vec3> places = inner_places(checked_.mesh());
+  for (const Body& body : checked_.bodies()) {
     if (body.surface->triangles.empty() || is_open_or_crosses_itself(body)) continue;
     const auto input = enclosed_volume(*body.surface);
     if (!input) continue;
-    ++n_judged;
+    ++n_checked;
     double inside = 0, area = 0;
     for (const auto& region : result.regions)
       if (lies_in(places.at(region.id), body)) inside += region.volume;
@@ -166,7 +166,7 @@ void VolumesWithin::check_bodies(CheckResult& result) {
       area += face_area({body.surface->points[t[0]], body.surface->points[t[1]], body.surface->points[t[2]]});
     const double bound = area * allowed_.both() + 1e-12 * *input;
     if (std::abs(inside - *input) <= bound) continue;
-    wrong.add(static_cast<std::size_t>(body.surface - claimed_.claim().surfaces.data()),
+    wrong.add(static_cast<std::size_t>(body.surface - checked_.specification().surfaces.data()),
               body.surface->points[body.surface->triangles[0][0]]);
     char text[160];
     std::snprintf(text, sizeof text, "%s%.60s: %.9g, in the input %.9g, allowed %.3g", how.empty() ? "" : "; ",
@@ -175,17 +175,17 @@ void VolumesWithin::check_bodies(CheckResult& result) {
   }
   wrong.report(result,
                "bodies hold a volume that differs from the input's by more than area times tolerance (" + how + ")");
-  if (wrong.count() == 0 && n_judged > 0)
-    result.checks_done.push_back(std::to_string(n_judged) +
+  if (wrong.count() == 0 && n_checked > 0)
+    result.checks_done.push_back(std::to_string(n_checked) +
                                  " closed bodies hold the volume of their input, within area times tolerance");
 }
 
 }  // namespace
 
-void check_volumes_within(const ClaimedFaces& claimed, const Allowed& allowed,
+void check_volumes_within(const CheckedFaces& checked, const Allowed& allowed,
                           const std::optional<nlohmann::json>& report, CheckResult& result) {
-  if (claimed.mesh().file.region.empty()) return;
-  VolumesWithin volumes(claimed, allowed);
+  if (checked.mesh().file.region.empty()) return;
+  VolumesWithin volumes(checked, allowed);
   volumes.check_regions(report ? *report : nlohmann::json::object(), result);
   volumes.check_bodies(result);
 }

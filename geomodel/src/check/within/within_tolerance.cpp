@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "check/claim/taken_by_rules.hpp"
 #include "check/exact/crossing.hpp"
 #include "check/exact/plane_triangle.hpp"
-#include "check/judged/faults.hpp"
+#include "check/mesh/faults.hpp"
+#include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -16,7 +16,7 @@ namespace {
 /// Decides which faces may represent a surface if faces have no names.
 class UnnamedFaces {
  public:
-  explicit UnnamedFaces(const JudgedMesh& mesh) : mesh_(mesh) {
+  explicit UnnamedFaces(const CheckedMesh& mesh) : mesh_(mesh) {
     for (const Triangle& t : mesh.file.triangles) listed_.push_back(sorted(t));
     std::sort(listed_.begin(), listed_.end());
   }
@@ -29,18 +29,18 @@ class UnnamedFaces {
   }
 
  private:
-  const JudgedMesh& mesh_;
+  const CheckedMesh& mesh_;
   std::vector<Triangle> listed_;
 };
 
 /// Returns whether a face without names is on one of the volume's own sides, up to rounding. If no unit ends inside,
 /// nothing else bounds the mesh.
-bool is_side_of_volume(const ClaimedFaces& claimed, Index f, double rounding) {
-  const Claim& claim = claimed.claim();
-  if (!claim.volume || !is_boundary(claimed.mesh().faces[f])) return false;
-  const Box3* const box = claim.box();
-  if (!box) return !claim.ends_inside;
-  const Corners corners = corners_of(claimed, f);
+bool is_side_of_volume(const CheckedFaces& checked, Index f, double rounding) {
+  const Specification& specification = checked.specification();
+  if (!specification.volume || !is_boundary(checked.mesh().faces[f])) return false;
+  const Box3* const box = specification.box();
+  if (!box) return !specification.ends_inside;
+  const Corners corners = corners_of(checked, f);
   for (std::size_t k = 0; k < 3; ++k)
     for (const double side : {box->min[k], box->max[k]})
       if (std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) { return std::abs(p[k] - side) <= rounding; }))
@@ -66,19 +66,19 @@ std::string words(const Deviation& d, double tolerance) {
 
 class SurfacesWithin {
  public:
-  SurfacesWithin(const ClaimedFaces& claimed, const Allowed& allowed)
-      : claimed_(claimed), allowed_(allowed), rules_(claimed.claim(), 2 * allowed.both()) {}
+  SurfacesWithin(const CheckedFaces& checked, const Allowed& allowed)
+      : checked_(checked), allowed_(allowed), rules_(checked.specification(), 2 * allowed.both()) {}
 
-  void judge(const SurfacePair& pair);
+  void check(const SurfacePair& pair);
   void report(CheckResult& result);
 
  private:
-  void judge_faces(const SurfacePair& pair);
-  void judge_input(const SurfacePair& pair);
+  void check_faces(const SurfacePair& pair);
+  void check_input(const SurfacePair& pair);
   /// Measures the part of the triangle inside the box.
-  std::optional<Vec3> judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle, Deviation& sum);
+  std::optional<Vec3> check_in_box(const DeviationChecker& checker, const PlaneTriangle& triangle, Deviation& sum);
 
-  const ClaimedFaces& claimed_;
+  const CheckedFaces& checked_;
   Allowed allowed_;
   TakenByRules rules_;
   Deviation faces_, input_;
@@ -97,14 +97,14 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-void SurfacesWithin::judge_faces(const SurfacePair& pair) {
+void SurfacesWithin::check_faces(const SurfacePair& pair) {
   std::vector<Corners> input;
   for (const Index row : pair.rows)
-    for (const Corners& t : triangles_of(claimed_.claim().surfaces[row])) input.push_back(t);
+    for (const Corners& t : triangles_of(checked_.specification().surfaces[row])) input.push_back(t);
   const TriangleSet set(std::move(input));
-  const DeviationJudge judge(set, allowed_.both());
+  const DeviationChecker checker(set, allowed_.both());
   for (const Index f : pair.faces) {
-    const auto witness = judge.judge(corners_of(claimed_, f), faces_);
+    const auto witness = checker.check(corners_of(checked_, f), faces_);
     if (!witness) continue;
     worst_face_ = std::max(worst_face_, set.distance(*witness));
     faces_off_.add(f, *witness);
@@ -112,32 +112,32 @@ void SurfacesWithin::judge_faces(const SurfacePair& pair) {
   }
 }
 
-std::optional<Vec3> SurfacesWithin::judge_in_box(const DeviationJudge& judge, const PlaneTriangle& triangle,
+std::optional<Vec3> SurfacesWithin::check_in_box(const DeviationChecker& checker, const PlaneTriangle& triangle,
                                                  Deviation& sum) {
-  const Box3* box = claimed_.claim().box();
+  const Box3* box = checked_.specification().box();
   std::vector<Vec3> polygon(triangle.corners().begin(), triangle.corners().end());
   if (box) polygon = triangle.inside(*box);
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    if (const auto witness = judge.judge({polygon[0], polygon[i - 1], polygon[i]}, sum)) return witness;
+    if (const auto witness = checker.check({polygon[0], polygon[i - 1], polygon[i]}, sum)) return witness;
   return std::nullopt;
 }
 
-void SurfacesWithin::judge_input(const SurfacePair& pair) {
+void SurfacesWithin::check_input(const SurfacePair& pair) {
   std::vector<Corners> faces;
-  for (const Index f : pair.faces) faces.push_back(corners_of(claimed_, f));
+  for (const Index f : pair.faces) faces.push_back(corners_of(checked_, f));
   const TriangleSet set(std::move(faces));
   std::size_t first = 0;
   for (const Index row : pair.rows) {
-    const std::vector<Corners> triangles = triangles_of(claimed_.claim().surfaces[row]);
+    const std::vector<Corners> triangles = triangles_of(checked_.specification().surfaces[row]);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const PlaneTriangle triangle(triangles[i][0], triangles[i][1], triangles[i][2]);
       if (triangle.degenerate()) continue;
       const Vec3 off = (4 * allowed_.rounding) * triangle.normal();
-      const DeviationJudge judge(set, allowed_.both(), [&](const Vec3& p) {
+      const DeviationChecker checker(set, allowed_.both(), [&](const Vec3& p) {
         return !rules_.may_be_away(row, static_cast<Index>(i), p) &&
-               !(claimed_.claim().named && claimed_.is_removed(row, p, off));
+               !(checked_.specification().named && checked_.is_removed(row, p, off));
       });
-      const auto witness = judge_in_box(judge, triangle, input_);
+      const auto witness = check_in_box(checker, triangle, input_);
       if (!witness) continue;
       worst_input_ = std::max(worst_input_, set.distance(*witness));
       input_off_.add(first + i, *witness);
@@ -147,9 +147,9 @@ void SurfacesWithin::judge_input(const SurfacePair& pair) {
   }
 }
 
-void SurfacesWithin::judge(const SurfacePair& pair) {
-  judge_faces(pair);
-  judge_input(pair);
+void SurfacesWithin::check(const SurfacePair& pair) {
+  check_faces(pair);
+  check_input(pair);
 }
 
 void SurfacesWithin::report(CheckResult& result) {
@@ -176,24 +176,24 @@ void SurfacesWithin::report(CheckResult& result) {
 
 /// Checks that faces of horizons and faults reach into a body that cuts by at most the allowed distance, measured at
 /// their centroids.
-void check_bodies_within(const ClaimedFaces& claimed, const Allowed& allowed, const std::vector<Triangle>& candidates,
+void check_bodies_within(const CheckedFaces& checked, const Allowed& allowed, const std::vector<Triangle>& candidates,
                          CheckResult& result) {
   FaultCollector inside("faces_inside_bodies");
-  for (const Body& body : claimed.bodies()) {
+  for (const Body& body : checked.bodies()) {
     if (!body.surface->cuts_all) continue;
     const TriangleSet set(triangles_of(*body.surface));
     for (Index f = 0; f < candidates.size(); ++f) {
-      const auto& ids = claimed.set_of(f);
+      const auto& ids = checked.set_of(f);
       const auto is = [&](auto&& property) {
         return std::any_of(ids.begin(), ids.end(), [&](std::int32_t id) {
-          const Index row = claimed.surface_of(id);
+          const Index row = checked.surface_of(id);
           return row != no_index && property(row);
         });
       };
-      if (claimed.may_be_scarp(f) || !is([&](Index row) { return claimed.is_cut_kind(row); }) ||
-          is([&](Index row) { return claimed.claim().surfaces[row].kind == SurfaceKind::body; }))
+      if (checked.may_be_scarp(f) || !is([&](Index row) { return checked.is_cut_kind(row); }) ||
+          is([&](Index row) { return checked.specification().surfaces[row].kind == SurfaceKind::body; }))
         continue;
-      const Corners c = corners_of(claimed, f);
+      const Corners c = corners_of(checked, f);
       const auto winding =
           winding_about_centroid(body.surface->points, body.surface->triangles, body.tree, c[0], c[1], c[2]);
       if (!winding || *winding == 0) continue;
@@ -206,9 +206,9 @@ void check_bodies_within(const ClaimedFaces& claimed, const Allowed& allowed, co
 
 }  // namespace
 
-Corners corners_of(const ClaimedFaces& claimed, Index face) {
-  const Triangle& t = claimed.candidates()[face];
-  return {claimed.corner(t, 0), claimed.corner(t, 1), claimed.corner(t, 2)};
+Corners corners_of(const CheckedFaces& checked, Index face) {
+  const Triangle& t = checked.candidates()[face];
+  return {checked.corner(t, 0), checked.corner(t, 1), checked.corner(t, 2)};
 }
 
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface) {
@@ -218,35 +218,35 @@ std::vector<Corners> triangles_of(const TriangulatedSurface& surface) {
   return corners;
 }
 
-std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double rounding) {
-  const Claim& claim = claimed.claim();
+std::vector<SurfacePair> pair_surfaces(const CheckedFaces& checked, double rounding) {
+  const Specification& specification = checked.specification();
   std::vector<SurfacePair> pairs;
-  if (claim.named && claimed.faces()) {
-    for (Index s = 0; s < claim.surfaces.size(); ++s) {
-      pairs.push_back({claim.surfaces[s].name, {s}, {}});
-      for (Index f = 0; f < claimed.candidates().size(); ++f)
-        if (claimed.carries(f, s)) pairs.back().faces.push_back(f);
+  if (specification.named && checked.faces()) {
+    for (Index s = 0; s < specification.surfaces.size(); ++s) {
+      pairs.push_back({specification.surfaces[s].name, {s}, {}});
+      for (Index f = 0; f < checked.candidates().size(); ++f)
+        if (checked.carries(f, s)) pairs.back().faces.push_back(f);
     }
     return pairs;
   }
-  const UnnamedFaces unnamed(claimed.mesh());
+  const UnnamedFaces unnamed(checked.mesh());
   SurfacePair all{"the surfaces given", {}, {}};
-  for (Index s = 0; s < claim.surfaces.size(); ++s) all.rows.push_back(s);
-  for (Index f = 0; f < claimed.candidates().size(); ++f)
-    if (claimed.faces() ? !claimed.is_side_alone(f)
-                        : unnamed.may_be_surface(claimed.mesh().faces[f]) && !is_side_of_volume(claimed, f, rounding))
+  for (Index s = 0; s < specification.surfaces.size(); ++s) all.rows.push_back(s);
+  for (Index f = 0; f < checked.candidates().size(); ++f)
+    if (checked.faces() ? !checked.is_side_alone(f)
+                        : unnamed.may_be_surface(checked.mesh().faces[f]) && !is_side_of_volume(checked, f, rounding))
       all.faces.push_back(f);
   pairs.push_back(std::move(all));
   return pairs;
 }
 
-void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result) {
-  SurfacesWithin within(claimed, allowed);
-  for (const SurfacePair& pair : pair_surfaces(claimed, allowed.rounding)) within.judge(pair);
+void check_surfaces_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result) {
+  SurfacesWithin within(checked, allowed);
+  for (const SurfacePair& pair : pair_surfaces(checked, allowed.rounding)) within.check(pair);
   within.report(result);
-  if (!claimed.faces() || !claimed.claim().named) return;
-  check_bodies_within(claimed, allowed, claimed.candidates(), result);
-  claimed.check_box_sides(result);
+  if (!checked.faces() || !checked.specification().named) return;
+  check_bodies_within(checked, allowed, checked.candidates(), result);
+  checked.check_box_sides(result);
 }
 
 }  // namespace geomesh::geomodel::checking

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "check/exact/deviation.hpp"
-#include "check/judged/claimed_faces.hpp"
+#include "check/mesh/checked_faces.hpp"
 
 namespace geomesh::geomodel::checking {
 
@@ -23,37 +23,37 @@ struct Allowed {
 /// One surface of the specification (or all of them, if faces have no names) with the mesh faces that represent it.
 struct SurfacePair {
   std::string name;
-  std::vector<Index> rows;   ///< of `claim.surfaces`
+  std::vector<Index> rows;   ///< of `specification.surfaces`
   std::vector<Index> faces;  ///< rows of the candidate faces
 };
 /// Pairs surfaces with their faces. Faces on the sides of the volume, up to `rounding`, represent none.
-std::vector<SurfacePair> pair_surfaces(const ClaimedFaces& claimed, double rounding);
-Corners corners_of(const ClaimedFaces& claimed, Index face);
+std::vector<SurfacePair> pair_surfaces(const CheckedFaces& checked, double rounding);
+Corners corners_of(const CheckedFaces& checked, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 
 /// Checks that faces of each surface lie within the allowed distance of the surface's input
 /// (`faces_off_their_surface`), that the input, minus the parts that the box and the rules remove, lies within this
 /// distance of the faces (`input_off_the_mesh`), and that no face of a horizon or fault lies deeper inside a body that
 /// cuts (`faces_inside_bodies`). `checks_done` lists what was proven and what was sampled.
-void check_surfaces_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+void check_surfaces_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
 /// Checks that midpoint nodes lie within the allowed distance of their surfaces (`midpoints_off`).
-void check_midpoints_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
 /// Checks that each face names a triangle of its surface (`wrong_source_triangles`) and lies within twice the allowed
 /// distance of it (`faces_off_their_triangle`). Only if faces have names.
-void check_sources_within(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+void check_sources_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
 /// Checks that every surface is present (`missing_surfaces`); that whole ones have the pieces, borders and handles of
 /// their input (`surfaces_changed`); and that borders and tips, and intersection curves, lie where those of the input
 /// do (`borders_off`, `curves_off`). Only if faces have names.
-void check_surface_topology(const ClaimedFaces& claimed, const Allowed& allowed, CheckResult& result);
+void check_surface_topology(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
 /// Checks that volumes of regions and of closed bodies differ little from those of the input (`region_volumes`,
 /// `body_volumes`): by at most the area of their movable boundary times the allowed distance. The input's volumes of
 /// regions are taken from the report beside the mesh, and must fill the box; those of bodies are computed here. Only if
 /// faces have names.
-void check_volumes_within(const ClaimedFaces& claimed, const Allowed& allowed,
+void check_volumes_within(const CheckedFaces& checked, const Allowed& allowed,
                           const std::optional<nlohmann::json>& report, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Returns a mesh without its fault zones, declared in check/zones/judge_zones.hpp.
+// Returns a mesh without its fault zones, declared in check/zones/check_zones.hpp.
 #include <algorithm>
 #include <set>
 #include <tuple>
 
-#include "check/judged/faults.hpp"
-#include "check/judged/walls.hpp"
-#include "check/zones/judge_zones.hpp"
+#include "check/mesh/faults.hpp"
+#include "check/mesh/walls.hpp"
+#include "check/zones/check_zones.hpp"
 #include "check/zones/zone_names.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -14,7 +14,7 @@ namespace {
 
 class ZoneCloser {
  public:
-  ZoneCloser(const JudgedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones)
+  ZoneCloser(const CheckedMesh& mesh, const FacesFile& faces, const std::vector<FaultZone>& zones)
       : mesh_(mesh), faces_(faces), faults_(faults_of(zones)), zone_ids_(zone_ids(mesh.file.region_names, zones)) {}
 
   ClosedFiles close(const CurvesFile* curves) {
@@ -228,7 +228,7 @@ class ZoneCloser {
     }
   }
 
-  const JudgedMesh& mesh_;
+  const CheckedMesh& mesh_;
   const FacesFile& faces_;
   std::vector<std::string> faults_;
   std::map<std::int32_t, std::size_t> zone_ids_;
@@ -241,7 +241,7 @@ class ZoneCloser {
 
 }  // namespace
 
-std::optional<ClosedFiles> close_zones(const JudgedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
+std::optional<ClosedFiles> close_zones(const CheckedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
                                        const std::vector<FaultZone>& zones, CheckResult& result) {
   const bool known = mesh.file.before_zones.size() == mesh.n_points() && mesh.file.region.size() == mesh.cells.size() &&
                      knows_mesh_points(faces, mesh.n_points());

@@ -4,7 +4,7 @@
 
 #include "pipeline/region_volumes.hpp"
 #include "pipeline/stages/stages.hpp"
-#include "rules/order/laid_down.hpp"
+#include "rules/order/deposition.hpp"
 
 namespace geomesh::geomodel {
 namespace {

@@ -46,7 +46,7 @@ void read_surfaces(const MeshRequest& request, Inputs& model, Journal& journal) 
       throw Error(ErrorKind::invalid_input, path.filename().string() + " (" + contents.format + ") holds no surface");
     const auto first = static_cast<Index>(model.surfaces.size());
     for (RegionHint& hint : contents.regions) {
-      for (RegionHint::Side& side : hint.boundary) side.surface += first;
+      for (RegionHint::OrientedTriangle& side : hint.boundary) side.surface += first;
       model.naming.hints.push_back(std::move(hint));
     }
     for (TriangulatedSurface& surface : contents.surfaces) {

@@ -10,7 +10,7 @@
 #include "geomesh/core/refine_conforming.hpp"
 #include "geomesh/geomodel/words.hpp"
 #include "naming/name_regions.hpp"
-#include "rules/order/laid_down.hpp"
+#include "rules/order/deposition.hpp"
 #include "solver_mesh/corners/shape_values.hpp"
 
 namespace geomesh::geomodel {

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Measures the shape of one element for the checker, with formulas independent of those of the mesher.
+#pragma once
+
+#include <array>
+
+#include "check/mesh/checked_mesh.hpp"
+
+namespace geomesh::geomodel::checking {
+
+/// Definitions: docs/meshing.md, "What the statistics mean".
+struct ElementShape {
+  std::array<double, 6> dihedral;  ///< degrees
+  double min_dihedral, max_dihedral;
+  double radius_ratio, mean_ratio, aspect;
+  double shortest_edge, longest_edge;
+  /// How far rounding of the coordinates may rotate a face, in radians; above 1 for elements as flat as rounding,
+  /// infinite if the volume is zero in floating point (ratios are 0 then).
+  double turn;
+  double ulp;  ///< as given
+  /// Returns how far another program's angles (degrees), ratios and lengths may differ from these.
+  double slack_of_angles() const;
+  double slack_of_ratios() const;
+  double slack_of_lengths() const;
+};
+
+/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. The volume must be positive.
+ElementShape element_shape(const std::array<Vec3, 4>& corners, double ulp);
+ElementShape element_shape(const CheckedMesh& mesh, const Tetrahedron& cell, double ulp);
+
+}  // namespace geomesh::geomodel::checking

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "naming/units_by_heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace geomesh::geomodel {
+
+namespace {
+
+constexpr std::size_t most_asked = 64;   // number of places sampled in a component
+constexpr double least_majority = 0.75;  // share of the volume around those samples that give an answer
+constexpr double least_telling = 0.25;   // share of the volume around all samples
+
+/// Which of the `possible` units the horizons allow around one of the largest tetrahedra of a component, and its
+/// volume.
+struct Answer {
+  UnitRange units{};
+  double volume = 0;
+};
+
+/// Returns the answers at the largest tetrahedra, which are sorted by volume. If a unit is not possible, the range is
+/// empty.
+std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
+                               const std::function<UnitRange(const Vec3&)>& units_at, const UnitRange& possible) {
+  const std::size_t n = std::min(cells.size(), most_asked);
+  std::partial_sort(
+      cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(n), cells.end(),
+      [](const auto& a, const auto& b) { return a.first != b.first ? a.first > b.first : a.second < b.second; });
+  std::vector<Answer> answers;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Tetrahedron& v = mesh.tetrahedra[cells[k].second];
+    const Vec3 centre = 0.25 * ((mesh.points[v[0]] + mesh.points[v[1]]) + (mesh.points[v[2]] + mesh.points[v[3]]));
+    const UnitRange at = units_at(centre);
+    answers.push_back({{std::max(at.first, possible.first), std::min(at.last, possible.last)}, cells[k].first});
+  }
+  return answers;
+}
+
+/// Returns the total volume of the answers that `counts` accepts.
+template <class Predicate>
+double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
+  double volume = 0;
+  for (const Answer& answer : answers)
+    if (counts(answer.units)) volume += answer.volume;
+  return volume;
+}
+
+/// Returns the units on which most answers agree: one unit, if most answers with a single unit agree on it; else bounds
+/// that most answers which narrow `possible` keep. Returns `possible` if too few give an answer.
+UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
+  const double all = volume_of(answers, [](const UnitRange&) { return true; });
+  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty range counts too
+  const auto tells = [&](const UnitRange& units) { return units != possible; };
+  const double of_one = volume_of(answers, tells_one), telling = volume_of(answers, tells);
+  for (Index unit = possible.first; unit <= possible.last && of_one >= least_telling * all; ++unit)
+    if (volume_of(answers, [&](const UnitRange& units) {
+          return units == UnitRange{unit, unit};
+        }) >= least_majority * of_one)
+      return {unit, unit};
+  if (telling == 0 || telling < least_telling * all) return possible;
+  const auto most = [&](const auto& counts) {
+    return volume_of(answers, [&](const UnitRange& units) {
+             return tells(units) && !units.empty() && counts(units);
+           }) >= least_majority * telling;
+  };
+  UnitRange left = possible;
+  while (left.first < possible.last && most([&](const UnitRange& units) { return units.first > left.first; }))
+    ++left.first;
+  while (left.last > possible.first && most([&](const UnitRange& units) { return units.last < left.last; }))
+    --left.last;
+  return left.empty() ? possible : left;
+}
+
+/// Restricts the verdict to the units that the order of deposition of the horizons leaves possible.
+void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& left) {
+  if (left == possible) return;
+  if (left.first == left.last) {
+    verdict.first = verdict.last = left.first;
+    verdict.by_heights = true;
+    return;
+  }
+  const Index nearest = std::clamp(verdict.first, left.first, left.last);
+  if (verdict.kind == UnitVerdict::Kind::vertical) verdict.by_heights = nearest != verdict.first;
+  verdict.first = verdict.last = nearest;
+  verdict.first_possible = left.first;
+  verdict.last_possible = left.last;
+}
+
+}  // namespace
+
+void find_units_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules, const Column& column,
+                           std::vector<UnitVerdict>& verdicts) {
+  if (!rules.units_at) return;
+  // Volume and row of the tetrahedra of each component to be sampled.
+  std::map<Index, std::vector<std::pair<double, Index>>> cells;
+  for (std::size_t c = 0; c < verdicts.size(); ++c)
+    if (verdicts[c].kind == UnitVerdict::Kind::incomplete || verdicts[c].kind == UnitVerdict::Kind::vertical)
+      cells[static_cast<Index>(c)];
+  if (cells.empty()) return;
+  for (Index t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const auto at = cells.find(mesh.component[t]);
+    if (at == cells.end()) continue;
+    const Tetrahedron& v = mesh.tetrahedra[t];
+    const Vec3 &a = mesh.points[v[0]], &b = mesh.points[v[1]], &c = mesh.points[v[2]], &d = mesh.points[v[3]];
+    at->second.emplace_back(std::abs(dot(b - a, cross(c - a, d - a))), t);
+  }
+  for (auto& [c, volumes] : cells) {
+    UnitVerdict& verdict = verdicts[c];
+    UnitRange possible{0, static_cast<Index>(column.horizons.size())};
+    if (verdict.kind == UnitVerdict::Kind::incomplete) possible = {verdict.first_possible, verdict.last_possible};
+    narrow(verdict, possible, most_agree_on(answers_of(volumes, mesh, rules.units_at, possible), possible));
+  }
+}
+
+}  // namespace geomesh::geomodel
