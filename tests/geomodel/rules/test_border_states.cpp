@@ -22,12 +22,12 @@ TriangulatedSurface upright(const std::vector<Vec2>& line) {
   return wall;
 }
 
-/// A triangle whose side from (0, -4) to (0, `end`) is border; the horizon lies on the left of it.
+/// A horizon on the left of its border from (0, -4) to (0, `end`), with one vertex inside.
 TriangulatedSurface horizon_left_of(double end) {
   TriangulatedSurface h;
   h.kind = SurfaceKind::horizon;
-  h.points = {{0, -4, 0}, {0, end, 0}, {-20, 2, 0}};
-  h.triangles = {{0, 1, 2}};
+  h.points = {{0, -4, 0}, {0, end, 0}, {-20, 2, 0}, {-8, 2, 0}};
+  h.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   return h;
 }
 

@@ -118,9 +118,12 @@ TEST_CASE("every format is the same byte for byte when written again", "[writers
   const auto write_all = [](const fs::path& folder) {
     std::map<std::string, std::map<fs::path, std::string>> bytes;  // by format and file in the folder
     const ModelMesh mesh = three_layer_mesh(3);
-    for (const std::string& format : mesh_formats())
+    const std::set<std::string> of_modules{"exodus", "med", "xdmf", "seissol", "vtkhdf"};
+    for (const std::string& format : mesh_formats()) {
+      if (of_modules.contains(format) && !has_module(format)) continue;
       for (const fs::path& file : write_format(mesh, format, folder / "model"))
         bytes[format][file.lexically_relative(folder)] = bytes_of(file);
+    }
     for (const auto& entry : fs::directory_iterator(folder)) CHECK(entry.path().extension() != ".part");
     return bytes;
   };

@@ -220,10 +220,21 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
+/// Where walls are searched in front of the border.
+struct BorderSearch {
+  Index row;
+  const Walls& walls;
+  const Box3& box;
+  double within;
+  /// Whether an edge counts if a part of it stops short of a wall. Strips follow whole edges, so their middles decide.
+  bool by_parts;
+};
+
 /// Returns the loops of the border with the wall in front of each edge. Edges of triangles that are `done` are not
 /// continued.
-std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
-                                                    const Box3& box, double within, const std::vector<bool>& done) {
+std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, const BorderSearch& how,
+                                                    const std::vector<bool>& done) {
+  const auto& [row, walls, box, within, by_parts] = how;
   const std::vector<BorderEdge> edges = border_edges(surface);
   std::map<std::pair<VertexIndex, VertexIndex>, Index> triangle_at;
   for (const BorderEdge& e : edges) triangle_at[{e.a, e.b}] = e.triangle;
@@ -250,7 +261,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
       if (!e.goes_on)
         e.hit = Walls::Hit{};
       else if (is_within(box, middle, std::max(within, e.length)))
-        for (const double place : places_before_walls(surface, e, share, box, search))
+        for (const double place : by_parts ? places_before_walls(surface, e, share, box, search) : std::vector{share})
           if (const auto hit = wall_before(surface, e, place, search); hit && (!e.hit || hit->share < e.hit->share))
             e.hit = hit;
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
@@ -271,7 +282,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
 BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
                            double within) {
   BorderStates states;
-  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
+  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, {row, walls, box, within, true}, {}))
     for (const LoopEdge& e : loop)
       states[{e.a, e.b}] = !e.goes_on || e.is_beyond ? BorderState::met_wall
                            : e.hit                   ? BorderState::before_wall
@@ -282,7 +293,7 @@ BorderStates border_states(const TriangulatedSurface& surface, Index row, const 
 std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                        const Box3& box, double within) {
   std::map<Index, double> lengths;
-  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, {}))
+  for (const std::vector<LoopEdge>& loop : loops_with_walls(surface, {row, walls, box, within, false}, {}))
     for (const LoopEdge& e : loop)
       if (e.hit && !e.is_beyond) lengths[e.hit->surface] += e.length;
   return lengths;
@@ -291,7 +302,7 @@ std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index
 std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                              const Box3& box, double within, const std::vector<bool>& done) {
   std::vector<BorderChain> chains;
-  for (std::vector<LoopEdge>& loop : loops_with_walls(surface, row, walls, box, within, done))
+  for (std::vector<LoopEdge>& loop : loops_with_walls(surface, {row, walls, box, within, false}, done))
     cut_loop(surface, std::move(loop), chains);
   return chains;
 }
