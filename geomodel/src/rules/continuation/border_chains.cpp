@@ -220,7 +220,7 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
-/// Where walls are searched in front of the border.
+/// How walls are searched in front of the border.
 struct BorderSearch {
   Index row;
   const Walls& walls;
