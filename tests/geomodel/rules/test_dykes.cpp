@@ -2,6 +2,7 @@
 // Sheets with a thickness: walls, volume, rows, and what is refused.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/geomodel/model_rules.hpp"
@@ -120,7 +121,7 @@ TEST_CASE("What is no sheet, or bends more tightly than its thickness, is refuse
   TriangulatedSurface moebius = empty_body();
   for (unsigned k = 0; k < 12; ++k)
     for (const double r : {-1.0, 1.0}) {
-      const double a = k * M_PI / 6, half = a / 2;
+      const double a = k * std::numbers::pi / 6, half = a / 2;
       moebius.points.push_back(
           {(9 + r * std::cos(half)) * std::cos(a), (9 + r * std::cos(half)) * std::sin(a), r * std::sin(half)});
     }

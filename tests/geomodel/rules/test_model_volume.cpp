@@ -99,8 +99,8 @@ TEST_CASE("sides of turned boxes and of polygons close and face outwards, whiche
   CHECK(names == std::set<std::string>{"xmin", "xmax", "ymin", "ymax", "zmin", "zmax"});
   for (const TriangulatedSurface& side : box.sides) {  // ymax looks along the azimuth, xmax 90 degrees to its right
     const Vec3 n = cross(side.points[1] - side.points[0], side.points[2] - side.points[0]);
-    if (side.name == "ymax") CHECK(std::atan2(n.x, n.y) * 180 / M_PI == Approx(30));
-    if (side.name == "xmax") CHECK(std::atan2(n.x, n.y) * 180 / M_PI == Approx(120));
+    if (side.name == "ymax") CHECK(std::atan2(n.x, n.y) * 180 / std::numbers::pi == Approx(30));
+    if (side.name == "xmax") CHECK(std::atan2(n.x, n.y) * 180 / std::numbers::pi == Approx(120));
     if (side.name == "zmax") CHECK(side.points[0].z == 4);
   }
   VolumeSpec polygon = l_shape();

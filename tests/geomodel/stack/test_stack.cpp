@@ -321,8 +321,8 @@ std::function<double(double, double)> smooth_field(unsigned seed) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<std::array<double, 3>> waves(8);
   for (auto& [kx, ky, phase] : waves) {
-    const double angle = 2 * M_PI * uniform(random), k = 2 * M_PI / (5000 * (1 + uniform(random)));
-    kx = k * std::cos(angle), ky = k * std::sin(angle), phase = 2 * M_PI * uniform(random);
+    const double angle = 2 * std::numbers::pi * uniform(random), k = 2 * std::numbers::pi / (5000 * (1 + uniform(random)));
+    kx = k * std::cos(angle), ky = k * std::sin(angle), phase = 2 * std::numbers::pi * uniform(random);
   }
   return [waves](double x, double y) {
     double sum = 0;
@@ -433,7 +433,7 @@ namespace {
 /// Two smooth horizons that cross along x = 5000 at an angle, the younger one erosive, so that a rule says which one
 /// cuts.
 BuiltSurfaces crossing_at(double degrees, ModelRules rules) {
-  const double slope = std::tan(degrees * M_PI / 180);
+  const double slope = std::tan(degrees * std::numbers::pi / 180);
   rules.surfaces = {SurfaceRules{}};
   rules.surfaces[0].base = BaseRule::erode;
   const auto level = [](double, double) { return 0.0; };

@@ -25,7 +25,7 @@ struct FaultedStack {
   bool is_torn = false;
   std::vector<bool> has_throw{true, true, true};
 
-  double across(double x, double z) const { return x - at + (z + 500) / std::tan(M_PI / 3); }
+  double across(double x, double z) const { return x - at + (z + 500) / std::tan(std::numbers::pi / 3); }
   double throw_at(double y) const { return 30 * std::sqrt(std::max(0.0, 1 - std::pow(y / end, 2))); }
 
   TriangulatedSurface grid(std::size_t k, unsigned seed) const {
@@ -58,7 +58,7 @@ struct FaultedStack {
     TriangulatedSurface fault;
     fault.name = "fault";
     fault.kind = SurfaceKind::fault;
-    const double off = 1000 / std::tan(M_PI / 3);
+    const double off = 1000 / std::tan(std::numbers::pi / 3);
     fault.points = {{at - off, -600, 500}, {at - off, end, 500}, {at + off, end, -1500}, {at + off, -600, -1500}};
     fault.triangles = {{0, 1, 2}, {0, 2, 3}};
     return {grid(0, 1), grid(1, 2), grid(2, 3), fault};
