@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <set>
 
@@ -321,7 +322,8 @@ std::function<double(double, double)> smooth_field(unsigned seed) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::vector<std::array<double, 3>> waves(8);
   for (auto& [kx, ky, phase] : waves) {
-    const double angle = 2 * std::numbers::pi * uniform(random), k = 2 * std::numbers::pi / (5000 * (1 + uniform(random)));
+    const double angle = 2 * std::numbers::pi * uniform(random),
+                 k = 2 * std::numbers::pi / (5000 * (1 + uniform(random)));
     kx = k * std::cos(angle), ky = k * std::sin(angle), phase = 2 * std::numbers::pi * uniform(random);
   }
   return [waves](double x, double y) {
