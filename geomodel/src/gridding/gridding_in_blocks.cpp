@@ -14,6 +14,7 @@
 #include "naming/sums.hpp"
 #include "rules/continuation/continue_to_walls.hpp"
 #include "rules/framework/block_framework.hpp"
+#include "rules/planar/nearest_place.hpp"
 
 namespace geomesh::geomodel {
 namespace {
@@ -122,10 +123,7 @@ class BlockSurfaces {
 
   /// Returns nothing if all points lie in one block.
   std::optional<GriddedInBlocks> make() {
-    std::map<Index, std::vector<Vec3>> points;
-    const std::vector<Index> block = blocks_.blocks_at(made_.points);
-    for (std::size_t i = 0; i < block.size(); ++i)
-      if (block[i] != no_index) points[block[i]].push_back(made_.points[i]);
+    const std::map<Index, std::vector<Vec3>> points = points_by_block();
     if (points.size() < 2) return std::nullopt;
     GriddedInBlocks told{no_index, points.size()};
     for (Index b = 0; b < blocks_.n_blocks(); ++b) {
@@ -141,6 +139,24 @@ class BlockSurfaces {
   TriangulatedSurface& surface() { return surface_; }
 
  private:
+  /// Points outside of the model determine the surface near its sides, too. They count to the block of the nearest
+  /// point inside.
+  std::map<Index, std::vector<Vec3>> points_by_block() const {
+    const std::vector<Index> block = blocks_.blocks_at(made_.points);
+    std::vector<Vec3> inside;
+    std::vector<Index> block_of_inside;
+    for (std::size_t i = 0; i < block.size(); ++i)
+      if (block[i] != no_index) inside.push_back(made_.points[i]), block_of_inside.push_back(block[i]);
+    std::map<Index, std::vector<Vec3>> points;
+    if (inside.empty()) return points;
+    const NearestPlace nearest(inside);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const Vec3& p = made_.points[i];
+      points[block[i] != no_index ? block[i] : block_of_inside[nearest.find(p.x, p.y)]].push_back(p);
+    }
+    return points;
+  }
+
   /// Returns nothing if the points do not determine a surface.
   std::optional<TriangulatedSurface> sheet_of(const std::vector<Vec3>& points) const {
     if (points.size() < fewest_points) return std::nullopt;

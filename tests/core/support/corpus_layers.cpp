@@ -104,7 +104,7 @@ PiecewiseLinearComplex pinching_layers(int n, double spacing, double vertical) {
     const double x = double(i) / n, y = double(k) / n;
     const double base = -10, top = 10 + std::sin(7 * x) + std::cos(5 * y);
     const double middle = 2 * std::sin(4 * x + 3 * y);
-    // Not std::hypot, whose last bit is another one on Windows: the mesh of every system is to be the same.
+    // std::hypot would differ in its last bit on Windows, and the mesh is to be the same on every system.
     const double off_centre = std::sqrt((x - 0.3) * (x - 0.3) + (y - 0.4) * (y - 0.4));
     const double lower = std::max(0.0, 3 - 8 * off_centre), upper = std::max(0.0, 6 * (x - 0.45));
     const double z[5] = {base, middle - lower, middle, middle + upper, top};

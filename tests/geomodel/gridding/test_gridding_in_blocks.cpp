@@ -35,8 +35,9 @@ struct Model {
   ModelRules rules;
 };
 
-/// `n_east` of the points lie east of the fault. The common surface passes through all of them.
-Model model_with(std::size_t n_east) {
+/// `n_east` of the points lie east of the fault. The common surface passes through all of them. The box begins at
+/// `west`.
+Model model_with(std::size_t n_east, double west = 0) {
   Model m;
   GriddedPoints& points = m.made[1];
   for (const double x : {150.0, 700.0, 1300.0})
@@ -50,7 +51,7 @@ Model model_with(std::size_t n_east) {
   common.surface.kind = SurfaceKind::horizon;
   m.surfaces = {fault_sheet(), std::move(common.surface)};
   m.rules.surfaces.resize(2);
-  const Box3 box{{0, 0, -2000}, {4000, 4000, 0}};
+  const Box3 box{{west, 0, -2000}, {4000, 4000, 0}};
   m.rules.box = box;
   m.rules.continue_within = 400;
   ModelVolume volume;
@@ -95,6 +96,14 @@ TEST_CASE("a block with too few points keeps the common surface", "[gridding]") 
   CHECK(told[0].n_in_common == 1);
   for (const Vec3& p : m.surfaces[1].points)
     if (!is_east_of(p)) CHECK(std::abs(p.z - height(p, false)) < 1e-6);
+}
+
+TEST_CASE("points outside of the box help to make the surface inside", "[gridding]") {
+  Model m = model_with(9, 1000);  // the three western points that are inside lie on one line
+  const std::vector<GriddedInBlocks> told = grid_in_blocks(m.surfaces, m.made, m.rules);
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].n_in_common == 0);
+  CHECK(largest_error(m.surfaces[1]) < 1e-6);
 }
 
 TEST_CASE("points in one block, and models without faults or continuation, keep their surfaces", "[gridding]") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What a machine may have or not: modules that were built beside the test program, and programs that judge its files.
+/// Tests ask here what this machine has: modules built beside the test program, and programs that read its files back.
 #pragma once
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ inline bool has_module(const std::string& name) {
       std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / ("geomesh-" + name + ".so"), error);
 }
 
-/// What a shell returns for a program that it does not find; and read_back.py without its reader.
+/// Exit codes: of a shell that does not find a program, and of read_back.py if its reader is not installed.
 constexpr int no_program = 127, no_reader = 77;
 
 /// Runs the command in a shell of POSIX; returns its exit code, or -1 if a signal ended it.

@@ -167,9 +167,9 @@ void grid_horizons_in_blocks(ProjectInputs& inputs, Inputs& model, Journal& jour
   for (const GriddedInBlocks& made : grid_in_blocks(model.surfaces, inputs.gridded, rules)) {
     const std::string& name = model.surfaces[made.row].name;
     journal.note(name + ": its points lie in " + std::to_string(made.n_blocks) +
-                 " fault blocks, so each block has a surface of its own points" +
-                 (made.n_in_common > 0 ? " (but " + std::to_string(made.n_in_common) +
-                                             ", where they are too few: the common surface is kept there)"
+                 " fault blocks, so a surface is made in each block from the points there" +
+                 (made.n_in_common > 0 ? " (" + std::to_string(made.n_in_common) +
+                                             " blocks have too few points and keep the surface of all points)"
                                        : "") +
                  "; residual at the points: rms " + short_words(made.rms_residual) + ", largest " +
                  short_words(made.largest_residual));
