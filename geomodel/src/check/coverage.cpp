@@ -29,17 +29,6 @@ namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the ends of the edges that have only one triangle.
-std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface) {
-  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
-  for (const Triangle& t : surface.triangles)
-    for (std::size_t i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
-  std::vector<std::array<Vec3, 2>> borders;
-  for (const auto& [e, n] : uses)
-    if (n == 1) borders.push_back({surface.points[e.first], surface.points[e.second]});
-  return borders;
-}
-
 class CoverageChecker : public CheckedFaces {
  public:
   CoverageChecker(const CheckedMesh& mesh, const Specification& specification, const FacesFile* faces,
@@ -49,7 +38,6 @@ class CoverageChecker : public CheckedFaces {
         rules_(specification, 2 * tolerance),
         tree_(tree_over(mesh.file.points, candidates_)) {
     if (faces_) collect_clip_edges();
-    for (const TriangulatedSurface& s : specification.surfaces) borders_.push_back(border_edges(s));
   }
 
   void check_sources(CheckResult& result);
@@ -64,8 +52,6 @@ class CoverageChecker : public CheckedFaces {
     return specification_.may_be_trimmed(surface) &&
            !(specification_.trims[surface].above.empty() && specification_.trims[surface].below.empty());
   }
-  bool runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const;
-  double height_of(const Triangle& t) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
   /// A triangle of the input: the row of its surface, and its own row there.
   struct Source {
@@ -75,13 +61,15 @@ class CoverageChecker : public CheckedFaces {
                             Vec3& place) const;
   bool may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                       Vec3& place) const;
-  std::function<bool(VertexIndex, VertexIndex)> runs_along_clip_or_border(Index surface) const;
+  /// Returns whether the edge is one of a side of the box or of a body that cuts.
+  bool runs_along_clip(VertexIndex a, VertexIndex b) const {
+    return std::binary_search(clip_edges_.begin(), clip_edges_.end(), edge(a, b));
+  }
 
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
-  std::map<Index, BoxTree> surface_trees_;                 ///< trees over surfaces, made when first needed
-  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< border edges of each surface of the input
+  std::map<Index, BoxTree> surface_trees_;  ///< trees over surfaces, made when first needed
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< edges of the faces of box sides and of bodies that cut, sorted
 };
@@ -207,47 +195,18 @@ std::vector<Index> CoverageChecker::faces_on(const PlaneTriangle& triangle, Inde
   return found;
 }
 
-/// Returns whether both ends lie on one border edge of the input, where the surface ends anyway. If its parts overlap
-/// by rounding, a neighbour's border lies in the triangle.
-bool CoverageChecker::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
-  return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
-    const Corners line{border[0], border[1], border[1]};
-    const Vec3 da = nearest_on_triangle(a, line) - a, db = nearest_on_triangle(b, line) - b;
-    return std::max(dot(da, da), dot(db, db)) <= tolerance * tolerance;
-  });
-}
-
-/// Height of a needle; for a regular triangle, two thirds of its height.
-double CoverageChecker::height_of(const Triangle& t) const {
-  const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
-  return 4 * triangle.area() / triangle.perimeter();
-}
-
-/// A needle between two borders that are a rounding error apart has its ends on either of them.
 bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
                                                  const std::vector<Index>& pieces) const {
-  constexpr double thin = 2;  // tolerances
-  struct Uses {
-    int n = 0;
-    Index piece = no_index;
-  };
-  std::map<std::pair<VertexIndex, VertexIndex>, Uses> uses;
+  std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Index f : pieces) {
     const Triangle& t = candidates_[f];
     if (triangle.outside(centroid(mesh_, t)) > tolerance_) continue;
-    for (int i = 0; i < 3; ++i) {
-      Uses& at = uses[edge(t[i], t[(i + 1) % 3])];
-      at = {at.n + 1, f};
-    }
+    for (int i = 0; i < 3; ++i) ++uses[edge(t[i], t[(i + 1) % 3])];
   }
-  for (const auto& [e, at] : uses) {
-    const Vec3 &a = mesh_.point(e.first), &b = mesh_.point(e.second);
-    if (at.n != 1 || triangle.are_beyond_a_side(a, b, tolerance_)) continue;
-    const double height = height_of(candidates_[at.piece]);
-    const double near = height <= thin * tolerance_ ? tolerance_ + height : tolerance_;
-    if (!std::binary_search(clip_edges_.begin(), clip_edges_.end(), e) && !runs_along_border(surface, a, b, near))
+  for (const auto& [e, n] : uses)
+    if (n == 1 && !triangle.are_beyond_a_side(mesh_.point(e.first), mesh_.point(e.second), tolerance_) &&
+        !runs_along_clip(e.first, e.second))
       return false;
-  }
   return true;
 }
 
@@ -262,13 +221,6 @@ bool CoverageChecker::uncovered_is_removed(const PlaneTriangle& triangle, Source
     return removed;
   });
   return removed;
-}
-
-std::function<bool(VertexIndex, VertexIndex)> CoverageChecker::runs_along_clip_or_border(Index surface) const {
-  return [this, surface](VertexIndex a, VertexIndex b) {
-    return std::binary_search(clip_edges_.begin(), clip_edges_.end(), edge(a, b)) ||
-           runs_along_border(surface, mesh_.point(a), mesh_.point(b), tolerance_);
-  };
 }
 
 /// Returns whether the uncovered part may be what rules remove; if not, `place` is a point of it.
@@ -308,7 +260,9 @@ void CoverageChecker::check_triangles(CheckResult& result) {
       if (due < triangle.area() - slack) ++n_clipped;
       if (covered >= due - slack) continue;
       if (may_be_cut_by_horizons(s)) {
-        if (!uncovered) uncovered.emplace(*this, s, rules_, tolerance_, runs_along_clip_or_border(s));
+        if (!uncovered)
+          uncovered.emplace(*this, s, rules_, tolerance_,
+                            [this](VertexIndex a, VertexIndex b) { return runs_along_clip(a, b); });
         uncovered->add(triangle, static_cast<Index>(i), pieces);
         continue;
       }

@@ -8,6 +8,7 @@
 #include "check/exact/exact.hpp"
 #include "check/mesh/checked_mesh.hpp"
 #include "check/mesh/faults.hpp"
+#include "check/mesh/rounding.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel::checking {
@@ -91,9 +92,6 @@ bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
 void check_volume(const CheckedMesh& mesh, const Specification& specification, CheckResult& result) {
   const ModelVolume& volume = *specification.volume;
   const Box3& box = volume.bounds;
-  // Largest distance of points from a side, in ulps. Sides that are not along the axes are rounded, and surfaces that
-  // lie on them up to rounding are joined to them, within 32 ulps. Points between joined surfaces are rounded again.
-  constexpr double ulps_off_a_side = 40;
   double ulp = 0, side_area = 0;  // of such sides
   for (const TriangulatedSurface& side : volume.sides)
     for (const Triangle& t : side.triangles)
@@ -103,7 +101,7 @@ void check_volume(const CheckedMesh& mesh, const Specification& specification, C
     for (const Vec3& p : s.points) all.add(p);
   for (const Vec3& p : {all.min, all.max})
     for (std::size_t i = 0; i < 3; ++i) ulp = std::max(ulp, std::nextafter(std::abs(p[i]), INFINITY) - std::abs(p[i]));
-  const double room = ulps_off_a_side * ulp;
+  const double room = ulps_of_places * ulp;
   const double error = result.volume / volume.volume - 1, tolerance = 1e-12 + room * side_area / volume.volume;
   char text[200];
   if (!(error <= tolerance && (specification.ends_inside || error >= -tolerance))) {

@@ -6,6 +6,7 @@
 #include "check/arrays/check_arrays.hpp"
 #include "check/arrays/element_shape.hpp"
 #include "check/mesh/faults.hpp"
+#include "check/mesh/rounding.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
@@ -53,8 +54,7 @@ void check_sizes(const CheckedMesh& mesh, double most, FaultCollector& wrong) {
     if (!(most > 0) || !is_inner(face) || mesh.file.region[face.even] != mesh.file.region[face.odd]) continue;
     const double a = (*sizes)[face.even], b = (*sizes)[face.odd];
     const Vec3 way = centroid(mesh, mesh.cells[face.even]) - centroid(mesh, mesh.cells[face.odd]);
-    constexpr double by_rounding = 1e-9;
-    if (std::abs(a - b) > most * std::sqrt(dot(way, way)) + by_rounding * (a + b))
+    if (std::abs(a - b) > most * std::sqrt(dot(way, way)) + agreement * (a + b))
       is_wrong[a > b ? face.even : face.odd] = 1;
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)

@@ -7,17 +7,14 @@
 #include <limits>
 #include <numbers>
 
+#include "check/mesh/rounding.hpp"
+
 namespace geomesh::geomodel::checking {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
-/// Number of ulps by which other programs may round the coordinates of corners differently.
-constexpr double ulps_of_corners = 64;
 /// Bound on the error of sums of products of edges, here and in the mesher, relative to products of the longest edge.
 /// It matters for needles, whose faces and volumes are much smaller than these products.
 constexpr double epsilons_of_products = 32;
-/// Relative error that double arithmetic adds.
-constexpr double agreement = 1e-9;
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
@@ -29,7 +26,7 @@ constexpr std::array<std::array<int, 4>, 6> edges{
 double angle_at_edge(const Vec3& along, const Vec3& k, const Vec3& l) {
   const double square = dot(along, along);
   const Vec3 u = k - (dot(k, along) / square) * along, v = l - (dot(l, along) / square) * along;
-  return std::atan2(length_of(cross(u, v)), dot(u, v)) * degrees;
+  return std::atan2(length_of(cross(u, v)), dot(u, v)) * (180 / std::numbers::pi);
 }
 
 /// The circumcentre solves (p - a) . (c - a) = |p - a|^2 / 2 for the other three corners.
@@ -40,7 +37,7 @@ double circumradius(const Vec3& u, const Vec3& v, const Vec3& w, double six_volu
 
 }  // namespace
 
-double ElementShape::slack_of_angles() const { return agreement * 180 + turn * degrees; }
+double ElementShape::slack_of_angles() const { return agreement * 180 + turn * (180 / std::numbers::pi); }
 double ElementShape::slack_of_ratios() const { return agreement + 4 * turn; }
 double ElementShape::slack_of_lengths() const { return agreement * longest_edge + 4 * ulp; }
 
@@ -76,7 +73,7 @@ ElementShape element_shape(const std::array<Vec3, 4>& p, double ulp) {
     return s;
   }
   const double least_height = six_volumes / (2 * largest);
-  s.turn = ulps_of_corners * ulp / least_height + of_products * s.longest_edge / six_volumes + of_products / smallest;
+  s.turn = ulps_of_places * ulp / least_height + of_products * s.longest_edge / six_volumes + of_products / smallest;
   s.radius_ratio = 3 * (six_volumes / (2 * area)) / circumradius(u, v, w, six_volumes);
   s.aspect = least_height / (std::sqrt(2.0 / 3) * s.longest_edge);
   s.mean_ratio = 12 * std::cbrt(six_volumes * six_volumes / 4) / squares;

@@ -5,14 +5,15 @@
 
 #include "check/arrays/check_arrays.hpp"
 #include "check/mesh/faults.hpp"
+#include "check/mesh/rounding.hpp"
 #include "check/within/within_tolerance.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Allowed differences of floating-point sums from those of the report, relative to the sum, and relative to the total,
-/// since the volumes of parts as thin as rounding are rounding errors.
-constexpr double agreement = 1e-9, agreement_of_whole = 1e-14;
+/// Allowed difference of sums from those of the report, relative to the total, since the volumes of parts as thin as
+/// rounding are rounding errors.
+constexpr double agreement_of_whole = 1e-14;
 
 bool is_about(double a, double b, double whole = 0) {
   return std::abs(a - b) <= agreement * std::max(std::abs(a), std::abs(b)) + agreement_of_whole * whole;

@@ -64,7 +64,6 @@ class BoxTree {
   };
 
   Index build(Index begin, Index end) {
-    constexpr Index leaf_size = 4;
     const auto id = static_cast<Index>(nodes_.size());
     Box3 box;
     for (Index i = begin; i < end; ++i) {
@@ -72,7 +71,7 @@ class BoxTree {
       box.add(boxes_[items_[i]].max);
     }
     nodes_.push_back({box, begin, end});
-    if (end - begin <= leaf_size) return id;
+    if (end - begin <= 1) return id;
     const Vec3 size = box.max - box.min;
     const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const Index middle = begin + (end - begin) / 2;

@@ -4,6 +4,7 @@
 #include <CGAL/Mpzf.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace geomesh::geomodel::checking {
@@ -12,7 +13,8 @@ namespace {
 using Exact = CGAL::Mpzf;
 
 /// Magnitude below which a product may have lost bits to underflow, so that the filter must not decide.
-constexpr double underflow_guard = 1e-280;
+constexpr double underflow_guard = std::numeric_limits<double>::min() /
+                                   (std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon());
 
 Sign sign_of(double value) { return value > 0 ? Sign::positive : value < 0 ? Sign::negative : Sign::zero; }
 Sign sign_of(const Exact& value) {

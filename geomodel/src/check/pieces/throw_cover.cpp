@@ -7,14 +7,14 @@
 
 #include "check/exact/vertical_line.hpp"
 #include "check/mesh/faults.hpp"
+#include "check/pieces/uncovered_places.hpp"
 #include "check/specification/taken_by_rules.hpp"
 
 namespace geomesh::geomodel::checking {
 namespace {
 
-constexpr double most_lost = 0.03;      // share of the horizon's area in the volume
-constexpr double places_across = 64;    // number of sampled places across the horizon's extent
-constexpr int most_places_a_side = 16;  // of a triangle
+constexpr double most_lost = 0.03;    // share of the horizon's area in the volume
+constexpr double places_across = 64;  // number of sampled places across the horizon's extent
 
 /// Surfaces that are queried along vertical lines.
 struct Verticals {
@@ -99,7 +99,7 @@ class ThrowCover {
     const Vec3 &a = given().points[t[0]], &b = given().points[t[1]], &c = given().points[t[2]];
     const Vec3 u = b - a, v = c - a;
     const double longest = std::sqrt(std::max({dot(u, u), dot(v, v), dot(c - b, c - b)}));
-    const int n = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, most_places_a_side);
+    const int n = std::clamp(static_cast<int>(std::ceil(longest / step)), 1, lattice_parts);
     const double area = 0.5 * std::sqrt(dot(cross(u, v), cross(u, v))) / (n * n);
     for (int i = 0; i < n; ++i)
       for (int j = 0; i + j < n; ++j) {

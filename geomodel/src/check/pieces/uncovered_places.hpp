@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::checking {
 
 /// Number of lattice intervals along each side of a triangle.
-inline constexpr int lattice_parts = 14;
+inline constexpr int lattice_parts = 16;
 
 /// Returns the faces, projected into their planes.
 inline std::vector<PlaneTriangle> flat_faces(const CheckedFaces& checked, const std::vector<Index>& faces) {

@@ -40,7 +40,6 @@ double length(const Vec3& d) { return std::sqrt(dot(d, d)); }
 /// if it ends before.
 std::optional<std::vector<Vec3>> until_deeper(const Vec3& start, const std::vector<Vec3>& line,
                                               const FollowedSurface& other, double depth, const AlongLine& along) {
-  constexpr double least_step = 0.25;  // of the depth
   std::vector<Vec3> passed;
   Vec3 from = start;
   for (const Vec3& to : line) {
@@ -56,7 +55,7 @@ std::optional<std::vector<Vec3>> until_deeper(const Vec3& start, const std::vect
       if (along.ends(p)) return std::nullopt;
       along.visit(p);
       for (const TriangleSet::Near& n : near) distance = std::min(distance, n.distance);
-      at += std::clamp(depth - distance, 0.01 * depth, least_step * depth);
+      at += std::max(depth - distance, 0.01 * depth);
     }
     passed.push_back(from = to);
   }

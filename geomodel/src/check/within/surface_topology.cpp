@@ -111,7 +111,6 @@ class TopologyChecker {
   std::vector<Corners> free_edges(Index row, bool but_excused) const;
   std::vector<Corners> continuation_of(Index row) const;
   bool is_excused(const Edge& e, Index row) const;
-  bool was_cut_at(Index row, const Vec3& p) const;
   bool is_cracked(Index row) const;
   bool may_be_joined(Index row, Index edge, const Vec3& p) const;
   Corners as_corners(const Edge& e) const {
@@ -242,15 +241,6 @@ bool TopologyChecker::is_excused(const Edge& e, Index row) const {
   return false;
 }
 
-/// Returns whether a body that cuts the surface passes through the place, where rules may have removed the body's wall.
-bool TopologyChecker::was_cut_at(Index row, const Vec3& p) const {
-  return checked_.is_cut_kind(row) &&
-         std::any_of(checked_.bodies().begin(), checked_.bodies().end(), [&](const Body& body) {
-           const auto of_body = static_cast<Index>(body.surface - specification_.surfaces.data());
-           return body.surface->cuts_all && may_be_trimmed(of_body) && is_near(body, p, allowed_.both());
-         });
-}
-
 std::vector<Corners> TopologyChecker::free_edges(Index row, bool but_excused) const {
   std::vector<Corners> free;
   for (const auto& [e, at] : edges_of(faces_of(row)))
@@ -281,7 +271,7 @@ void TopologyChecker::check_borders(CheckResult& result) {
     for (const Corners& e : free_edges(row, true))
       for (const double t : between) {
         const Vec3 p = e[0] + t * (e[1] - e[0]);
-        if (is_at(input, p) || is_at(partings, p) || is_at(continuation, p) || was_cut_at(row, p)) continue;
+        if (is_at(input, p) || is_at(partings, p) || is_at(continuation, p)) continue;
         off.add(row, p);
         break;
       }
