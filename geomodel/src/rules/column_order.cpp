@@ -8,7 +8,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_samples = 2000;  // number of triangles of the younger horizon that are sampled
 constexpr double nearly_everywhere = 0.9;
 
 /// Counts how many centres of the younger horizon's triangles lie above or below the older one.
@@ -18,10 +17,8 @@ struct Tally {
 
 Tally compare(const TriangulatedSurface& younger, const TriangulatedSurface& older) {
   const MapLocator locator(older);
-  const std::size_t step = 1 + younger.triangles.size() / most_samples;
   Tally tally;
-  for (std::size_t t = 0; t < younger.triangles.size(); t += step) {
-    const Triangle& v = younger.triangles[t];
+  for (const Triangle& v : younger.triangles) {
     const Vec3 p = (1.0 / 3) * (younger.points[v[0]] + younger.points[v[1]] + younger.points[v[2]]);
     const auto height = locator.height({p.x, p.y});
     if (height && *height != p.z) ++(p.z > *height ? tally.above : tally.below);

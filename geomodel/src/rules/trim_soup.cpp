@@ -28,16 +28,13 @@ namespace {
 /// Least ratio of the shorter to the longer of two lengths: along which a fault's piece is above a horizon, and along
 /// which it is below.
 constexpr double share_of_step = 0.5;
-/// Least ratio if the part beyond is left out: a piece that continues there does no harm. Such a piece lies between two
-/// blocks and continues beyond them, for example where a body separates one block from the fault.
-constexpr double share_at_end = 0.1;
 
 /// Returns whether a fault's piece lies between two blocks of the horizon: above one and below the other, along lengths
 /// whose ratio is at least that share. Without the piece, the units above and below the horizon would be connected
 /// there.
-bool is_step(const Piece& piece, double least_share) {
+bool is_step(const Piece& piece) {
   return piece.above > 0 && piece.below > 0 &&
-         std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
+         std::min(piece.above, piece.below) >= share_of_step * std::max(piece.above, piece.below);
 }
 
 /// A soup that is being trimmed, the rules that trim it, and the record of what was done.
@@ -89,13 +86,6 @@ struct Trimming {
     return faults;
   }
 
-  /// y may end on other horizons: x continues beyond that end, and may lie on the other side of y when it meets it
-  /// again.
-  void add_others_of_column(Index x, Index y, std::vector<Index>& dividers) const {
-    for (std::size_t i = 1; i < rules.column.size(); i += 2)
-      if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
-  }
-
   /// Returns 1 if most of the piece lies above y, -1 if below, 0 if unknown.
   int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
     const int by_height = heights ? heights->side_of(piece) : 0;
@@ -105,7 +95,7 @@ struct Trimming {
   }
 
   /// Removes the pieces of x on one side of y (1 above, -1 below).
-  void clip(Index x, Index y, int side, const std::string& because, double least_of_step = share_of_step) {
+  void clip(Index x, Index y, int side, const std::string& because) {
     double area = 0;
     Index largest = no_index;
     const UpwardSides& sides = sides_of(y);
@@ -114,18 +104,15 @@ struct Trimming {
     const BeyondEnd beyond = are_horizons ? BeyondEnd::has_none : BeyondEnd::has_a_side;
     std::optional<HeightVote> heights;
     if (are_horizons) heights.emplace(working, y, surfaces);
-    const std::vector<Index> faults = dividers_of(y, x);
-    std::vector<Index> dividers = faults;
-    if (are_horizons) add_others_of_column(x, y, dividers);
+    const std::vector<Index> dividers = dividers_of(y, x);
     for (Piece& piece : pieces_of(working, x, {y}, &sides, beyond, dividers)) {
-      if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) &&
-          is_step(piece, least_of_step)) {
+      if ((surfaces[x].kind == SurfaceKind::fault || surfaces[x].kind == SurfaceKind::body) && is_step(piece)) {
         if (surfaces[y].kind == SurfaceKind::fault)
           warnings.push_back(because + ", but " + surfaces[x].name + " passes round the end of " + surfaces[y].name +
                              " near " + to_text(working.centre(piece.largest)) + " and is kept there");
         continue;
       }
-      if (side_of_piece(piece, y, heights, !faults.empty()) == side) gone.push_back(std::move(piece));
+      if (side_of_piece(piece, y, heights, !dividers.empty()) == side) gone.push_back(std::move(piece));
     }
     for (const Piece& piece : gone) {
       if (largest == no_index || working.area(piece.largest) > working.area(largest)) largest = piece.largest;
@@ -201,7 +188,7 @@ void end_at(Trimming& work, const std::string& name, int side, const std::string
     for (Index s = 0; s < work.surfaces.size(); ++s)
       if (s != end && work.surfaces[s].kind != SurfaceKind::box &&
           (work.surfaces[s].kind == SurfaceKind::fault) == are_faults)
-        work.clip(s, end, side, because, share_at_end);
+        work.clip(s, end, side, because);
 }
 
 /// Throws Error{invalid_input} if the younger horizon runs below the older one.

@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 
 /// Part number of the triangles that no continuation made.
-inline constexpr Index given_part = 0;
+enum PartNumber : Index { given_part };
 
 /// Returns BuiltRows::part_of_triangle of a surface; empty if it was not continued.
 std::span<const Index> part_of(const BuiltRows& built, Index row);

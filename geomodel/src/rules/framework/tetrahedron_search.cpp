@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -15,11 +14,6 @@ namespace {
 
 /// The corners of each face, by the opposite corner, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// Number of planes of border faces that are tested. A box has six; a border with more costs time but does not change
-/// results.
-constexpr std::size_t most_planes = 64;
-/// Bound relative to the largest coordinate: greater than the error of two sums of three products with a unit vector.
-constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Returns positive on the side of the corner opposite the face.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
@@ -33,6 +27,12 @@ bool holds(const std::array<Vec3, 4>& t, const Vec3& p) {
   return true;
 }
 
+bool holds(const Box3& box, const Vec3& p) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(p[i] >= box.min[i] && p[i] <= box.max[i])) return false;
+  return true;
+}
+
 }  // namespace
 
 TetrahedronSearch::TetrahedronSearch(std::vector<Vec3> points, std::vector<Tetrahedron> tetrahedra)
@@ -41,7 +41,10 @@ TetrahedronSearch::TetrahedronSearch(std::vector<Vec3> points, std::vector<Tetra
   std::vector<Box3> boxes;
   for (Index t = 0; t < tetrahedra_.size(); ++t) {
     Box3& box = boxes.emplace_back();
-    for (const Vec3& p : corners(t)) box.add(p);
+    for (const Vec3& p : corners(t)) {
+      box.add(p);
+      bounds_.add(p);
+    }
   }
   tree_ = std::make_unique<arrangement::BoxTree>(boxes);
 }
@@ -69,50 +72,17 @@ void TetrahedronSearch::find_neighbours() {
     }
   std::sort(faces.begin(), faces.end());
   neighbour_.assign(tetrahedra_.size(), {no_index, no_index, no_index, no_index});
-  std::vector<std::array<Index, 2>> border;
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const Face& face = faces[k];
-    if (k + 1 < faces.size() && faces[k + 1].vertices == face.vertices) {
-      neighbour_[face.tetrahedron][face.opposite] = faces[k + 1].tetrahedron;
-      neighbour_[faces[k + 1].tetrahedron][faces[k + 1].opposite] = face.tetrahedron;
-      ++k;
-    } else {
-      border.push_back({face.tetrahedron, face.opposite});
-    }
+    if (k + 1 == faces.size() || faces[k + 1].vertices != face.vertices) continue;
+    neighbour_[face.tetrahedron][face.opposite] = faces[k + 1].tetrahedron;
+    neighbour_[faces[k + 1].tetrahedron][faces[k + 1].opposite] = face.tetrahedron;
+    ++k;
   }
-  find_planes(border);
-}
-
-void TetrahedronSearch::find_planes(const std::vector<std::array<Index, 2>>& border) {
-  std::vector<Plane> seen;
-  double largest = 0;
-  for (const Vec3& p : points_) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  for (const auto& [t, opposite] : border) {
-    if (seen.size() == most_planes) return;
-    const std::array<Vec3, 4> at = corners(t);
-    const auto& [i, j, k] = face_of[opposite];
-    Vec3 outward = cross(at[j] - at[i], at[k] - at[i]);
-    if (!(norm(outward) > 0)) continue;
-    outward = (1 / norm(outward)) * outward;
-    if (dot(outward, at[opposite] - at[i]) > 0) outward = -1.0 * outward;
-    const double offset = dot(outward, at[i]), off = rounding * largest;
-    if (std::ranges::any_of(seen, [&](const Plane& plane) {
-          return norm(plane.outward - outward) <= std::sqrt(rounding) && std::abs(plane.offset - offset) <= off;
-        }))
-      continue;
-    seen.push_back({outward, offset});
-    double farthest = offset;
-    for (const Vec3& p : points_) farthest = std::max(farthest, dot(outward, p));
-    if (farthest <= offset + off) planes_.push_back({outward, farthest + off});
-  }
-}
-
-bool TetrahedronSearch::is_beyond_planes(const Vec3& p) const {
-  return std::ranges::any_of(planes_, [&](const Plane& plane) { return dot(plane.outward, p) > plane.offset; });
 }
 
 Index TetrahedronSearch::find(const Vec3& p, Index start) const {
-  if (tetrahedra_.empty() || is_beyond_planes(p)) return no_index;
+  if (!holds(bounds_, p)) return no_index;
   const Index found = walk(p, start == no_index ? 0 : start);
   return found == no_index ? search(p) : found;
 }

@@ -13,8 +13,8 @@
 namespace geomesh::geomodel {
 
 /// Walks from tetrahedron to tetrahedron towards the place; a tree of boxes is used if the walk fails: for places on
-/// faces, and walks that end at the border of the mesh. Places beyond a plane that has all of the mesh on one side, as
-/// the sides of a box have, need no search. All decisions on which tetrahedron contains a place are exact.
+/// faces, and walks that end at the border of the mesh. Places outside of the bounds of the mesh need no search. All
+/// decisions on which tetrahedron contains a place are exact.
 class TetrahedronSearch {
  public:
   /// The tetrahedra must be positive and must not overlap.
@@ -29,13 +29,7 @@ class TetrahedronSearch {
   const arrangement::BoxTree& boxes() const { return *tree_; }
 
  private:
-  struct Plane {
-    Vec3 outward;
-    double offset;  ///< largest offset of all points, enlarged by the bound on rounding
-  };
   void find_neighbours();
-  void find_planes(const std::vector<std::array<Index, 2>>& border);
-  bool is_beyond_planes(const Vec3& p) const;
   /// Returns the only tetrahedron that contains p; no_index if the walk does not decide.
   Index walk(const Vec3& p, Index start) const;
   Index search(const Vec3& p) const;
@@ -43,7 +37,7 @@ class TetrahedronSearch {
   std::vector<Vec3> points_;
   std::vector<Tetrahedron> tetrahedra_;
   std::vector<std::array<Index, 4>> neighbour_;  ///< the neighbour opposite each corner; no_index at the border
-  std::vector<Plane> planes_;
+  Box3 bounds_;
   std::unique_ptr<arrangement::BoxTree> tree_;
 };
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace geomesh::geomodel {
 
 /// Bit k is set if horizons k and k + 1 of the stack coincide at a place.
 using MergedPairs = std::uint64_t;
-inline constexpr std::size_t most_horizons = 64;
+inline constexpr std::size_t most_horizons = std::numeric_limits<MergedPairs>::digits;
 
 /// Which horizon of a pair keeps its place where the two cross or coincide; the other one moves.
 enum class Keeper { younger, older };

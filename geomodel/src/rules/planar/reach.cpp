@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/by_rounding.hpp"
 #include "naming/sums.hpp"
 
 namespace geomesh::geomodel {
 namespace {
-
-constexpr unsigned most_halvings = 6;  // of a side
 
 double distance_to(const EdgeEnds& edge, const Vec3& p) {
   const Vec3 d = edge[1] - edge[0];
@@ -24,38 +23,33 @@ double distance_to_nearest(const std::vector<EdgeEnds>& edges, const Vec3& p) {
   return nearest;
 }
 
-struct Part {
-  std::array<Vec3, 3> corners;
-  unsigned halvings;
-};
-
 /// The set of points within a length of one edge is convex, so testing the corners suffices.
-bool one_edge_is_near_all(const std::vector<EdgeEnds>& edges, const Part& part, double limit) {
+bool one_edge_is_near_all(const std::vector<EdgeEnds>& edges, const std::array<Vec3, 3>& part, double limit) {
   return std::ranges::any_of(edges, [&](const EdgeEnds& edge) {
-    return std::ranges::all_of(part.corners, [&](const Vec3& p) { return distance_to(edge, p) <= limit; });
+    return std::ranges::all_of(part, [&](const Vec3& p) { return distance_to(edge, p) <= limit; });
   });
 }
 
 }  // namespace
 
 bool reaches_beyond(const std::array<Vec3, 3>& triangle, const std::vector<EdgeEnds>& edges, double limit) {
-  std::vector<Part> open{{triangle, 0}};
+  std::vector<std::array<Vec3, 3>> open{triangle};
   while (!open.empty()) {
-    const Part part = open.back();
+    const std::array<Vec3, 3> part = open.back();
     open.pop_back();
-    const auto& [a, b, c] = part.corners;
+    const auto& [a, b, c] = part;
     const Vec3 middle = (1.0 / 3) * (a + b + c);
     const double off = distance_to_nearest(edges, middle);
     if (off > limit) return true;
     const double radius = std::max({norm(a - middle), norm(b - middle), norm(c - middle)});
     if (off + radius <= limit || one_edge_is_near_all(edges, part, limit)) continue;
-    if (std::ranges::any_of(part.corners, [&](const Vec3& p) { return distance_to_nearest(edges, p) > limit; }) ||
-        part.halvings == most_halvings)
+    if (std::ranges::any_of(part, [&](const Vec3& p) { return distance_to_nearest(edges, p) > limit; }) ||
+        radius <= by_rounding * limit)
       return true;
     const Vec3 ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
     for (const std::array<Vec3, 3>& quarter :
          {std::array{a, ab, ca}, std::array{ab, b, bc}, std::array{ca, bc, c}, std::array{ab, bc, ca}})
-      open.push_back({quarter, part.halvings + 1});
+      open.push_back(quarter);
   }
   return false;
 }

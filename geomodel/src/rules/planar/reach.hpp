@@ -14,7 +14,7 @@ using EdgeEnds = std::array<Vec3, 2>;
 
 /// Returns false if every point of the triangle is proven to be within `limit` of one of the edges. This does not
 /// follow from the corners alone: the triangle is subdivided until each part is proven to be near, or a place is found
-/// that is not. Returns true if 64 subdivisions of a side do not decide. Cost: few parts, except for triangles that
+/// that is not. Returns true if parts as small as rounding do not decide. Cost: few parts, except for triangles that
 /// reach almost exactly to the limit.
 bool reaches_beyond(const std::array<Vec3, 3>& triangle, const std::vector<EdgeEnds>& edges, double limit);
 
