@@ -25,7 +25,7 @@ std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSou
 /// Merging surfaces or closing thin voids may leave points at which surfaces no longer meet. Points with faces of only
 /// one surface, and without a curve, are classified as points on a facet.
 void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t>& kinds) {
-  constexpr std::uint8_t intersection = 1;
+  constexpr auto intersection = static_cast<std::uint8_t>(SoupVertexKind::intersection);
   constexpr auto on_facet = static_cast<std::uint8_t>(VertexOrigin::on_facet);
   const auto& [mesh, soup, plc, surfaces, moved] = meshed;
   std::map<VertexIndex, std::set<Index>> surfaces_at;

@@ -17,8 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-// Number of regions with one name above which a warning explains the remedy.
-constexpr std::size_t most_of_one_name = 10;
+// Told where there are too many regions of one name to list all of them.
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "
     "with thin_layers: collapse), of small_regions: merge with a min_volume, and of names by fault block "
@@ -235,8 +234,7 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
     const bool is_unit = labels[order[members.front()]].order == column_class;
     if (members.size() > 1 && !(is_unit && are_apart_by_faults(members, order, block)))
       warnings.push_back(name + " falls into " + std::to_string(members.size()) + " regions: " + list +
-                         (members.size() > 8 ? ", ..." : "") +
-                         (members.size() > most_of_one_name ? what_would_help : ""));
+                         (members.size() > 8 ? std::string(", ...") + what_would_help : ""));
   }
 }
 

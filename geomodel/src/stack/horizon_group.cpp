@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "geomesh/core/predicates.hpp"
 #include "naming/region_facts.hpp"
 #include "rules/planar/borders.hpp"
+#include "stack/map/joined_lines.hpp"
 #include "stack/map/shallow_crossings.hpp"
 #include "stack/settled_report.hpp"
 #include "stack/sheets/centred_sheets.hpp"
@@ -19,10 +21,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double lattice_of_size = 2;
-constexpr double area_of_size = 0.43;  // area of an equilateral triangle divided by the square of its edge
 // Factor on the number of triangles that the target size requires, above which a horizon has too many.
 constexpr double many_triangles = 4;
-constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
 // Least thickness if none is given, as a share of the size; half of the tolerance if that is more.
 constexpr double thickness_of_size = 1.0 / 150;
 constexpr double room_of_thickness = 2;  // at pinch-out lines
@@ -30,7 +30,6 @@ constexpr double room_of_thickness = 2;  // at pinch-out lines
 constexpr double row_of_thickness = 12;
 constexpr double most_shift = 0.15;  // shift of pinch-out lines by half of that width, at most this share of the size
 constexpr double edge_of_thickness = 24;  // largest length of edges in a unit, as a multiple of its thickness
-constexpr double joined_of_reach = 0.25;  // lines closer than this share of the border reach are merged
 
 double map_area(const MapBounds& b) { return (b.max.x - b.min.x) * (b.max.y - b.min.y); }
 
@@ -39,7 +38,8 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   std::size_t n = 0;
   for (const TriangulatedSurface* s : horizons)
     for (const Triangle& t : s->triangles) n += bounds.holds({s->points[t[0]].x, s->points[t[0]].y});
-  const double asked = static_cast<double>(horizons.size()) * map_area(bounds) / (area_of_size * size * size);
+  const double asked =
+      static_cast<double>(horizons.size()) * map_area(bounds) / (std::numbers::sqrt3 / 4 * size * size);
   return static_cast<double>(n) > many_triangles * asked;
 }
 
@@ -72,6 +72,7 @@ HorizonGroup::HorizonGroup(GroupMembers members, BuiltSurfaces& built, const Mod
   for (const BlockData& data : members_.data) horizons_.push_back(&data.single);
   layout_.bounds = members_.bounds;
   layout_.lattice = lattice_of_size * rules.stack.size;
+  layout_.size = rules.stack.size;
   add_borders(members_.data, layout_);
   strips_ = find_fault_strips(members_.data, layout_.bounds, rules.stack.size);
   layout_.keeps_lines = ends_inside();
@@ -153,7 +154,7 @@ TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const 
 }
 
 /// Returns whether neighbouring horizons, for which no rule says which one cuts the other, are in the wrong order at
-/// more than a few samples.
+/// any sample.
 bool HorizonGroup::crosses_by_mistake() const {
   if (rules_.on_crossing != OnCrossing::leave) return false;
   const std::vector<Index>& rows = members_.stack.rows;
@@ -161,9 +162,8 @@ bool HorizonGroup::crosses_by_mistake() const {
     if (rules_.of(rows[k]).base == BaseRule::erode || rules_.of(rows[k + 1]).base == BaseRule::onlap ||
         given(k).name == rules_.topography || given(k + 1).name == rules_.floor)
       continue;
-    std::size_t n = 0;
-    for (std::size_t s = 0; s < samples_->size(); ++s) n += samples_->heights(s)[k] < samples_->heights(s)[k + 1];
-    if (static_cast<double>(n) > few_samples * static_cast<double>(samples_->size())) return true;
+    for (std::size_t s = 0; s < samples_->size(); ++s)
+      if (samples_->heights(s)[k] < samples_->heights(s)[k + 1] - samples_->border_reach()) return true;
   }
   return false;
 }
@@ -204,8 +204,11 @@ double HorizonGroup::least_thickness() const {
 
 MapSheets HorizonGroup::draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options) {
   layout_.lines.insert(layout_.lines.end(), strips_.outlines.begin(), strips_.outlines.end());
-  for (const ThinArea& area : areas) layout_.lines.insert(layout_.lines.end(), area.curves.begin(), area.curves.end());
-  layout_.joined_within = joined_of_reach * samples_->border_reach();
+  std::vector<std::vector<Vec2>> pinch_outs;
+  for (const ThinArea& area : areas) pinch_outs.insert(pinch_outs.end(), area.curves.begin(), area.curves.end());
+  pinch_outs = join_lines(std::move(pinch_outs), shortest_edge * rules_.stack.size);
+  layout_.lines.insert(layout_.lines.end(), pinch_outs.begin(), pinch_outs.end());
+  layout_.joined_within = samples_->border_reach();
   MapSheets sheets = approximate_sheets(*samples_, layout_, areas, options);
   close_units(sheets, *samples_, options, row_of_thickness * options.gap);
   centre_sheets(sheets, *samples_, areas, options);

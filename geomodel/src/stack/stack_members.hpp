@@ -18,10 +18,7 @@ struct Stack {
   Keepers keepers;
 };
 
-/// Returns the topography, the column, and the base of the model. One more horizon is placed above a column that does
-/// not name it: one that lies above most of it and crosses it only in islands narrower than three elements, which a
-/// mesh of that size cannot resolve. A warning reports it. Cost: at most 250,000 height queries per horizon that is not
-/// named.
-Stack find_stack(BuiltSurfaces& built, const ModelRules& rules);
+/// Returns the topography, the column, and the base of the model.
+Stack find_stack(const BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

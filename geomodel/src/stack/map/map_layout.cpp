@@ -10,10 +10,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Distance from constraint lines that is kept free of lattice points, as a share of the lattice spacing.
+// Distance from constraint lines and the rim that is kept free of lattice points, as a share of the lattice spacing.
 constexpr double room_about_lines = 0.4;
-constexpr double room_on_rim = 0.3;
-constexpr double shortest_edge = 0.08;  // shortest edge, as a share of the lattice spacing
 
 /// Returns the part of the segment p q within the bounds; ends that are clipped lie exactly on the bounds.
 std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b) {
@@ -99,7 +97,7 @@ void add_rim(const MapLayout& layout, const Neighbourhood& lines, std::vector<Ve
     for (std::size_t k = 1; k < n; ++k) {
       const double t = static_cast<double>(k) / static_cast<double>(n);
       const Vec2 m{p.x == q.x ? p.x : p.x + t * (q.x - p.x), p.y == q.y ? p.y : p.y + t * (q.y - p.y)};
-      if (!lines.is_near(m, room_on_rim * layout.lattice)) points.push_back(m);
+      if (!lines.is_near(m, room_about_lines * layout.lattice)) points.push_back(m);
     }
   }
 }
@@ -117,7 +115,7 @@ void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vecto
       const Vec2 p{b.min.x + dx * (static_cast<double>(i) + (j % 2 == 0 ? 0.0 : 0.5)),
                    b.min.y + dy * static_cast<double>(j)};
       const double to_rim = std::min(p.x - b.min.x, b.max.x - p.x);
-      if (to_rim > 0.4 * dx && !lines.is_near(p, room_about_lines * layout.lattice)) points.push_back(p);
+      if (to_rim > room_about_lines * dx && !lines.is_near(p, room_about_lines * layout.lattice)) points.push_back(p);
     }
 }
 
@@ -151,10 +149,9 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
 
 /// Merges points that constraint lines put closer together than `least`, and triangulates again until there are none.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
-  constexpr int most_rounds = 8;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (;;) {
     const std::vector<VertexIndex> row = merged_rows(t, bounds, least);
-    if (row.empty()) break;
+    if (row.empty()) return t;
     std::vector<Vec2> points;
     for (VertexIndex v = 0; v < row.size(); ++v)
       if (row[v] == v) points.push_back(t.points[v]);
@@ -164,9 +161,10 @@ LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bo
         const VertexIndex a = row[t.triangles[f][(i + 1) % 3]], b = row[t.triangles[f][(i + 2) % 3]];
         if ((t.lined_sides[f] >> i & 1) && a < b) lines.push_back({t.points[a], t.points[b]});
       }
+    const std::size_t n_before = t.points.size();
     t = triangulate_lines(points, lines);
+    if (t.points.size() >= n_before) return t;  // lines that were moved cross in as many new points
   }
-  return t;
 }
 
 }  // namespace
@@ -178,7 +176,7 @@ LinedTriangulation triangulate_layout(const MapLayout& layout) {
   add_rim(layout, near_lines, points);
   add_lattice(layout, near_lines, points);
   LinedTriangulation t = triangulate_lines(points, lines);
-  return layout.keeps_lines ? t : without_short_edges(std::move(t), layout.bounds, shortest_edge * layout.lattice);
+  return layout.keeps_lines ? t : without_short_edges(std::move(t), layout.bounds, shortest_edge * layout.size);
 }
 
 }  // namespace geomesh::geomodel

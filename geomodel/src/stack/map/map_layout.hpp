@@ -10,9 +10,13 @@
 
 namespace geomesh::geomodel {
 
+/// Shortest edge of the triangulation, as a share of the target size.
+inline constexpr double shortest_edge = 0.16;
+
 struct MapLayout {
   MapBounds bounds;                      ///< the rim lies exactly on these bounds
   double lattice = 1;                    ///< spacing of the lattice points
+  double size = 1;                       ///< target size
   std::vector<std::vector<Vec2>> lines;  ///< constraint lines, clipped at the rim
   double joined_within = 0;              ///< lines that are at most this far apart are merged
   /// Whether lines are kept exactly; if not, points that they put very close together are merged.

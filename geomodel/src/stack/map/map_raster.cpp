@@ -6,13 +6,6 @@
 #include <map>
 
 namespace geomesh::geomodel {
-namespace {
-
-// Largest move of a point, as a share of a piece of the divided curve, by which the areas on its sides are preserved.
-constexpr double most_move = 0.25;
-
-}  // namespace
-
 MapRaster::MapRaster(const MapBounds& bounds, double cell)
     : origin(bounds.min),
       step(cell),
@@ -206,8 +199,7 @@ struct Division {
 };
 
 /// Moves points so that the divided curve has the same area on each side as the original curve.
-void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve,
-               double length) {
+void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve) {
   const std::size_t n = divided.size() - 1;  // pieces
   const bool closed = n > 2 && divided.front() == divided.back();
   std::vector<double> twice(n), lengths(n);
@@ -223,9 +215,9 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
   for (std::size_t k = closed ? 0 : 1; k < n; ++k) {
     const std::size_t last = k == 0 ? n - 1 : k - 1;
     const Vec2 along{before[k + 1].x - before[last].x, before[k + 1].y - before[last].y};
-    const double norm = std::hypot(along.x, along.y), most = most_move * length;
+    const double norm = std::hypot(along.x, along.y);
     if (!(norm > 0)) continue;
-    const double move = std::clamp(0.5 * (twice[last] + twice[k]) / (lengths[last] + lengths[k]), -most, most);
+    const double move = 0.5 * (twice[last] + twice[k]) / (lengths[last] + lengths[k]);
     divided[k] = {before[k].x - move * along.y / norm, before[k].y + move * along.x / norm};
   }
   if (closed) divided.back() = divided.front();
@@ -234,11 +226,10 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
 }  // namespace
 
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length) {
-  constexpr int passes = 4;
   std::vector<Vec2> smoothed = curve;
   const std::size_t n = curve.size();
   const bool closed = n > 3 && curve.front() == curve.back();
-  for (int pass = 0; pass < passes && n > 2; ++pass) {
+  for (int pass = 0; pass < averaging_passes && n > 2; ++pass) {
     const std::vector<Vec2> before = smoothed;
     const auto mean = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
       return Vec2{0.25 * a.x + 0.5 * b.x + 0.25 * c.x, 0.25 * a.y + 0.5 * b.y + 0.25 * c.y};
@@ -262,7 +253,7 @@ std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length) {
   }
   divided.push_back(smoothed.back());
   from.push_back({n - 1, 1.0});
-  keep_area(divided, from, curve, along.back() / static_cast<double>(n_pieces));
+  keep_area(divided, from, curve);
   return divided;
 }
 

@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Largest number of cells of a raster. More would take seconds and resolve features smaller than the elements.
-inline constexpr double most_cells = 1e6;
+/// Number of times that a raster of thicknesses, and then its zero curves, are averaged.
+inline constexpr int averaging_passes = 4;
 
 /// Values at the centres of square cells; NaN means no value.
 struct MapRaster {

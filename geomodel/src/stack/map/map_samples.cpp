@@ -9,7 +9,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_for_plane = 6;
-constexpr std::size_t samples_a_bin = 3;
 // Share of the spacing: a place at most this far beside a surface is on its border.
 constexpr double by_rounding = 1e-4;
 
@@ -33,9 +32,9 @@ struct PlaneSums {
 }  // namespace
 
 double step_between_places(const MapBounds& bounds, double size) {
-  constexpr double step_of_size = 1.0 / 8, most_places = 250000;
+  constexpr double step_of_size = 1.0 / 8;
   const double area = (bounds.max.x - bounds.min.x) * (bounds.max.y - bounds.min.y);
-  return std::max(step_of_size * size, std::sqrt(area / most_places));
+  return std::max(step_of_size * size, std::sqrt(area / most_cells));
 }
 
 void MapBounds::add(Vec2 p) {
@@ -79,14 +78,13 @@ void MapSamples::collect(const std::vector<const TriangulatedSurface*>& surfaces
 }
 
 std::size_t MapSamples::bin_of(double at, double from, std::size_t n) const {
-  const double bin = (at - from) / (spacing_ * std::sqrt(static_cast<double>(samples_a_bin)));
+  const double bin = (at - from) / spacing_;
   return std::min(n - 1, static_cast<std::size_t>(std::max(0.0, bin)));
 }
 
 void MapSamples::fill_bins(const MapBounds& bounds) {
-  const double width = spacing_ * std::sqrt(static_cast<double>(samples_a_bin));
-  n_columns_ = 1 + static_cast<std::size_t>((bounds.max.x - bounds.min.x) / width);
-  n_rows_ = 1 + static_cast<std::size_t>((bounds.max.y - bounds.min.y) / width);
+  n_columns_ = 1 + static_cast<std::size_t>((bounds.max.x - bounds.min.x) / spacing_);
+  n_rows_ = 1 + static_cast<std::size_t>((bounds.max.y - bounds.min.y) / spacing_);
   bin_begin_.assign(n_columns_ * n_rows_ + 1, 0);
   const auto bin = [&](Vec2 p) {
     return bin_of(p.y, bounds.min.y, n_rows_) * n_columns_ + bin_of(p.x, bounds.min.x, n_columns_);

@@ -21,8 +21,12 @@ struct MapBounds {
   MapBounds grown(double by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
 };
 
+/// Largest number of places of the map, and of cells of a raster, at which horizons are compared. More would take
+/// seconds and resolve features smaller than the elements.
+inline constexpr double most_cells = 250000;
+
 /// Distance between places of the map at which heights of horizons are compared: an eighth of the target size, so that
-/// no element fits between them, or more if there would be more than 250,000 of them.
+/// no element fits between them, or more if there would be more than `most_cells` of them.
 double step_between_places(const MapBounds& bounds, double size);
 
 /// All places within bounds where at least one of the surfaces has a vertex, each once, with the heights of all

@@ -9,7 +9,6 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double small_slope = 0.035;  // slope of one horizon against the other: 2 degrees
-constexpr double shared = 1e-5;        // share of the size: surfaces closer than this coincide
 
 /// A row of the lattice. For each place and horizon it holds how far the lowest of the younger horizons lies above this
 /// horizon; NaN if the horizon or all younger ones are absent.
@@ -35,11 +34,11 @@ class Row {
   std::vector<double> over_;
 };
 
-/// Decides by the differences at a place and at the next ones along both axes.
-bool is_shallow(double here, double east, double north, double step, double size) {
+/// Decides by the differences at a place and at the next ones along both axes. Surfaces closer than `coincide` do.
+bool is_shallow(double here, double east, double north, double step, double coincide) {
   const double largest = std::max({std::abs(here), std::abs(east), std::abs(north)});
   const bool crosses = (here < 0) != (east < 0) || (here < 0) != (north < 0);
-  return crosses && largest > shared * size && std::hypot(east - here, north - here) < small_slope * step;
+  return crosses && largest > coincide && std::hypot(east - here, north - here) < small_slope * step;
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ bool cross_at_small_angle(const MapSamples& samples, const MapBounds& bounds, do
       for (std::size_t k = 1; k < samples.n_surfaces(); ++k) {
         const double here = row.over(i, k), east = row.over(i + 1, k), north = next.over(i, k);
         if (std::isnan(here + east + north)) continue;
-        if (is_shallow(here, east, north, step, size)) return true;
+        if (is_shallow(here, east, north, step, samples.border_reach())) return true;
       }
     std::swap(row, next);
   }

@@ -14,11 +14,9 @@ namespace {
 
 constexpr int rounds = 20;
 constexpr int hops = 6;  // number of edges over which a round propagates corrections that vertices could not take
-constexpr double most_places = 1e5;
 // Largest distance between places in the cells of mean thicknesses, as a share of the cell.
 constexpr double place_of_cell = 0.25;
-constexpr double fit_of_spacing = 2;        // radius in which the data are averaged, in distances between samples
-constexpr double fit_of_cell = 0.5;         // largest such radius, as a share of the cells of mean thicknesses
+constexpr double fit_of_places = 2;         // radius in which the data are averaged, in distances between places
 constexpr double more_where_closing = 0.5;  // share of the least thickness
 
 /// A place of the map, and the heights that data and rules give there; NaN: none.
@@ -62,12 +60,10 @@ class Centring {
     MapBounds bounds;
     for (const Vec2& p : sheets_.points) bounds.add(p);
     const double width = bounds.max.x - bounds.min.x, height = bounds.max.y - bounds.min.y;
-    double step = samples.spacing(), radius = fit_of_spacing * samples.spacing();
-    for (const ThinArea& area : areas) {
-      step = std::min(step, place_of_cell * area.excess.step);
-      radius = std::min(radius, fit_of_cell * area.excess.step);
-    }
-    step = std::max(step, std::sqrt(width * height / most_places));
+    double step = samples.spacing();
+    for (const ThinArea& area : areas) step = std::min(step, place_of_cell * area.excess.step);
+    const double radius = fit_of_places * step;
+    step = std::max(step, std::sqrt(width * height / most_cells));
     const auto n_columns = static_cast<std::size_t>(std::max(1.0, std::round(width / step))),
                n_rows = static_cast<std::size_t>(std::max(1.0, std::round(height / step)));
     const double dx = width / static_cast<double>(n_columns), dy = height / static_cast<double>(n_rows);

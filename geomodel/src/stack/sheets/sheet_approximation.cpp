@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <queue>
 
 #include "common/by_rounding.hpp"
@@ -16,9 +17,7 @@ namespace {
 constexpr double vertex_is_off = 0.5;
 // Share of the spacing of samples: if the error is larger this close to a vertex, the vertex is wrong.
 constexpr double near_vertex = 0.25;
-constexpr int most_rounds = 4;              // rounds in which points are added where edges are too far away
 constexpr double beside_of_spacing = 0.02;  // share of the spacing of samples by which a vertex lies beside its sample
-constexpr double golden_angle = 2.399963229728653;
 // Length from which a constraint segment may be halved, as a multiple of the spacing of samples.
 constexpr double shortest_of_spacing = 0.7;
 
@@ -239,7 +238,7 @@ class Approximation {
     for (VertexIndex v = 0; v < map_.points().size(); ++v) sheets_.add_vertex(v, fit_of_edge * lattice_);
     for (Index cell = 0; cell < map_.cells().size(); ++cell) measure(cell);
     serve_queue();
-    for (int round = 0; round < most_rounds && add_where_edges_are_off(); ++round) serve_queue();
+    while (add_where_edges_are_off()) serve_queue();
     return result();
   }
 
@@ -297,6 +296,7 @@ class Approximation {
   std::pair<Vec2, Index> place_for(const Worst& worst) const {
     const Vec2 p = samples_.place(worst.sample);
     if (beside_ == 0) return {p, worst.cell};
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
     const double angle = golden_angle * static_cast<double>(worst.sample);
     const Vec2 beside{p.x + beside_ * std::cos(angle), p.y + beside_ * std::sin(angle)};
     const Index at = map_.locate(beside, worst.cell);
@@ -333,19 +333,21 @@ class Approximation {
     version_.resize(map_.cells().size(), 0);
   }
 
-  /// Inserts vertices at the crossings of edges that are too far away. Returns false if there are none.
+  /// Inserts vertices at the crossings of edges that are too far away. Returns whether it inserted one: vertices keep a
+  /// distance from each other, so that this ends.
   bool add_where_edges_are_off() {
-    const std::vector<Vec2> off = sheets_.crossings_off();
-    for (const Vec2& p : off) {
+    bool is_any_new = false;
+    for (const Vec2& p : sheets_.crossings_off()) {
       const Index at = map_.locate(p, 0);
       if (at == no_index) continue;
       map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
       if (change_.vertex == no_vertex) continue;
+      is_any_new = true;
       take_change();
       sheets_.add_vertex(change_.vertex, 0);
       for (const Index cell : change_.made) measure(cell);
     }
-    return !off.empty();
+    return is_any_new;
   }
 
   MapSheets result() {

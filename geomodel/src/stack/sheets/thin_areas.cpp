@@ -10,17 +10,10 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double cells_a_size = 4;
-constexpr std::uint32_t few_samples = 4;  // of a cell
-constexpr int places_a_side = 3;          // number of places per side of a cell that has few samples
-constexpr int smoothing_passes = 4;
-constexpr std::size_t cells_a_task = 1024;
-constexpr double least_squares = 2;       // least area of an island, in squares of the size
-constexpr double surely_thin = 0.75;      // share of the least thickness below which a unit is certainly too thin
-constexpr double surely_thick = 1.5;      // share of the least thickness above which a unit is certainly thick enough
+constexpr std::uint32_t places_a_side = 3;  // number of places per side of a cell that has fewer samples than places
+constexpr double least_squares = 2;         // least area of an island, in squares of the size
 constexpr double kept_however_small = 3;  // multiple of the least thickness from which an island is kept however small
 constexpr double line_piece = 0.7;        // of the size
-constexpr double led_from = 0.12;         // of the size
-constexpr double same_line = 0.35;        // of the size
 
 /// Averages each horizon's height over evenly spaced places of one cell; if some horizon is absent at all of them, uses
 /// the heights at the centre.
@@ -28,8 +21,8 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);
   int n = 0;
-  for (int j = 0; j < places_a_side; ++j)
-    for (int i = 0; i < places_a_side; ++i) {
+  for (std::uint32_t j = 0; j < places_a_side; ++j)
+    for (std::uint32_t i = 0; i < places_a_side; ++i) {
       const double u = (i + 0.5) / places_a_side - 0.5, v = (j + 0.5) / places_a_side - 0.5;
       samples.heights_at({centre.x + u * like.step, centre.y + v * like.step}, heights);
       if (std::any_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); })) continue;
@@ -56,15 +49,14 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
     ++counts[cell];
   }
   const auto fill = [&](std::size_t cell) {
-    if (counts[cell] < few_samples) {
+    if (counts[cell] < places_a_side * places_a_side) {
       average_places(samples, like, cell, means);
     } else {
       for (MapRaster& m : means) m.values[cell] /= counts[cell];
     }
   };
-  parallel_for((like.size() + cells_a_task - 1) / cells_a_task, [&](std::size_t task) {
-    const std::size_t end = std::min(like.size(), (task + 1) * cells_a_task);
-    for (std::size_t cell = task * cells_a_task; cell < end; ++cell) fill(cell);
+  parallel_for(like.n_rows, [&](std::size_t row) {
+    for (std::size_t i = 0; i < like.n_columns; ++i) fill(row * like.n_columns + i);
   });
   return means;
 }
@@ -78,7 +70,7 @@ std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
     fill_from_neighbours(thickness);
     const bool any =
         std::none_of(thickness.values.begin(), thickness.values.end(), [](double v) { return std::isnan(v); });
-    if (any) smooth(thickness, smoothing_passes);
+    if (any) smooth(thickness, averaging_passes);
     result.push_back(std::move(thickness));
   }
   return result;
@@ -116,64 +108,18 @@ std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
   const std::size_t n_holes = turn(false, [&](const CellGroups& groups, std::size_t g) {
     const double thickness = options.thickness + groups.greatest[g],
                  area = cell * static_cast<double>(groups.n_cells[g]);
-    return thickness > kept_however_small * options.thickness ||
-           (area >= least && thickness > surely_thick * options.thickness);
+    return thickness > kept_however_small * options.thickness || area >= least;
   });
   return n_holes + turn(true, [&](const CellGroups& groups, std::size_t g) {
-           return cell * static_cast<double>(groups.n_cells[g]) >= least &&
-                  options.thickness + groups.least[g] < surely_thin * options.thickness;
+           return cell * static_cast<double>(groups.n_cells[g]) >= least;
          });
 }
 
-double distance(const Vec2& p, const Vec2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
-
-/// Returns the earlier point nearest to p within reach, else p.
-Vec2 snapped(const Vec2& p, const std::vector<Vec2>& earlier, double reach) {
-  Vec2 best = p;
-  for (const Vec2& q : earlier)
-    if (const double d = distance(p, q); d < reach) reach = d, best = q;
-  return best;
-}
-
-/// Routes the line through all points that it passes closer than `reach`, so that lines meet in points or are disjoint.
-std::vector<Vec2> led_through(const std::vector<Vec2>& line, const std::vector<Vec2>& points, double reach) {
-  std::vector<Vec2> led{line.front()};
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Vec2 a = line[i - 1], b = line[i];
-    const double length = distance(a, b);
-    std::vector<std::pair<double, Vec2>> between;
-    for (const Vec2& q : points) {
-      const double along = ((q.x - a.x) * (b.x - a.x) + (q.y - a.y) * (b.y - a.y)) / length;
-      const double off = std::abs((q.y - a.y) * (b.x - a.x) - (q.x - a.x) * (b.y - a.y)) / length;
-      if (along > 0 && along < length && off < reach && !(q == a) && !(q == b)) between.emplace_back(along, q);
-    }
-    std::sort(between.begin(), between.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    for (const auto& [along, q] : between)
-      if (!(led.back() == q)) led.push_back(q);
-    if (!(led.back() == b)) led.push_back(b);
-  }
-  return led;
-}
-
-/// Draws the pinch-out lines of all pairs: smooth, in pieces of about the size, meeting in points or disjoint.
+/// Draws the pinch-out lines of all pairs: smooth, and in pieces of about the size.
 void draw_lines(std::vector<ThinArea>& areas, double size, double shift) {
-  std::vector<Vec2> points;
-  for (ThinArea& area : areas) {
-    const std::size_t n_earlier = points.size();
-    const std::vector<Vec2> earlier(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n_earlier));
-    for (const std::vector<Vec2>& curve : zero_curves(area.excess)) {
-      std::vector<Vec2> line;
-      for (const Vec2& p : beside(smooth_curve(curve, line_piece * size), shift)) {
-        const Vec2 q = snapped(p, earlier, same_line * size);
-        if (line.empty() || !(line.back() == q)) line.push_back(q);
-      }
-      if (line.size() < 2) continue;
-      points.insert(points.end(), line.begin(), line.end());
-      area.curves.push_back(std::move(line));
-    }
-  }
   for (ThinArea& area : areas)
-    for (std::vector<Vec2>& line : area.curves) line = led_through(line, points, led_from * size);
+    for (const std::vector<Vec2>& curve : zero_curves(area.excess))
+      area.curves.push_back(beside(smooth_curve(curve, line_piece * size), shift));
 }
 
 }  // namespace
