@@ -29,7 +29,7 @@ constexpr std::string_view name_of(QualityMeasure measure) {
   return quality_measure_names[static_cast<std::size_t>(measure)];
 }
 
-/// Returns the measure with that name; nothing if there is none.
+/// Returns the measure of the given name, or nothing if no measure has this name.
 constexpr std::optional<QualityMeasure> quality_measure_of(std::string_view name) {
   for (std::size_t k = 0; k < n_quality_measures; ++k)
     if (quality_measure_names[k] == name) return static_cast<QualityMeasure>(k);
