@@ -54,7 +54,7 @@ struct ShapeStatistics {
   std::size_t n_tetrahedra = 0;
   double volume = 0;
   Distribution min_dihedral, max_dihedral, solid_angle, radius_ratio, aspect, mean_ratio, edge_length;
-  /// shares of elements whose least dihedral angle is below 10 or above 24.85 degrees
+  /// Shares of elements whose least dihedral angle is below 10 or above 24.85 degrees.
   double share_below_10 = 0, share_above_24_85 = 0;
   std::array<std::size_t, 36> dihedral_histogram{};  ///< all dihedral angles, in bins of 5 degrees
   std::array<std::size_t, 18>
@@ -69,7 +69,7 @@ struct ShapeStatistics {
 enum class ShapeCause {
   free,         ///< no feature of the input imposes the shape
   input_angle,  ///< two facets or segments of the input meet at less than `forcing_angle` at a vertex of the element
-  /// the element spans a gap thinner than a quarter of the target size that the tolerance does not allow to close
+  /// The element spans a gap thinner than a quarter of the target size that the tolerance does not allow to close.
   thin_gap,
 };
 
@@ -112,7 +112,7 @@ struct QualityOptions {
 struct MeshQuality {
   ShapeStatistics whole;
   std::vector<ShapeStatistics> per_component;  ///< or per group
-  /// elements without a cause in the input, then those with one; the worst first in each list
+  /// Elements without a cause in the input, then those with one; the worst first in each list.
   std::vector<WorstElement> worst;
   std::size_t n_bad = 0;         ///< number of elements with an angle below bad_angle
   std::size_t n_bad_forced = 0;  ///< number of bad elements with a cause in the input

@@ -136,7 +136,7 @@ struct KeptPlace {
 struct RefineResult {
   ConstrainedTetrahedralization mesh;
   RefineStatistics statistics;
-  /// warnings of the run, for example that short edges of the input require most of the elements
+  /// Warnings of the run, for example that short edges of the input require most of the elements.
   std::vector<std::string> warnings;
   std::vector<KeptPlace> kept;  ///< Honour::tolerance: places where facets were kept unchanged
   /// Honour::tolerance: whether all surfaces were kept unchanged in the end, because no other result could be proven to

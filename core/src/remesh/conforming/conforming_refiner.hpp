@@ -45,7 +45,7 @@ class ConformingRefiner : public recover::ConformingRecovery {
   struct Counts {
     std::size_t on_segments = 0, on_facets = 0, inside = 0;
     std::size_t rounds = 0;
-    /// number of cells left larger than requested, because spacing or budgets forbid more points
+    /// Number of cells left larger than requested, because spacing or budgets forbid more points.
     std::size_t too_large = 0;
   };
   const Counts& counts() const { return counts_; }
