@@ -133,7 +133,7 @@ class InsideRefiner {
     return n;
   }
 
-  /// The number of the last pass of this kind that could place no point at the cell, or 0 if there is none.
+  /// Returns the number of the last pass of the given kind that could place no point at the cell, or 0.
   PassNumber& refusal(Kind kind, CellIndex c) {
     std::vector<PassNumber>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(walled_->n_slots() + walled_->n_slots() / 4, 0);

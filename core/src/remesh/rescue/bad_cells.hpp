@@ -61,7 +61,7 @@ struct Tally {
 
 /// Finds the bad cells that the input does not impose, which the search for better cells starts from.
 struct FreeCellJudge {
-  /// Finds such cells in the whole mesh.
+  /// Finds bad cells that the input does not impose in the whole mesh.
   std::function<std::vector<CellIndex>(const DomainMesh&)> find;
   /// Finds bad cells that the input does not impose among the cells with a vertex that has changed since the given time
   /// of the mesh; decides like find_among.

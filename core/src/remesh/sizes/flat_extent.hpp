@@ -24,8 +24,8 @@ class FlatExtent {
   FlatExtent(std::vector<Face> faces, double widest) : faces_(std::move(faces)), widest_(widest) {}
 
   /// Returns the largest of the lengths `widest`, widest / 2, widest / 4, ... over which the patch around the place is
-  /// within the tolerance of a plane, or 0 if none above `least` is. O(log n), plus the faces in a block once for each
-  /// of its middle cells.
+  /// within the tolerance of a plane, or 0 if none above `least` is. O(log n), plus, once for each grid cell, the faces
+  /// in the block around it.
   double at(Index patch, const Vec3& place, double least, double tolerance);
 
  private:
@@ -36,7 +36,7 @@ class FlatExtent {
   struct Level {
     double cell = 0;             ///< width
     std::vector<Entry> entries;  ///< sorted
-    std::vector<double> off;     ///< for the first entry of each cell, the measured distance; -1 if not yet measured
+    std::vector<double> off;  ///< for the first entry of each cell, the distance from a plane; -1 if not yet measured
   };
   Level& level(unsigned number);
   double off_plane(Level& level, Index patch, const Vec3& place);

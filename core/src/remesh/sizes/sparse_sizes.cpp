@@ -8,7 +8,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// For each vertex on a surface or curve, the smallest size that a component at it requires; negative for others.
+/// For each vertex on a surface or curve, the smallest size that a component at the vertex requires; negative for other
+/// vertices.
 class LeastSizes {
  public:
   LeastSizes(const DomainMesh& mesh, const SizeField& asked)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-/// Prevents folds: faces may not turn away from the input if nothing is meshed beside them.
+/// Prevents folds: no face may turn away from the direction of the input, which no cell prevents where nothing is
+/// meshed.
 #include <algorithm>
 #include <cmath>
 
@@ -29,9 +30,10 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
   return true;
 }
 
-/// If curves are kept, new faces have the border of the removed ones and wind around it in the same way. If they are
-/// over sheets, none steep to them, and all turned to the same side, that is the side of the removed faces, and the
-/// reference need not be examined.
+/// Returns whether no new face turns away from the reference. If curves are kept, new faces have the same border as the
+/// removed ones and wind around it in the same way. If the reference is a single sheet over each new face, no new face
+/// is steep to it, and all are oriented to the same side of it, this is also the side of the removed faces. In this
+/// case the directions need not be computed.
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                    const std::vector<Index>& over, bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees
