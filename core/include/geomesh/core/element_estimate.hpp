@@ -11,14 +11,13 @@
 
 namespace geomesh {
 
-/// Estimated numbers of elements by cause. Each cause counts only the elements that it adds to those of the causes
-/// before it.
+/// Estimated numbers of elements by cause. Each cause counts only the elements that it adds to those of earlier causes.
 struct ElementEstimate {
-  double by_volume = 0;      ///< elements of size SizeOptions::global, or of the size of the model without it
-  double by_sizes = 0;       ///< added by target sizes of units, surfaces, curves and places, and by input edges
-  double by_thin_units = 0;  ///< added by the first `n_thin` entries of SizeOptions::sources
-  double by_bends = 0;       ///< added by bends of surfaces, to follow them closely enough
-  double by_gaps = 0;        ///< added by gaps between surfaces and by layers across components
+  double by_volume = 0;  ///< elements if only SizeOptions::global were requested
+  double by_sizes = 0;   ///< elements added by target sizes of units, surfaces, curves and places, and by input edges
+  double by_thin_units = 0;  ///< elements added by the first `n_thin` entries of SizeOptions::sources
+  double by_bends = 0;       ///< elements added to follow the bends of surfaces closely enough
+  double by_gaps = 0;        ///< elements added by gaps between surfaces and by layers across components
   double total() const { return by_volume + by_sizes + by_thin_units + by_bends + by_gaps; }
 };
 
@@ -37,7 +36,7 @@ class ElementEstimator {
   /// Returns the estimated number of elements, within 30 % of the number after meshing. `options` are those of the
   /// constructor, except for sizes and tolerances.
   double total(const RefineOptions& options) const;
-  /// Returns whether the estimated number of elements is above `limit`. This is faster than total() if it is far above.
+  /// Returns whether the estimated number of elements is above `limit`; faster than total() if the number is far above.
   bool is_above(double limit, const RefineOptions& options) const;
   /// Returns how many elements each cause requires. The first `n_thin` entries of SizeOptions::sources are those of
   /// thin units. `known_total` is total(options), if the caller has already computed it.

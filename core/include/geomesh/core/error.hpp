@@ -16,7 +16,7 @@ namespace geomesh {
 
 /// Kinds of errors, by who can correct them. Each kind has one exit status of the command line.
 enum class ErrorKind {
-  usage = 2,          ///< command line or project file (a missing file, an unknown key, an unsupported option)
+  usage = 2,  ///< error in the command line or project file (a missing file, an unknown key, an unsupported option)
   invalid_input = 3,  ///< invalid data (NaN, crossing facets where crossings are not allowed, ...)
   cannot_mesh = 4,    ///< valid or repaired input that cannot be meshed as requested (nothing enclosed, too thin, ...)
   interrupted = 130,  ///< the cancel token was set
@@ -25,9 +25,10 @@ enum class ErrorKind {
 /// A part of an unfinished mesh and the constraints there, so that the place where meshing failed can be viewed.
 struct MeshExcerpt {
   std::vector<Vec3> points;
-  std::vector<Tetrahedron> tetrahedra;  ///< positive at the exact coordinates, which are rounded in `points`
-  std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh should contain
-  std::vector<Index> facet;             ///< for each triangle, its facet of the PLC
+  /// Tetrahedra that are positive at exact coordinates, which `points` has rounded.
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<Triangle> triangles;  ///< facets and parts of facets that the mesh should contain
+  std::vector<Index> facet;         ///< for each triangle, its facet of the PLC
   std::vector<std::array<VertexIndex, 2>>
       segments;                       ///< segments, parts of segments and edges of facets that the mesh should contain
   std::vector<VertexIndex> culprits;  ///< vertices of the items that caused the error
@@ -39,7 +40,7 @@ struct ErrorContext {
   std::vector<Index> segments;                      ///< segments of the PLC
   std::vector<VertexIndex> vertices;                ///< vertices of the PLC
   std::vector<Vec3> places;                         ///< coordinates where the error occurred, the most relevant first
-  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh around the error; null without a mesh
+  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh around the error; null if there is none
 };
 
 /// The only exception type for errors that a user can correct. `what()` is a sentence that a user of the program

@@ -30,8 +30,8 @@ Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Returns whether d is inside (positive), on (zero) or outside the circle through a, b, c, which are
 /// counter-clockwise. Exact.
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-/// Returns whether e is inside (positive), on (zero) or outside the sphere through a, b, c, d, which are positively
-/// oriented. Exact.
+/// Returns whether e is inside (positive), on (zero) or outside the sphere through the positively oriented a, b, c, d.
+/// Exact.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 /// Like in_circle and in_sphere, but with the symbolic perturbation, so that the sign is never zero for distinct

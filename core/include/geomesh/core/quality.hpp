@@ -17,13 +17,11 @@
 
 namespace geomesh {
 
-/// Shape measures of one tetrahedron; angles in degrees; every ratio is 1 for the regular tetrahedron and 0 for a flat
-/// one.
+/// Shape measures of one tetrahedron; angles in degrees; ratios are 1 for the regular tetrahedron and 0 for a flat one.
 struct TetrahedronShape {
   std::array<double, 6> dihedral;  ///< dihedral angles at the edges in the order of edge_vertices
   double min_dihedral, max_dihedral;
-  /// Solid angles at the vertices, as degrees of spherical excess; 31.6 for the regular tetrahedron (Cavalcanti and
-  /// Mello 1999).
+  /// Solid angles at the vertices, as degrees of spherical excess; 31.6 for the regular tetrahedron.
   std::array<double, 4> solid_angle;
   double radius_ratio;  ///< 3 * inscribed radius / circumscribed radius
   double aspect;        ///< least height divided by longest edge, relative to the regular tetrahedron
@@ -48,7 +46,7 @@ struct Distribution {
   double min = 0, max = 0, mean = 0, first_percentile = 0;
 };
 
-/// Statistics over a set of tetrahedra. Histograms are counts in equal bins from 0 to 180 degrees (dihedral) or 0 to 1
+/// Statistics over a set of tetrahedra. Histograms count in equal bins from 0 to 180 degrees (dihedral) or 0 to 1
 /// (ratios).
 struct ShapeStatistics {
   std::size_t n_tetrahedra = 0;
@@ -60,8 +58,8 @@ struct ShapeStatistics {
   std::array<std::size_t, 18>
       min_dihedral_histogram{};  ///< least angle of each element, in bins of 5 degrees from 0 to 90
   std::array<std::size_t, 20> radius_ratio_histogram{};
-  /// Number of edges by length divided by target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero if no
-  /// size field is given.
+  /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size
+  /// field.
   std::array<std::size_t, 8> edge_size_histogram{};
 };
 
@@ -93,8 +91,7 @@ struct QualityOptions {
   const SizeField* size = nullptr;  ///< target sizes with which edges are compared
   /// Target sizes with which the widths of gaps are compared: without the sizes that gaps require. Null: `size`.
   const SizeField* asked = nullptr;
-  /// Distance by which surfaces may move. A gap of up to twice this distance could be closed, so it is no cause of bad
-  /// elements.
+  /// Distance by which surfaces may move. A gap of up to twice this distance could be closed, so it is no cause.
   double tolerance = 0;
   /// A second limit on the movement of surfaces, as a share of the target size. With it, surfaces never close a gap, so
   /// every thin gap is a cause. 0: `tolerance` is the only limit.
@@ -102,8 +99,7 @@ struct QualityOptions {
   /// For each facet of the PLC its patch, if surfaces were remeshed: edges between facets of one patch are then no
   /// constraints. Empty: every facet is kept.
   std::vector<Index> facet_patch;
-  /// For each tetrahedron its group, below `n_groups`; statistics are computed for each group. Empty: for each
-  /// component.
+  /// For each tetrahedron its group, below `n_groups`; statistics are by group. Empty: by component.
   std::vector<Index> group;
   std::size_t n_groups = 0;
   unsigned threads = 0;  ///< number of threads; 0: all cores

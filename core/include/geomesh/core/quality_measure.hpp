@@ -16,8 +16,7 @@ enum class QualityMeasure : std::uint8_t {
   /// Least sine of the six dihedral angles, with obtuse ones weighted down; 0.943 for the regular tetrahedron.
   dihedral,
   radius_ratio,  ///< 3 * inscribed radius / circumscribed radius; 1 for the regular tetrahedron
-  /// Mean ratio to the power 3/2: volume divided by the cubed root mean square of the edges; 1 for the regular
-  /// tetrahedron.
+  /// Mean ratio to the power 3/2: volume / cubed root mean square of the edges; 1 for the regular tetrahedron.
   mean_ratio,
 };
 

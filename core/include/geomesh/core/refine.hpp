@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Refines a valid tetrahedralization to target sizes and improves the shapes of its elements for solvers. All
-/// constraints are kept.
+/// Refines a valid tetrahedralization to target sizes and improves the shapes of elements. All constraints are kept.
 #pragma once
 
 #include <cstddef>
@@ -35,15 +34,16 @@ struct AskedSize {
   double radius = 0;  ///< distance up to which the size is constant; beyond, it grows with the gradation
 };
 
-/// The target sizes. All members are optional; by default the sizes follow the edges of the input and grow towards the
+/// The target sizes. All members are optional; by default sizes follow the edges of the input and grow into the
 /// interior.
 struct SizeOptions {
-  double global = 0;                              ///< 0: none
-  std::vector<double> component_size;             ///< target size of each component; 0: none
-  std::vector<AskedSize> patch_size;              ///< by patch (see RefineOptions::facet_patch); may be shorter
-  std::vector<AskedSize> segment_size;            ///< by row of plc.segments; may be shorter than it
-  std::vector<SizeSource> sources;                ///< target sizes near places (wells, points of interest), with radius
-  std::function<double(const Vec3&)> background;  ///< target size by place; called from one thread
+  double global = 0;                   ///< 0: none
+  std::vector<double> component_size;  ///< target size of each component; 0: none
+  /// Target size of each patch (see RefineOptions::facet_patch); may be shorter than the list of patches.
+  std::vector<AskedSize> patch_size;
+  std::vector<AskedSize> segment_size;  ///< Target size of each segment of the PLC; may be shorter than plc.segments.
+  std::vector<SizeSource> sources;      ///< target sizes near places (wells, points of interest), with radius
+  std::function<double(const Vec3&)> background;  ///< target size at a place; called from one thread
   bool from_input_edges = true;  ///< whether surfaces request the mean length of the input edges around each point
   double curvature_angle = 0;    ///< largest angle in degrees over which one edge may span a curved patch; 0: no limit
   double gap_layers = 0.8;  ///< number of elements across a gap between surfaces that face each other; 0: none required
@@ -69,14 +69,14 @@ struct RefineOptions {
   QualityMeasure quality_measure = QualityMeasure::dihedral;
   /// Honour::exact: if false, no points are added on surfaces and curves for their sizes. Only the interior then
   /// follows the target sizes, which near a vertex of a surface are those of the longest edge there; a few points may
-  /// still be added on surfaces for the worst elements. This suits surfaces whose many short edges should be kept with
-  /// few elements.
+  /// still be added on surfaces for the worst elements. Suits surfaces with many short edges to be kept with few
+  /// elements.
   bool size_surfaces = true;
   /// Honour::tolerance: whether vertices are finally moved off the input, so that the faces between them enclose the
   /// same volume and area as the input. Should be false if faces will be curved onto the input, because their corners
   /// must be on it.
   bool balance_surfaces = true;
-  bool refine = true;  ///< false: improve elements without adding points for sizes
+  bool refine = true;  ///< whether to add points for sizes before improvement
   /// Above 0, makes a coarse start for parts that are refined separately (refine_part.hpp). Surfaces get
   /// `sparse_surfaces` times the target sizes, within the same tolerance. Sizes in the interior grow from there by
   /// `sparse_growth` per unit of distance, up to `sparse_ratio` times the target sizes; RefineResult::size_field then
@@ -103,15 +103,12 @@ struct RefineOptions {
   std::uint64_t seed = 1;
 };
 
-/// Statistics of a refinement. All members except `runs` and `off_before` refer to the last run, whose mesh is
-/// returned.
+/// Statistics of a refinement. All members except `runs` and `off_before` refer to the last run, which gave the mesh.
 struct RefineStatistics {
   double estimated_elements = 0;  ///< number of elements estimated before refinement
-  /// Number of runs of the stages refine and improve; more than one if surfaces had to be kept closer to the input to
-  /// respect the tolerance.
+  /// Number of runs of the stages refine and improve; above one if surfaces had to be kept closer to the input.
   std::size_t runs = 1;
-  /// Number of places, over all earlier runs, that were not proven to be within the tolerance or where surfaces
-  /// crossed.
+  /// Number of places, over all earlier runs, where surfaces crossed or were not proven to be within the tolerance.
   std::size_t off_before = 0;
   bool sizes_on_surfaces = true;  ///< false: surfaces got no points for sizes (RefineOptions::size_surfaces)
   std::size_t points_on_curves = 0, points_on_surfaces = 0, points_inside = 0;
@@ -139,8 +136,7 @@ struct RefineResult {
   /// Warnings of the run, for example that short edges of the input require most of the elements.
   std::vector<std::string> warnings;
   std::vector<KeptPlace> kept;  ///< Honour::tolerance: places where facets were kept unchanged
-  /// Honour::tolerance: whether all surfaces were kept unchanged in the end, because no other result could be proven to
-  /// be within the tolerance.
+  /// Honour::tolerance: whether all surfaces were kept unchanged in the end, because nothing else could be proven.
   bool all_kept = false;
   SizeField size_field;
   SizeField asked;  ///< target sizes without those that gaps require, as needed by `QualityOptions::asked`

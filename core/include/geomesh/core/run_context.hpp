@@ -20,8 +20,7 @@ enum class LogLevel { debug, info, warning };
 /// silently on all cores. The callbacks are called from the thread that called the stage, never concurrently.
 struct RunContext {
   std::function<void(LogLevel, std::string_view)> log;
-  /// Called with the work done and the total work of the running stage, in items of that stage. The total is 0 if
-  /// unknown.
+  /// Called with the done and the total work of the running stage, in items of that stage. The total is 0 if unknown.
   std::function<void(std::size_t done, std::size_t total)> progress;
   /// Called when a stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine
   /// improve verify write.

@@ -12,7 +12,7 @@ enum class EdgeCause {
   free,         ///< no feature of the input imposes the edge
   input_angle,  ///< facets or segments of the input meet at less than 20 degrees at one of its ends
   thin_gap,     ///< the edge lies in a gap between surfaces that is thinner than the limit of short edges
-  near_curves,  ///< The edge connects two curves of the input that are so close to each other, or two ends of curves.
+  near_curves,  ///< the edge connects two curves of the input that are close to each other, or two ends of curves
   bends,        ///< the edge is on a curve that would leave the tolerance if either end were removed
   near_forced,  ///< the edge is near one imposed by the input, and sizes grow from there by the gradation
 };

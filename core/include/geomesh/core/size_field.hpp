@@ -21,7 +21,7 @@ struct SizeSource {
   Vec3 point;
   double size = 0;
   double radius = 0;     ///< distance up to which the size is constant
-  double gradation = 0;  ///< growth of the size beyond the radius; 0: as in the field
+  double gradation = 0;  ///< growth per unit of distance beyond the radius; 0: as in the field
 };
 
 class SizeField {
@@ -52,10 +52,10 @@ class SizeField {
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// Returns the field with all sizes multiplied by a factor; radii and gradations are unchanged. Multiplying by a
-  /// power of two is exact.
+  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two), radii and gradations
+  /// unchanged.
   SizeField times(double factor) const;
-  /// Returns the sources that were not redundant, each with its gradation. With the same limits they define the same
+  /// Returns the sources that are not redundant, each with its gradation. With the same limits they define the same
   /// field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 

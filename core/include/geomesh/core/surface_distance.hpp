@@ -14,8 +14,7 @@ namespace geomesh {
 /// Returns the point of the triangle nearest to p. Corners of the triangle may coincide. O(1).
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 
-/// A triangulated surface whose distances are found by a search in a tree of boxes. Triangles may have zero area. Not
-/// thread-safe.
+/// A triangulated surface with a tree of boxes to search for distances. Triangles may have zero area. Not thread-safe.
 class SurfaceDistance {
  public:
   /// O(n log n).
@@ -27,8 +26,7 @@ class SurfaceDistance {
   bool empty() const;
   /// Returns the nearest point of the surface, which must not be empty. O(log n).
   Vec3 closest(const Vec3& p) const;
-  /// Returns the index of the triangle that contains the surface point nearest to p; if there are several, always the
-  /// same one. O(log n).
+  /// Returns the triangle that contains the surface point nearest to p; always the same one if several do. O(log n).
   Index closest_triangle(const Vec3& p) const;
   /// Returns whether the whole triangle, and not only samples of it, is proven to be closer than `limit` to the
   /// surface. Returns false also if this could not be decided. A millionth of the limit is reserved for rounding.

@@ -17,16 +17,15 @@
 namespace geomesh {
 
 enum class MeshMode {
-  constrained,  ///< adds as few points as possible; constrained faces need not be Delaunay
-  conforming,   ///< the mesh is Delaunay, by means of Steiner points
+  constrained,  ///< meshes with as few added points as possible; constrained faces need not be Delaunay
+  conforming,   ///< makes the mesh Delaunay by means of Steiner points
 };
 
 struct RecoverOptions {
   MeshMode mode = MeshMode::constrained;
-  bool preserve_boundary = false;  ///< adds points only inside regions, none on a facet or segment of the PLC
+  bool preserve_boundary = false;  ///< whether to add points only inside regions, none on facets or segments of the PLC
   /// Constrained mode: largest number of attempts at recovery if added points lead to a dead end, from 1 to 12. With 1,
-  /// added points are doubles from the start and none is represented exactly: fast, for callers that have an
-  /// alternative.
+  /// added points are doubles from the start and none is represented exactly: fast, for callers with an alternative.
   unsigned max_attempts = 12;
   /// Conforming mode: largest number of Steiner points on a facet or segment with small angles. Beyond this limit the
   /// facet, or every facet at the segment, is given up and listed in facets_not_recovered.
@@ -70,8 +69,7 @@ struct ConstrainedTetrahedralization {
 
   struct Face {
     Triangle vertices;  ///< vertices in the orientation of the facet to which the face belongs
-    /// The facet that contains the face. If several coplanar facets were meshed as one polygon: the one with the face's
-    /// centroid.
+    /// The facet that contains the face, or, of coplanar facets meshed as one polygon, that with the face's centroid.
     Index facet;
     /// Tetrahedron on the side that the facet's normal points away from; no_index if that side is outside.
     Index tetrahedron_below = no_index;

@@ -78,7 +78,7 @@ std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const
   return std::nullopt;
 }
 
-/// Inserts the circumcentre of a face of a facet, to which it walks within the facet. A subsegment on the way is split
+/// Walks from a face within its facet to the circumcentre of the face and inserts it. Splits a subsegment on the way
 /// instead.
 bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   const auto at = [&](unsigned i) -> const Vec3& { return mesh_.point(face.vertices[i]); };

@@ -14,8 +14,7 @@ namespace {
 
 constexpr Index unlabelled = no_index, outside = no_index - 1;
 
-/// Largest number of rounds of refinement. Each round retries points that were refused, because their neighbourhood may
-/// have changed meanwhile.
+/// Largest number of rounds of refinement. Each retries refused points, because their neighbourhood may have changed.
 constexpr std::size_t max_rounds = 40;
 
 }  // namespace

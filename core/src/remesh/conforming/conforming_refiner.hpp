@@ -21,14 +21,13 @@
 
 namespace geomesh::remesh {
 
-/// The components below and above each facet. The value is no_index outside the model, or if the component varies along
-/// the facet.
+/// The components below and above each facet; no_index outside the model, or if the component varies along the facet.
 using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Limits relative to the target size. A cell or face with a larger circumradius is split, and so is a longer
-  /// subsegment.
+  /// Limits relative to the target size. Cells and faces with a larger circumradius are split, and so are longer
+  /// subsegments.
   static constexpr double max_radius = 0.75, max_length = 1.3;
   /// Cells whose circumradius is more than this factor times their shortest edge are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;

@@ -50,8 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. If they are not, two surfaces touch at v, or a curve
-/// touches a surface there.
+/// Returns whether the faces at v are connected across edges. If not, two surfaces, or a curve and a surface, touch at
+/// v.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -83,8 +83,8 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// Builds the mesh that refinement works on, and derives the kinds of its vertices from the faces and curves of the
-/// caller's mesh.
+/// Builds the mesh that refinement works on. Derives the kinds of its vertices from faces and curves of the caller's
+/// mesh.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,

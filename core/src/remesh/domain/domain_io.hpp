@@ -15,8 +15,7 @@ namespace geomesh::remesh {
 /// form a patch.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
-/// Returns the patch of each facet by which users set target sizes, whether surfaces are kept exactly or within a
-/// tolerance.
+/// Returns the patch of each facet by which users set target sizes, whether or not surfaces are kept exactly.
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);
 
 /// Builds the editable mesh; vertices and cells keep their numbers. Curves are the listed segments, the edges at which

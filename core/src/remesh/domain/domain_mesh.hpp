@@ -96,7 +96,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   Vec3 middle(const Tetrahedron& t) const {
     return 0.25 * (points_[t[0]] + points_[t[1]] + points_[t[2]] + points_[t[3]]);
   }
-  /// Normal vector of a face; its length is twice the face's area.
+  /// Returns the normal vector of a face; its length is twice the area.
   Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
   // Cells.
@@ -120,8 +120,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     if (!tag(f).above()) std::swap(t[1], t[2]);
     return t;
   }
-  /// Returns true for exactly one of the two sides of a constrained face: the one seen from above, or the only one that
-  /// has a cell.
+  /// Returns true for one of the two sides of a constrained face: the one seen from above, or the only one with a cell.
   bool is_surface(FaceRef f) const {
     const FaceTag t = tag(f);
     return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
@@ -142,13 +141,11 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     return orient3d(points_[f[0]], points_[f[1]], points_[f[2]], apex) == Sign::positive;
   }
   bool is_positive(const Tetrahedron& t) const { return sees(points_[t[3]], {t[0], t[1], t[2]}); }
-  /// The stored shape of a live cell.
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
-  /// Stores a shape that has already been computed.
   void set_shape(CellIndex c, double shape);
-  /// Returns the time of the mesh at which a cell with this vertex was last created, or a vertex of such a cell was
-  /// last moved.
+  /// Returns the mesh's time at which a cell with this vertex was last created, or a vertex of such a cell was last
+  /// moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
   /// Advances the time of the mesh and returns its former value, which is positive. Changes after the call have later
   /// times than changes before it.
@@ -159,8 +156,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
   /// log k). Throws InternalError if the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
-  /// Replaces cells of a block while other threads change other blocks. The caller must have checked that BlockEdit
-  /// permits the operation.
+  /// Replaces cells of a block while other threads change other blocks. BlockEdit must permit the operation.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
                BlockEdit& block);
   /// Removes a vertex that no live cell uses.
@@ -251,8 +247,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
-  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for the vertices of cells that
-  /// it changed.
+  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for vertices of cells it
+  /// changed.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
     for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
@@ -319,8 +315,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   MeshJournal journal_;
 };
 
-/// Returns whether a cell at one of the vertices was created, or a vertex of such a cell was moved, after the given
-/// time of the mesh.
+/// Returns whether a cell at one of the vertices was created, or a vertex of such a cell moved, after that time of the
+/// mesh.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });

@@ -70,7 +70,7 @@ void DomainMesh::put_together(std::vector<MeshPart> parts, unsigned threads) {
   link_faces(std::move(open));
 }
 
-/// Adds the cells and new vertices of a part. `open` receives the faces at which the part is to be connected with other
+/// Adds the cells and new vertices of a part. `open` receives the faces at which it is to be connected with other
 /// parts.
 void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenFace>& open) {
   constexpr std::size_t chunk = 16384;
@@ -103,8 +103,8 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
   for (const VertexIndex v : row) changed_[v] = clock_;
 }
 
-/// Copies a cell into its slot and links it with neighbours of the same component. `open` receives all other faces of
-/// the cell.
+/// Copies a cell into its slot and links it with neighbours of its component. `open` receives all other faces of the
+/// cell.
 void DomainMesh::copy_cell(const CellCopies& copies, CellIndex c, std::vector<OpenFace>& open) {
   const DomainMesh& from = copies.from;
   const CellIndex own = copies.row_of_cell[c];

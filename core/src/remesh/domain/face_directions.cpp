@@ -11,8 +11,7 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned most_steps = 8;  ///< largest number of narrow faces to step across in search of a normal
-/// Edges that are at least this share of the longest edge count as longest: a needle has two of them, and either may be
-/// used.
+/// Edges of at least this share of the longest count as longest: a needle has two of them, and either may be used.
 constexpr double about_longest = 1 - 1e-6;
 
 double longest_edge(const std::vector<Vec3>& points, const Triangle& t) {

@@ -46,8 +46,7 @@ std::vector<EdgeUse> edge_uses(const PiecewiseLinearComplex& plc) {
   return uses;
 }
 
-/// Groups of coplanar triangles that are pieces of one input triangle, connected across edges at which no other facet
-/// ends.
+/// Groups of coplanar pieces of one input triangle, connected across edges at which no other facet ends.
 class PlaneGroups {
  public:
   PlaneGroups(const PiecewiseLinearComplex& plc, std::span<const Index> parent, std::span<const EdgeUse> uses)
@@ -95,8 +94,8 @@ class PlaneGroups {
     return k;
   }
 
-  /// Marks facets as neighbours across an edge that has exactly two facets, if these have the same orientation and may
-  /// belong to one facet.
+  /// Marks facets as neighbours across edges that have exactly these two, equally oriented, pieces of one input
+  /// triangle.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -214,8 +213,8 @@ class Outlines {
     return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
   }
 
-  /// Returns whether the outline is a valid facet. Rounding may place an inner vertex on the border, for example if a
-  /// piece was a sliver.
+  /// Returns whether the outline is a valid facet. Rounding may place an inner vertex on the border, for example of a
+  /// sliver.
   bool is_facet(const Outline& outline) const {
     FacetFault fault;
     return triangulate_facet(plc_.points, {outline.loops, outline.segments, outline.points}, fault).has_value();

@@ -63,7 +63,6 @@ class MeshBlocks {
 
   std::size_t size() const { return n_blocks_; }
   Block block_of(VertexIndex v) const { return block_[v]; }
-  /// Returns whether the cell with these vertices belongs to the block.
   bool has(Block block, const Tetrahedron& t) const {
     return block_[t[0]] == block && block_[t[1]] == block && block_[t[2]] == block && block_[t[3]] == block;
   }

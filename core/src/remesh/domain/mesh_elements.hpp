@@ -41,8 +41,7 @@ inline constexpr Index hull_patch = 0x7FFFFFFEu;
 
 /// How freely a vertex may be moved or removed.
 enum class VertexKind : std::uint8_t {
-  /// Vertices that are never removed: ends and junctions of curves, isolated points, and every input vertex if surfaces
-  /// are kept exactly.
+  /// Never removed: ends and junctions of curves, isolated points, and all input vertices if surfaces are kept exactly.
   corner,
   curve,    ///< along its curve
   surface,  ///< within its patch

@@ -137,8 +137,7 @@ struct WalledMesh::Host final : CavityHost {
   }
 };
 
-/// Finds the cavity of p. Returns false if the cavity cannot be made star-shaped about p while it contains the cell
-/// `home`.
+/// Finds the cavity of p. Returns false if no cavity that contains the cell `home` is star-shaped about p.
 bool WalledMesh::grow(const Vec3& p, CellIndex home) {
   Host host(*this, p);
   CavityLists lists;
@@ -178,8 +177,7 @@ bool WalledMesh::shrink(const Vec3& p, CellIndex home) {
   return true;
 }
 
-/// Collects the border faces of the cavity and the distance from p to the nearest vertex of the cavity, as the kernel
-/// does.
+/// Collects the border faces of the cavity and the distance from p to its nearest vertex, as the kernel does.
 void WalledMesh::collect_border(const Vec3& p) {
   n_border_ = 0;
   nearest_ = std::numeric_limits<double>::infinity();
@@ -195,8 +193,8 @@ void WalledMesh::collect_border(const Vec3& p) {
   }
 }
 
-/// Numbers the vertices of the cavity's border in order of occurrence. The numbers are kept in the vertex records until
-/// the caller removes them.
+/// Numbers the vertices of the cavity's border in order of occurrence, in their records. The caller removes the
+/// numbers.
 void WalledMesh::number_border() {
   numbered_.clear();
   number_.resize(border_.size());
@@ -235,7 +233,6 @@ bool WalledMesh::is_on_border(VertexIndex a, VertexIndex b) const {
                      });
 }
 
-/// Replaces the cavity by the star of v.
 void WalledMesh::fill(VertexIndex v) {
   DomainAttributes& attributes = mesh_.attributes_;
   const Index component = attributes.component[cavity_[0]];
@@ -260,8 +257,7 @@ void WalledMesh::fill(VertexIndex v) {
     connect_by_sorting();
 }
 
-/// Returns whether `across` is a face of another cell of the star and contains the same edge of the cavity's border as
-/// face j of `cell`.
+/// Returns whether `across` is a face of another cell of the star, at the same border edge as face j of `cell`.
 bool WalledMesh::is_across(const TetMesh::Cell& cell, unsigned j, FaceRef across) const {
   if (!across.valid() || across.cell() >= cells_.n_slots()) return false;
   const Tetrahedron& t = cells_.vertices(across.cell());

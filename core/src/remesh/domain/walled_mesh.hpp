@@ -38,16 +38,16 @@ class WalledMesh {
   bool is_wall(CellIndex c, unsigned face) const { return cells_.flags(beyond(c, face)) & ghost; }
   /// Returns the cell on the other side of a face that is not constrained.
   CellIndex beyond(CellIndex c, unsigned face) const { return cells_.neighbor_cell(c, face); }
-  /// Returns a two-bit number that the caller stores for the cell; it is 0 for new cells. May be set concurrently for
-  /// different cells.
+  /// Returns a two-bit number that the caller stores for the cell; 0 for new cells. Different cells may be set
+  /// concurrently.
   unsigned note(CellIndex c) const { return cells_.flags(c) >> note_shift & 3u; }
   void set_note(CellIndex c, unsigned note) {
     std::uint8_t& flags = cells_.flags(c);
     flags = static_cast<std::uint8_t>((flags & ~(3u << note_shift)) | note << note_shift);
   }
 
-  /// Finds the cell that contains p by a walk from `start`. Returns nothing if a wall is in the way or the walk takes
-  /// too long.
+  /// Finds the cell that contains p by a walk from `start`. Returns nothing if a wall is in the way or the walk is too
+  /// long.
   std::optional<CellIndex> locate(const Vec3& p, CellIndex start) const;
   /// Inserts p, which is in the cell `home`, by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), reduced until
   /// p sees its whole border. Returns nothing if a vertex of the cavity is nearer than `spacing`, or if a vertex or an
@@ -90,8 +90,7 @@ class WalledMesh {
   std::vector<PointRecord> records_;  ///< for each vertex; `place` is 1 for vertices on curves
   std::vector<Ghost> ghosts_;
 
-  // Cells and border faces of the cavity. The lists have the same size; only the first n_cavity_ and n_border_ entries
-  // are valid.
+  // Cells and border faces of the cavity: only the first n_cavity_ and n_border_ entries of these equally long lists.
   std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);
   std::vector<CavityFace<3>> border_ = std::vector<CavityFace<3>>(256);
   std::size_t n_cavity_ = 0, n_border_ = 0;

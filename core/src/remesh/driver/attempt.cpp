@@ -114,8 +114,7 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
   return false;
 }
 
-/// Frees the elements of the caller's mesh after import. Only its points and their provenance are needed later, for
-/// export.
+/// Frees the elements of the caller's mesh after import. Export needs only its points and their provenance.
 void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.tetrahedra = {};
   mesh.component = {};
@@ -173,8 +172,8 @@ void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const Constrained
   result.mesh = export_domain(tools.mesh, input, threads);
 }
 
-/// A warning is given before improvement if refinement has made at least `far_more` times the estimated number of
-/// elements, because improvement then takes longer in proportion.
+/// Refinement that has made `far_more` times the estimated number of elements is reported before improvement, which
+/// then takes longer in proportion.
 constexpr double far_more = 2, worth_telling = 50000;  // elements
 
 void tell_growth(const DomainMesh& mesh, const RunContext& context, RefineResult& result) {

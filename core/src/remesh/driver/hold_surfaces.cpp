@@ -62,8 +62,7 @@ std::string breach_words(const Breach& b) {
          " is not proven to be within the tolerance, " + place_words(b.place);
 }
 
-/// Returns a search tree of triangles. The outer loop of each facet is divided into a fan; the id of a triangle is its
-/// facet.
+/// Returns a search tree of triangles: the outer loop of each facet, divided into a fan. An item's id is its facet.
 search::ClosestPointTrees facet_triangles(const PiecewiseLinearComplex& plc) {
   std::vector<Item> items;
   for (Index f = 0; f < plc.n_facets(); ++f) {

@@ -18,8 +18,7 @@ struct Attempt {
   bool holds() const { return breaches.empty() && crossings.empty(); }
 };
 
-/// Refines and improves the mesh. Throws as refine_and_improve does. Places where a tolerance was not kept are listed
-/// in the result instead.
+/// Refines and improves the mesh. Throws as refine_and_improve does, but lists places where a tolerance was not kept.
 Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, ConstrainedTetrahedralization input,
                         const RefineOptions& options, const RunContext& context);
 

@@ -88,8 +88,7 @@ class DelaunayFlipper {
     return true;
   }
 
-  /// Flips an edge of the face that has exactly three cells: the two cells at the face, and one with both of their
-  /// apexes.
+  /// Flips an edge of the face that has exactly three cells: the two at the face, and one with both of their apexes.
   bool flip32(CellIndex c, unsigned i, VertexIndex bottom) {
     const Triangle f = mesh_.face(c, i);
     for (unsigned k = 0; k < 3; ++k) {

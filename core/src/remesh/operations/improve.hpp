@@ -76,8 +76,7 @@ bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 
-/// Least distance of a new point from the vertices around it, as a share of the target size. Closer points would only
-/// crowd the mesh.
+/// Least distance of a new point from vertices around it, as a share of the target size. Closer points crowd the mesh.
 inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell if this raises the worst shape around it. The cavity grows greedily across the faces

@@ -33,8 +33,7 @@ struct AscentLimits {
 };
 inline constexpr AscentLimits ascent_limits{};
 
-/// Parameters of points that improvement adds (insertion.cpp). The least distance to other points is `usual_room`
-/// (improve.hpp).
+/// Parameters of points that improvement adds. Their least distance to other points is `usual_room` (improve.hpp).
 struct PointLimits {
   /// Width of gaps between surfaces, as a share of the target size, below which points only make flat cells.
   double thin_gap = 0.25;
@@ -47,8 +46,8 @@ inline constexpr PointLimits point_limits{};
 
 /// Parameters of sequences of operations that look ahead (rescue.hpp).
 struct RescueLimits {
-  /// Least distance of a new point to others, as a share of the target size. It is small because a bad cell is worse
-  /// than a short edge.
+  /// Least distance of a new point to others, as a share of the target size; small, as bad cells are worse than short
+  /// edges.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
   /// Reduction of the deficit of bad cells (1 for a flat cell) that makes a search worthwhile.
@@ -59,8 +58,8 @@ struct RescueLimits {
   std::size_t trials_a_clearing = 4;  ///< one in this many trials starts by removing all points around the cell
   double hopeless = 2;  ///< a trial ends when the deficit of bad cells has risen by this; it is 1 for a flat cell
   unsigned most_vain_openings = 12;
-  /// A bad cell that the input does not impose may be replaced by at most this many additional bad cells that it
-  /// imposes.
+  /// Largest number of bad cells imposed by the input that may be added to get rid of one that the input does not
+  /// impose.
   std::size_t forced_instead = 1;
   /// A search continues from another bad cell only if the deficit of bad cells has risen by at most this.
   double detour = 0.2;

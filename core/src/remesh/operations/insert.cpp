@@ -13,8 +13,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Returns the face of the same patch across the edge (x, y) of a constrained face; invalid if the edge is part of a
-/// curve.
+/// Returns the face of the same patch across the edge (x, y) of a constrained face; invalid if the edge is on a curve.
 FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
   if (mesh.curve_of(x, y) != no_index) return {};
   std::vector<CellIndex> cells;
@@ -109,7 +108,7 @@ class SurfaceInsertion {
 
   /// Finds the cells whose circumsphere contains p, without those that p does not see, if no vertex is nearer than
   /// `spacing`. A shape criterion in doubles selects the cells; visibility is decided exactly. Returns false if there
-  /// is no such cavity.
+  /// is none.
   bool find_cavity(const LocalLength& spacing) {
     constexpr std::size_t most_cells = 400;
     const auto may_cross = [&](FaceRef f) { return !mesh_.tag(f).constrained(); };
@@ -156,8 +155,7 @@ class SurfaceInsertion {
     return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
-  /// Returns whether p keeps the required distance from all vertices of the removed cells, even those inside the
-  /// cavity.
+  /// Returns whether p keeps the required distance from all vertices of removed cells, even those inside the cavity.
   bool keeps_spacing(const LocalLength& spacing) const {
     for (const CellIndex c : tools_.work.cells)
       for (const VertexIndex v : mesh_.vertices(c))

@@ -77,8 +77,7 @@ class Mender {
   }
 
  private:
-  /// A possible repair, ranked by the number of faces too far from the input that it leaves, then by the worst new
-  /// shape.
+  /// A possible repair, ranked by how many faces it leaves too far from the input, then by the worst new shape.
   struct Option {
     std::ptrdiff_t more_off = 0;
     double shape = least_shape;

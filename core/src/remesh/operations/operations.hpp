@@ -26,8 +26,7 @@ struct Toolbox {
     Index patch = no_index, facet = no_index;
   };
   std::vector<NearestFacet> nearest_facet;
-  /// Whether raising the worst shape may create more bad cells. This is so only if kept surfaces impose bad cells
-  /// everywhere.
+  /// Whether raising the worst shape may create more bad cells; true only if kept surfaces impose bad cells everywhere.
   bool bad_cells_may_spread = false;
   bool borders_stay = false;  ///< whether no points are added on curves and on faces that are part of no facet
   /// Whether improvement may add points in thin gaps, where they mostly make more flat elements.
@@ -43,8 +42,8 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
-  /// Replaces the cells by those in work.added, and lists the new cells in work.created. Returns false if the block
-  /// does not permit this.
+  /// Replaces cells by those in work.added, and lists the new ones in work.created. False if the block does not permit
+  /// it.
   bool exchange(std::span<const CellIndex> removed) {
     if (!block) {
       mesh.replace(removed, work.added, work.created);

@@ -23,16 +23,15 @@ constexpr unsigned n_sweeps = 2;
 /// between two spheres 1 m apart would become much too thick (python/tests/test_fields.py).
 constexpr double kept_of_bad = 0.8;
 
-/// Moves vertices to permitted places on surfaces. Makes no good cell bad, and no cell worse than the worst of the
-/// mesh.
+/// Moves vertices to permitted places on surfaces. Makes no good cell bad, and no cell worse than the worst.
 class Mover {
  public:
   explicit Mover(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {
     for (const CellIndex c : mesh_.live_cells()) worst_ = std::min(worst_, mesh_.shape_of(c));
   }
 
-  /// Moves v to p if that is permitted. `cavity` is the star of v. Several threads may move vertices that share no
-  /// cell.
+  /// Moves v to p if permitted. `cavity` is the star of v. Threads may move vertices that share no cell at the same
+  /// time.
   bool move(VertexIndex v, const Vec3& p, const StarCavity& cavity) const {
     if (!may_move(p, mesh_.point(v), cavity)) return false;
     mesh_.move_vertex(v, p);
@@ -70,8 +69,7 @@ class BorderBalancer {
   }
 
  private:
-  /// Number of samples on a chord at which the distance to the input's border is measured. For parabolas the sum is
-  /// accurate to 1 %.
+  /// Number of samples on a chord for its distance from the input's border. For parabolas the sum is accurate to 1 %.
   static constexpr unsigned n_samples = 8;
 
   bool is_on_free_border(VertexIndex v) const {
@@ -157,7 +155,7 @@ class VolumeBalancer {
   struct Face {
     Triangle vertices;
     Index patch;
-    Vec3 normal{};    ///< normal vector, twice as long as the area
+    Vec3 normal{};    ///< normal vector of twice the area's length
     double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
   /// Sums over the faces around a vertex.

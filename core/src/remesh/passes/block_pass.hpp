@@ -28,8 +28,8 @@ class BlockPass {
   /// Both arguments must outlive this object. An exception of a visit ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// Visits vertices, within each block in the given order. If there are fewer than `least`, one thread visits all of
-  /// them in the given order.
+  /// Visits vertices, within each block in the given order. Fewer than `least` are all visited by one thread in that
+  /// order.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
   /// Numbers of visits in all runs, by the way in which they were made.

@@ -146,8 +146,8 @@ class InsideRefiner {
     return refused > 0 && std::all_of(t.begin(), t.end(), [&](VertexIndex v) { return changed_[v] < refused; });
   }
 
-  /// Returns whether p is nearer to a corner of the cell than any size at its corners would allow. Avoids evaluating
-  /// the size at p.
+  /// Returns whether p is too close to a corner of the cell for any size at its corners, without evaluating the size at
+  /// p.
   bool crowds_corner(const Vec3& p, CellIndex c) {
     const Tetrahedron& t = walled_->vertices(c);
     double h = std::numeric_limits<double>::infinity();
@@ -205,8 +205,7 @@ class InsideRefiner {
     return false;
   }
 
-  /// Returns whether face i of c is part of the front: it is constrained, or the cell on its other side is small
-  /// enough.
+  /// Returns whether face i of c is part of the front: constrained, or with a small enough cell on its other side.
   bool is_front(CellIndex c, unsigned i) { return walled_->is_wall(c, i) || !is_large(walled_->beyond(c, i)); }
 
   /// Returns the place above the circumcentre of face i at which the new edges have the target length (the mean of

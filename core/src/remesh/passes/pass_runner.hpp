@@ -64,7 +64,6 @@ class PassRunner {
     }
   }
 
-  /// Runs a pass of a single round.
   void once(std::string_view name, const std::function<void()>& work, bool applies = true) const {
     const auto round = [&](unsigned) {
       work();

@@ -28,7 +28,6 @@ bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsign
   return false;
 }
 
-/// Returns a cell with the edge a-b, or no_cell if there is none.
 CellIndex cell_with_edge(Toolbox& tools, VertexIndex a, VertexIndex b) {
   tools.mesh.star(a, tools.work.marks, tools.work.cells);
   for (const CellIndex c : tools.work.cells)

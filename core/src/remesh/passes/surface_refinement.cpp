@@ -24,7 +24,6 @@ struct SurfaceItem {
 /// Inserts points on surfaces by an advancing front, as refine_inside does in the interior: points are placed in the
 /// plane of a face, at the ideal height above edges that are short enough.
 class SurfaceRefiner {
-  /// Kinds of places at which a pass inserts points.
   enum class Kind : std::uint8_t { centre, front };
 
  public:
@@ -97,8 +96,7 @@ class SurfaceRefiner {
     return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * size, refine_ratios.surface_shape});
   }
 
-  /// Inserts a point at the ideal height above an edge of the front, which is at most 1.2 times as long as its target
-  /// size.
+  /// Inserts a point at the ideal height above a front edge, one of at most 1.2 times its target size.
   std::optional<VertexIndex> insert_on_front(const SurfaceItem& s) {
     const Triangle& t = s.corners;
     const Vec3 n = mesh_.normal(t);

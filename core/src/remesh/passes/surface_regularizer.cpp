@@ -33,8 +33,7 @@ class SurfaceRegularizer {
 
   void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
 
-  /// Moves vertices to regular places in their patches. A vertex that cannot move is tried again only after something
-  /// around it has changed.
+  /// Moves vertices within patches. One that cannot move is tried again only after something around it has changed.
   std::size_t move_all(unsigned threads) {
     std::vector<VertexIndex> asked;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)

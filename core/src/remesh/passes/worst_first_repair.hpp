@@ -26,8 +26,8 @@ class WorstFirstRepair {
   /// cell has changed since. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
-  /// Permits new points to be tried again where they have failed, for example because they may be closer to others than
-  /// before.
+  /// Permits new points to be tried again where they failed, for example because they may be closer to others this
+  /// time.
   void forget_failed_points();
 
  private:

@@ -8,8 +8,8 @@
 
 namespace geomesh::remesh {
 
-/// Least shape of cells that an opening may leave. It is far below that of bad cells, around which there could be no
-/// opening otherwise.
+/// Least shape of cells that an opening may leave: far below that of bad cells, around which it could do nothing
+/// otherwise.
 inline constexpr double opening_shape = 1e-7;
 
 /// Makes one random change at a random place around the live cell c: removes a vertex that is no corner, splits an

@@ -20,7 +20,6 @@ enum class MendScope : bool {
   own,      ///< bad cells that the trial has created or changed
 };
 
-/// Whether repair may insert points.
 enum class NewPoints : bool { no, yes };
 
 /// The surroundings of a bad cell during a trial: compares the bad cells there with those before, and repairs them.
@@ -68,8 +67,8 @@ class RescuedPlace {
   }
   void forget_given_up() { given_up_.clear(); }
 
-  /// Returns whether the bad cell around which the trial takes place exists and is hardly better, so that only others
-  /// have gained.
+  /// Returns whether the initial bad cell of the trial exists and is hardly better, so that only other cells have
+  /// gained.
   bool is_seed_as_it_was() const {
     return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
   }
@@ -113,11 +112,9 @@ class RescuedPlace {
   std::vector<Tetrahedron> given_up_;  // cells for which every attempt has failed
 };
 
-/// Whether operations of repair may make more cells bad.
 enum class BadCells : bool { may_not_spread, may_spread };
 
-/// Calls `open`, which may worsen shapes, and repairs the cells around. Keeps all changes if the cells are clearly
-/// better than before.
+/// Calls `open`, which may worsen shapes, and repairs the cells around. Keeps all changes if these are clearly better.
 template <class Open>
 bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
   Trial trial(tools);
@@ -142,8 +139,7 @@ std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   return cells;
 }
 
-/// Returns pairs (u, v). u is a movable vertex of the cell or of a cell around it; v is a vertex of the cell or u's
-/// nearest neighbour.
+/// Returns candidates (u, v) for contractions: u is movable and in a cell around; v is in the cell or nearest to u.
 std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   std::vector<Edge> edges;
   for (const VertexIndex u : movable_about(tools, t)) edges.push_back({u, nearest_neighbour(tools, u)});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Repair that looks ahead: sequences of operations around a bad cell. A sequence is kept only if it improves the cells
-/// as a whole.
+/// Repair that looks ahead: sequences of operations around a bad cell, kept only if the cells are better as a whole.
 #pragma once
 
 #include "remesh/operations/operations.hpp"
@@ -58,11 +57,12 @@ struct RescueSearch {
 
 /// Improves a cell that rescue_cell_by_openings does not improve either, by trials of up to RescueLimits::most_openings
 /// openings. Each opening is chosen at random around the worst cell that the repair of the previous one has left. A
-/// trial that leaves any cell worse than the worst before is not kept. The first other trial is kept that leaves fewer
-/// bad cells, or as many that together lack notably less. (Next to a cell that cannot be improved, the worst shape says
-/// nothing.) A trial is also kept if it leaves only bad cells imposed by the input, and at most one more of these. If a
-/// bad cell that the input does not impose has only been replaced by another, and the shapes are hardly worse, the
-/// search continues from the new one. Returns whether the cell is improved. A trial takes about a millisecond.
+/// trial that leaves any cell worse than the worst before is not kept. The first of the other trials is kept that
+/// leaves fewer bad cells, or as many that together lack notably less. (Next to a cell that cannot be improved, the
+/// worst shape says nothing.) A trial is also kept if it leaves only bad cells imposed by the input, and at most one
+/// more of these. If a bad cell that the input does not impose has only been replaced by another, and the shapes are
+/// hardly worse, the search continues from the new one. Returns whether the cell is improved. A trial takes about a
+/// millisecond.
 bool rescue_cell_by_search(Toolbox& tools, CellIndex c, const RescueRule& rule, RescueSearch& search);
 
 /// Calls rescue_cell for all bad cells of the mesh, and again for those around which something has changed since.

@@ -32,8 +32,7 @@ class Stretch {
   }
 
  private:
-  /// Share of the requested length that must remain after the new place of the vertex has been projected to the
-  /// surface.
+  /// Share of the requested length that must remain after the vertex has been projected to the surface.
   static constexpr double least_share = 0.99;
 
   Vec3 project(const Vec3& p) const {

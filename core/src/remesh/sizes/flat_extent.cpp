@@ -36,8 +36,7 @@ struct Moments {
     }
   }
 
-  /// Returns the mean squared distance of the area from its best-fitting plane: the smallest eigenvalue of the
-  /// covariance matrix.
+  /// Returns the mean squared distance from the best-fitting plane: the smallest eigenvalue of the covariance matrix.
   double off_plane_squared() const {
     if (!(area > 0)) return 0;
     const Vec3 m = (1 / area) * sum;

@@ -11,8 +11,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Returns for each facet a number that is equal for pieces of one input facet. If surfaces are kept exactly, this is
-/// the patch of the facet.
+/// Returns for each facet a number that all pieces of one input facet share: the patch, if surfaces are kept exactly.
 std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
                                  const RefineOptions& options) {
   if (options.honour == Honour::tolerance) return merge_pieces(plc, options.facet_parent).row_of_facet;

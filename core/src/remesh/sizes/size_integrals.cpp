@@ -140,7 +140,7 @@ class Integral {
   }
 
   SizeSampler& sampler_;
-  KnownPlace last_;  ///< last place in the previous simplex
+  KnownPlace last_;
   Random choice_;
   double sum_ = 0;
 };

@@ -87,8 +87,8 @@ struct Facing {
 };
 
 /// Returns whether two surfaces that face each other meet within the distance `reach`, near the line in which the
-/// planes of their faces intersect. Common vertices do not show this if there are needles along the curve at which they
-/// meet.
+/// planes of their faces intersect. Needles along the curve at which they meet may keep the faces from having common
+/// vertices.
 bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
   // Relative distance from the line of intersection within which the surfaces may actually meet.
   constexpr double share = 0.5;

@@ -8,7 +8,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// For each vertex on a surface or curve, the smallest size that a component at the vertex requires; negative for other
+/// For each vertex on a surface or curve, the smallest size that a component at it requires; negative for other
 /// vertices.
 class LeastSizes {
  public:

@@ -39,8 +39,7 @@ SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh
   cover_surfaces(plc, mesh, options, sources);
   cover_curves(mesh, options.size.segment_size, sources);
   for (SizeSource& s : sources) s.size *= share, s.gradation *= share;
-  // Limits the tolerance to half of the gap, at places on each face that are twice the size apart, or more on a large
-  // face.
+  // Limits the tolerance to half of the gap, at places on each face twice the size apart, or more on a large face.
   for_each_side_of_surfaces(mesh, [&](FaceRef f) {
     visit_pieces(mesh.places(mesh.face(f)), options.tolerance / share, [&](const Vec3& p, double radius) {
       const double half = 0.5 * gap_width(mesh, f, p, needle_share * options.tolerance);

@@ -154,7 +154,8 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
       const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
       const Vec2 nearest = plus(place.at, distance * size, direction);
       if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
-      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // mean of the sizes at both ends
+      // Mean of the sizes at both ends of the new edge.
+      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));
       take(plus(place.at, distance * reach, direction), place);
     }
   }

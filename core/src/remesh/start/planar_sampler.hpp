@@ -55,8 +55,8 @@ class PlanarSampler {
 
   SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
-  /// Edges by strips, into which the longer dimension of the polygon is divided. A straight border along this dimension
-  /// is in all strips.
+  /// Edges by strip; strips divide the longer dimension of the polygon, so a straight border along it is in all of
+  /// them.
   std::vector<std::vector<Index>> rows_, inner_rows_;
   bool is_along_x_ = false;
   double low_ = 0, strip_ = 1;

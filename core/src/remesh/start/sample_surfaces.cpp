@@ -84,8 +84,8 @@ class SurfaceSampler {
   }
 
  private:
-  /// An edge of facets, or a segment: the facets at the edge, and the new points on it, in order from the vertex with
-  /// the lower index.
+  /// An edge of facets, or a segment: the facets at it, and the new points on it, from the vertex with the lower index
+  /// on.
   struct EdgeParts {
     std::vector<Index> facets;
     std::vector<VertexIndex> points;
@@ -110,8 +110,7 @@ class SurfaceSampler {
     return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
   }
 
-  /// Returns the size at a point of the model or a new point on an edge. The size is stored if it does not depend on
-  /// the facet.
+  /// Returns the size at an original point or a new point on an edge. It is stored if sizes do not depend on the facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
     const std::vector<Vec3>& points = out_.plc.points;
     if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
@@ -274,7 +273,6 @@ class SurfaceSampler {
   SampledComplex out_;
 };
 
-/// Returns the inner segments of each facet.
 std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& plc) {
   std::vector<std::vector<Edge>> segments(plc.n_facets());
   for (const auto& s : plc.facet_segments) segments[s.facet].push_back({s.a, s.b});

@@ -25,8 +25,7 @@ struct WholeParts {
   std::size_t size() const { return edges.size() + facets.size(); }
 };
 
-/// A complex with additional points on edges and facets. Merged facets and segments keep their order, and the original
-/// points come first.
+/// A complex with additional points on edges and facets. Merged facets, segments and original points keep their order.
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< for each segment, the original segment of which it is a piece
@@ -34,8 +33,7 @@ struct SampledComplex {
   std::vector<std::array<VertexIndex, 2>> edge_of_point;
 };
 
-/// Treatment of thin triangles on which rounded points would make edges intersect: their longest edge may be flipped,
-/// or they are kept.
+/// Whether thin triangles on which rounded points would make edges intersect may be flipped at their longest edge.
 enum class Slivers : std::uint8_t { may_go, stay };
 
 /// Divides edges of facets and segments into pieces of about the target length, and adds points in each facet from the

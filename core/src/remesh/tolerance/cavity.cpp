@@ -12,11 +12,11 @@ void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index fa
   cavity.spokes.push_back({f[(k + 1) % 3], f[(k + 2) % 3], facet});
 }
 
-/// Adds the curve edges from v to vertices of its constrained faces, and, for a curve inside a region, to any
+/// Adds the edges of curves at v, to vertices of its constrained faces or, for a curve inside a region, to any
 /// neighbour.
 void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
   if (mesh.kind(v) > VertexKind::curve) return;
-  auto& asked = cavity.neighbours_asked;  // each neighbour is in about five cells
+  auto& asked = cavity.neighbours_asked;  // each neighbour occurs in about five cells
   for (const CellIndex c : cavity.cells)
     for (const VertexIndex x : mesh.vertices(c)) {
       if (x == v || mesh.kind(x) > VertexKind::curve || std::ranges::find(asked, x) != asked.end()) continue;

@@ -130,7 +130,7 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// The constrained faces at an edge (a, b), as positions k in its ring of vertices for which (a, b, ring[k]) is
+/// The constrained faces at an edge (a, b): positions k in its ring of vertices where the face (a, b, ring[k]) is
 /// constrained.
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two

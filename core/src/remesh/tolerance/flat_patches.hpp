@@ -16,8 +16,7 @@
 
 namespace geomesh::remesh {
 
-/// A constrained face, by its corners and its patch. All faces of one patch that an operation removes or adds are
-/// oriented alike.
+/// A constrained face, by corners and patch. Faces of one patch that an operation removes or adds are oriented alike.
 struct SurfaceFace {
   std::array<Vec3, 3> corners;
   Index patch;
@@ -32,8 +31,7 @@ struct SurfacePart {
   std::vector<CurvePiece> curves;
 };
 
-/// Projects a triangle along the coordinate axis that is closest to the normal. The orientation of the projection is
-/// exact.
+/// Projects a triangle along the coordinate axis closest to the normal. The orientation of the projection is exact.
 std::array<Vec2, 3> seen_along(const Vec3& normal, const std::array<Vec3, 3>& corners);
 double signed_area(const std::array<Vec2, 3>& t);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Prevents folds: no face may turn away from the direction of the input, which no cell prevents where nothing is
-/// meshed.
+/// Prevents folds of surfaces. Cells prevent them only where both sides are meshed.
 #include <algorithm>
 #include <cmath>
 
@@ -40,7 +39,7 @@ bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const
   struct Direction {
     Index patch;
     bool is_that_of_sheet = false;
-    double sum = 0, least = least_cosine;  // cosines of the faces of the patch that are to be removed
+    double sum = 0, least = least_cosine;  // sum and least of the cosines of the removed faces of the patch
   };
   std::vector<Direction> directions;
   const auto direction_of = [&](Index patch) -> const Direction& {

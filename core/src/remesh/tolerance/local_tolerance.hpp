@@ -21,7 +21,6 @@ class LocalTolerance {
 
   /// Returns the upper limit of the tolerance at all places.
   double greatest() const { return greatest_; }
-  /// Returns the smallest tolerance at the given points.
   double least_at(std::span<const Vec3> points) const;
   /// Returns the smallest tolerance at the given points; faster if places are repeated.
   double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;

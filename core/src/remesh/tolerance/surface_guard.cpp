@@ -26,13 +26,11 @@ constexpr double proven_share = 1 - 1e-6;
 /// Limit for the distances of new faces, relative to the limit for samples of the original. New faces are examined as a
 /// whole and not only at samples, so they may come closer to the tolerance.
 constexpr double faces_over_samples = 1.15;
-/// Cosine of the largest angle between the normals of a reference surface and their mean at which no samples are
-/// needed.
+/// Cosine of the largest angle between normals of a reference surface and their mean at which no samples are needed.
 constexpr double even_cosine = 0.9;
 /// Distance by which rounding may move a point off its plane, relative to the largest coordinate.
 constexpr double rounding_share = 64 * std::numeric_limits<double>::epsilon();
-/// Number of places for which a thread stores the tolerance; larger than the number of vertices that it works on in
-/// turn.
+/// Number of places for which a thread stores the tolerance; more than the vertices on which it works in turn.
 constexpr std::size_t n_recent_places = 16384;
 
 /// Returns the coordinate that is equal for all points of the loop, or 3 if there is none.

@@ -35,8 +35,7 @@ namespace geomesh::remesh {
 
 /// How surfaces are kept within the tolerance.
 struct Hold {
-  /// Share of the tolerance that samples may use, so that the final proof seldom fails and seldom needs to subdivide
-  /// faces.
+  /// Share of the tolerance that samples may use, so that the final proof seldom fails or has to subdivide faces.
   double margin = 0.7;
   std::vector<TightZone> zones;  ///< smaller tolerances apply in these zones
   unsigned run = 0;              ///< number of the run, from 0; earlier runs had larger tolerances
@@ -63,8 +62,7 @@ class SurfaceGuard {
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }
   /// Returns the normal of the reference at p, whose nearest facet is given.
   Vec3 normal_of(Index facet, const Vec3& p) const { return given_->normal(facet, p); }
-  /// Projects p to the patch. In exact mode this is the plane of the facet, reached without rounding if it is normal to
-  /// an axis.
+  /// Projects p to the patch; in exact mode to the facet's plane, without rounding if this is normal to an axis.
   Vec3 project_to_patch(Index patch, const Vec3& p) const;
   /// Projects p to the curve. Not for exact mode, in which vertices on curves do not move.
   Vec3 project_to_curve(Index curve, const Vec3& p) const;
@@ -104,8 +102,7 @@ class SurfaceGuard {
   /// Returns whether the reference is a single sheet over each of the patch's faces (`over`), and all of these are
   /// oriented to the same side of it.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
-  /// Returns the cosine of the angle between the normals of the face and of the reference nearest to its centroid; 1
-  /// for a face without area.
+  /// Returns the cosine between the normals of the face and of the reference nearest to its centroid; 1 without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   /// Returns whether the whole face is proven to be within the limit (times the local share of the tolerance) of the

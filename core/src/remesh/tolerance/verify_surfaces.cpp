@@ -19,7 +19,6 @@ constexpr std::size_t chunk = 256;
 
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
-/// Orders items by group and corners.
 bool is_before(const search::ClosestPointTrees::Item& a, const search::ClosestPointTrees::Item& b) {
   const auto key = [](const auto& item) {
     const auto& [p, q, r] = item.corners;
@@ -37,7 +36,7 @@ std::vector<std::size_t> in_order(const Items& items) {
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-/// Compares two lists of items.
+/// The comparison of two lists of items.
 struct Difference {
   std::vector<std::size_t> same;        ///< for each item of the second list, its index in the first, or no_row
   search::ClosestPointTrees exchanged;  ///< items that are in only one of the lists
@@ -96,8 +95,8 @@ struct Judge {
   unsigned threads;
   std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Verifies all pieces and returns the largest distance found. `covers` receives the earlier and the new results for
-  /// each piece.
+  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results for all
+  /// pieces.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proves that remeshed surfaces are within the tolerance of the input. The whole result is verified, and not each
-/// change alone.
+/// Proves that remeshed surfaces are within the tolerance of the input, by verification of the whole result.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +18,7 @@ search::TriangleSurfaces faces_of(const DomainMesh& mesh, std::vector<Vec3> norm
 /// Returns the edges of a mesh's curves, grouped by curve class.
 search::TriangleSurfaces curves_of(const DomainMesh& mesh);
 
-/// A triangle or line piece of the input or of the result that is not proven to be within the tolerance of the other
-/// model.
+/// A piece of the input or of the result that is not proven to be within the tolerance of the other model.
 struct Breach {
   Vec3 place{};
   double distance = 0;     ///< distance of an examined point; at most the tolerance if nothing could be decided
