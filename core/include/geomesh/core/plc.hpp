@@ -14,8 +14,7 @@
 
 namespace geomesh {
 
-/// Points; polygonal facets with holes, inner segments and inner points; isolated segments and points; region and hole
-/// seeds.
+/// Points, polygonal facets with holes and with inner segments and points, isolated segments and points, and seeds.
 ///
 /// Invariants (validate_plc lists every violation): indices in range; coordinates finite and distinct. Each loop has at
 /// least three different vertices and no repeated neighbour. Facets and segments meet only in shared vertices and

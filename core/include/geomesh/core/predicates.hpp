@@ -27,11 +27,10 @@ namespace geomesh {
 Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
 /// Returns the exact sign of the volume of the tetrahedron a, b, c, d; zero if the four points are coplanar.
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// Returns whether d is inside (positive), on (zero) or outside the circle through a, b, c, which are
-/// counter-clockwise. Exact.
+/// Returns exactly whether d is inside (positive), on (zero) or outside the circle through the counter-clockwise a,b,c.
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-/// Returns whether e is inside (positive), on (zero) or outside the sphere through the positively oriented a, b, c, d.
-/// Exact.
+/// Returns exactly whether e is inside (positive), on (zero) or outside the sphere through the positively oriented
+/// a,b,c,d.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 /// Like in_circle and in_sphere, but with the symbolic perturbation, so that the sign is never zero for distinct

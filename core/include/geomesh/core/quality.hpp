@@ -46,8 +46,7 @@ struct Distribution {
   double min = 0, max = 0, mean = 0, first_percentile = 0;
 };
 
-/// Statistics over a set of tetrahedra. Histograms count in equal bins from 0 to 180 degrees (dihedral) or 0 to 1
-/// (ratios).
+/// Statistics over a set of tetrahedra. Histograms have equal bins from 0 to 180 degrees (dihedral) or 0 to 1 (ratios).
 struct ShapeStatistics {
   std::size_t n_tetrahedra = 0;
   double volume = 0;
@@ -58,8 +57,7 @@ struct ShapeStatistics {
   std::array<std::size_t, 18>
       min_dihedral_histogram{};  ///< least angle of each element, in bins of 5 degrees from 0 to 90
   std::array<std::size_t, 20> radius_ratio_histogram{};
-  /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without a size
-  /// field.
+  /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without sizes.
   std::array<std::size_t, 8> edge_size_histogram{};
 };
 

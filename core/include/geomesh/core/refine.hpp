@@ -34,8 +34,7 @@ struct AskedSize {
   double radius = 0;  ///< distance up to which the size is constant; beyond, it grows with the gradation
 };
 
-/// The target sizes. All members are optional; by default sizes follow the edges of the input and grow into the
-/// interior.
+/// The target sizes. All members are optional. By default sizes follow the input edges and grow into the interior.
 struct SizeOptions {
   double global = 0;                   ///< 0: none
   std::vector<double> component_size;  ///< target size of each component; 0: none
@@ -69,8 +68,7 @@ struct RefineOptions {
   QualityMeasure quality_measure = QualityMeasure::dihedral;
   /// Honour::exact: if false, no points are added on surfaces and curves for their sizes. Only the interior then
   /// follows the target sizes, which near a vertex of a surface are those of the longest edge there; a few points may
-  /// still be added on surfaces for the worst elements. Suits surfaces with many short edges to be kept with few
-  /// elements.
+  /// still be added on surfaces for the worst elements. Suits surfaces with many short edges to be kept.
   bool size_surfaces = true;
   /// Honour::tolerance: whether vertices are finally moved off the input, so that the faces between them enclose the
   /// same volume and area as the input. Should be false if faces will be curved onto the input, because their corners

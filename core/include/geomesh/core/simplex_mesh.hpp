@@ -168,8 +168,7 @@ class SimplexMesh {
     cells_.truncate(n);
     flags_.truncate(n);
   }
-  /// Moves the last live cells into slots that are not live, in order, and removes all other slots, so that none is
-  /// free.
+  /// Moves the last live cells into slots that are not live, in order, and removes all other slots. None is free then.
   void compact() {
     CellIndex hole = 0, last = n_slots();
     for (;; ++hole) {

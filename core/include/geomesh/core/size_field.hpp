@@ -52,10 +52,10 @@ class SizeField {
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two), radii and gradations
-  /// unchanged.
+  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations are
+  /// kept.
   SizeField times(double factor) const;
-  /// Returns the sources that are not redundant, each with its gradation. With the same limits they define the same
+  /// Returns the sources that are not redundant, with their gradations. With the same limits they define the same
   /// field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 

@@ -78,8 +78,7 @@ std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const
   return std::nullopt;
 }
 
-/// Walks from a face within its facet to the circumcentre of the face and inserts it. Splits a subsegment on the way
-/// instead.
+/// Walks within a facet from a face to its circumcentre and inserts it. Splits a subsegment on the way instead.
 bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   const auto at = [&](unsigned i) -> const Vec3& { return mesh_.point(face.vertices[i]); };
   const auto found = circumcentre(at(0), at(1), at(2));

@@ -26,8 +26,8 @@ using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Limits relative to the target size. Cells and faces with a larger circumradius are split, and so are longer
-  /// subsegments.
+  /// Limits relative to the target size, beyond which the circumradii of cells and faces and the subsegments are too
+  /// large.
   static constexpr double max_radius = 0.75, max_length = 1.3;
   /// Cells whose circumradius is more than this factor times their shortest edge are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;

@@ -50,7 +50,7 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. If not, two surfaces, or a curve and a surface, touch at
+/// Returns whether the faces at v are connected across edges. If not, two surfaces, or a curve and a surface, meet in
 /// v.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
@@ -83,8 +83,7 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// Builds the mesh that refinement works on. Derives the kinds of its vertices from faces and curves of the caller's
-/// mesh.
+/// Builds the mesh that refinement works on, with the kinds of its vertices, from the faces and curves of the caller's.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,

@@ -144,8 +144,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
   void set_shape(CellIndex c, double shape);
-  /// Returns the mesh's time at which a cell with this vertex was last created, or a vertex of such a cell was last
-  /// moved.
+  /// Returns the mesh's time at which a cell with this vertex was last created, or a vertex of such a cell last moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
   /// Advances the time of the mesh and returns its former value, which is positive. Changes after the call have later
   /// times than changes before it.
@@ -247,8 +246,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
-  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for vertices of cells it
-  /// changed.
+  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for vertices of changed cells.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
     for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
@@ -315,8 +313,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   MeshJournal journal_;
 };
 
-/// Returns whether a cell at one of the vertices was created, or a vertex of such a cell moved, after that time of the
-/// mesh.
+/// Returns whether a cell at one of the vertices was created, or a vertex of such a cell moved, after the given time.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });

@@ -70,8 +70,7 @@ void DomainMesh::put_together(std::vector<MeshPart> parts, unsigned threads) {
   link_faces(std::move(open));
 }
 
-/// Adds the cells and new vertices of a part. `open` receives the faces at which it is to be connected with other
-/// parts.
+/// Adds the cells and new vertices of a part. `open` receives the faces at which it may be connected with other parts.
 void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenFace>& open) {
   constexpr std::size_t chunk = 16384;
   const DomainMesh& mesh = part.mesh;
@@ -103,8 +102,7 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
   for (const VertexIndex v : row) changed_[v] = clock_;
 }
 
-/// Copies a cell into its slot and links it with neighbours of its component. `open` receives all other faces of the
-/// cell.
+/// Copies a cell into its slot and links it with neighbours of its component. `open` receives its other faces.
 void DomainMesh::copy_cell(const CellCopies& copies, CellIndex c, std::vector<OpenFace>& open) {
   const DomainMesh& from = copies.from;
   const CellIndex own = copies.row_of_cell[c];

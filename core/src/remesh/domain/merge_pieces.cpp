@@ -94,8 +94,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Marks facets as neighbours across edges that have exactly these two, equally oriented, pieces of one input
-  /// triangle.
+  /// Marks facets as neighbours across edges with exactly these two, equally oriented, pieces of one input triangle.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -213,7 +212,7 @@ class Outlines {
     return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
   }
 
-  /// Returns whether the outline is a valid facet. Rounding may place an inner vertex on the border, for example of a
+  /// Returns whether the outline is a valid facet. Rounding may place inner vertices on the border, for example of a
   /// sliver.
   bool is_facet(const Outline& outline) const {
     FacetFault fault;

@@ -193,8 +193,7 @@ void WalledMesh::collect_border(const Vec3& p) {
   }
 }
 
-/// Numbers the vertices of the cavity's border in order of occurrence, in their records. The caller removes the
-/// numbers.
+/// Numbers the vertices of the cavity's border in order of occurrence, in their records; the caller resets these.
 void WalledMesh::number_border() {
   numbered_.clear();
   number_.resize(border_.size());

@@ -38,16 +38,14 @@ class WalledMesh {
   bool is_wall(CellIndex c, unsigned face) const { return cells_.flags(beyond(c, face)) & ghost; }
   /// Returns the cell on the other side of a face that is not constrained.
   CellIndex beyond(CellIndex c, unsigned face) const { return cells_.neighbor_cell(c, face); }
-  /// Returns a two-bit number that the caller stores for the cell; 0 for new cells. Different cells may be set
-  /// concurrently.
+  /// Returns a two-bit number that the caller stores for the cell; 0 for new cells. May be set concurrently by cell.
   unsigned note(CellIndex c) const { return cells_.flags(c) >> note_shift & 3u; }
   void set_note(CellIndex c, unsigned note) {
     std::uint8_t& flags = cells_.flags(c);
     flags = static_cast<std::uint8_t>((flags & ~(3u << note_shift)) | note << note_shift);
   }
 
-  /// Finds the cell that contains p by a walk from `start`. Returns nothing if a wall is in the way or the walk is too
-  /// long.
+  /// Finds the cell that contains p by a walk from `start`. Returns nothing if the walk meets a wall or is too long.
   std::optional<CellIndex> locate(const Vec3& p, CellIndex start) const;
   /// Inserts p, which is in the cell `home`, by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), reduced until
   /// p sees its whole border. Returns nothing if a vertex of the cavity is nearer than `spacing`, or if a vertex or an

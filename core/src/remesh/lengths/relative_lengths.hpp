@@ -56,8 +56,7 @@ class RelativeLengths {
   /// Returns the target size at any point of a component.
   LocalLength at(const Vec3& p, Index component) const { return LocalLength(field_.at(p, component)); }
 
-  /// Return the target size at a vertex, or its mean over a face or cell, for passes that choose positions of new
-  /// points.
+  /// Return the target size at a vertex, or its mean over a face or cell, for passes that choose places of new points.
   double size_at(VertexIndex v) {
     if (v >= sizes_.size() || sizes_[v] < 0) [[unlikely]]
       set_size(v, evaluated(v));
@@ -73,8 +72,8 @@ class RelativeLengths {
   /// Returns whether the size field calls a function of the caller, which may be evaluated on one thread only.
   bool asks_caller() const { return field_.limits().background != nullptr; }
 
-  /// Evaluates all target sizes at vertices that are not stored, in parallel. Lengths can be computed concurrently
-  /// then.
+  /// Evaluates all target sizes at vertices that are not yet stored, in parallel. Lengths may then be used
+  /// concurrently.
   void evaluate(unsigned threads);
   /// Stores the target size at a vertex, evaluated elsewhere.
   void set_size(VertexIndex v, double size);

@@ -46,8 +46,8 @@ inline constexpr PointLimits point_limits{};
 
 /// Parameters of sequences of operations that look ahead (rescue.hpp).
 struct RescueLimits {
-  /// Least distance of a new point to others, as a share of the target size; small, as bad cells are worse than short
-  /// edges.
+  /// Least distance of a new point to others, as a share of the target size; small, because a bad cell is the worse
+  /// evil.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
   /// Reduction of the deficit of bad cells (1 for a flat cell) that makes a search worthwhile.
@@ -58,8 +58,7 @@ struct RescueLimits {
   std::size_t trials_a_clearing = 4;  ///< one in this many trials starts by removing all points around the cell
   double hopeless = 2;  ///< a trial ends when the deficit of bad cells has risen by this; it is 1 for a flat cell
   unsigned most_vain_openings = 12;
-  /// Largest number of bad cells imposed by the input that may be added to get rid of one that the input does not
-  /// impose.
+  /// Largest number of bad cells imposed by the input that may be added to remove one that it does not impose.
   std::size_t forced_instead = 1;
   /// A search continues from another bad cell only if the deficit of bad cells has risen by at most this.
   double detour = 0.2;

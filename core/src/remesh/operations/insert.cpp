@@ -31,8 +31,7 @@ FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, Ve
   return FaceRef(c, mesh.cells().index_of(c, opposite));
 }
 
-/// Walks within a patch to the face that contains the projection of p. Returns an invalid face if a curve is in the
-/// way.
+/// Walks within a patch to the face that contains the projection of p. Returns an invalid face if it meets a curve.
 FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
   for (unsigned step = 0; step < 300; ++step) {
     const Triangle t = mesh.face(face);

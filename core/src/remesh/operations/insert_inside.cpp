@@ -27,7 +27,7 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 
 namespace {
 
-/// Finds the cell that contains p by a walk from `start`; nothing if a constrained face is in the way or the walk is
+/// Finds the cell that contains p by a walk from `start`. Returns nothing if it meets a constrained face or is too
 /// long.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.

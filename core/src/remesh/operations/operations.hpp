@@ -42,7 +42,7 @@ struct Toolbox {
   void make_room_for_normals() {
     if (nearest_facet.size() < mesh.n_vertices()) nearest_facet.resize(mesh.n_vertices() + mesh.n_vertices() / 8);
   }
-  /// Replaces cells by those in work.added, and lists the new ones in work.created. False if the block does not permit
+  /// Replaces cells by those in work.added, and lists the new ones in work.created. False if the block does not allow
   /// it.
   bool exchange(std::span<const CellIndex> removed) {
     if (!block) {

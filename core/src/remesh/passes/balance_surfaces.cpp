@@ -30,8 +30,7 @@ class Mover {
     for (const CellIndex c : mesh_.live_cells()) worst_ = std::min(worst_, mesh_.shape_of(c));
   }
 
-  /// Moves v to p if permitted. `cavity` is the star of v. Threads may move vertices that share no cell at the same
-  /// time.
+  /// Moves v to p if permitted. `cavity` is the star of v. Vertices that share no cell may be moved concurrently.
   bool move(VertexIndex v, const Vec3& p, const StarCavity& cavity) const {
     if (!may_move(p, mesh_.point(v), cavity)) return false;
     mesh_.move_vertex(v, p);

@@ -12,8 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// If there are fewer vertices than MeshBlocks::Rules::vertices_a_block / fewest_a_block, one thread is as fast as
-/// blocks.
+/// With fewer vertices than MeshBlocks::Rules::vertices_a_block / fewest_a_block, one thread is as fast as blocks.
 constexpr std::size_t fewest_a_block = 4;
 constexpr std::size_t visits_between_looks = 256;  ///< number of visits between two checks of the cancel token
 /// Number of spare slots of a block, for cells that are created before others are removed: `least_slots`, and one more

@@ -28,7 +28,7 @@ class BlockPass {
   /// Both arguments must outlive this object. An exception of a visit ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// Visits vertices, within each block in the given order. Fewer than `least` are all visited by one thread in that
+  /// Visits vertices, within each block in the given order. If they are fewer than `least`, one thread visits all in
   /// order.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 

@@ -137,8 +137,7 @@ struct Mending {
   const OutOfTime& out_of_time;
 };
 
-/// Repairs the remaining bad cells by sequences of operations, and removes points that repair has added close to others
-/// without gain.
+/// Repairs the remaining bad cells by sequences of operations, and removes points added close to others without gain.
 void mend_what_is_left(const Mending& mending) {
   Toolbox& tools = mending.tools;
   const ImproveSchedule& schedule = mending.schedule;
@@ -158,8 +157,7 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // Hardly any attempt succeeds if the input imposes many bad cells. Those that it does not impose are treated at the
-  // end.
+  // Hardly any attempt succeeds if the input imposes many bad cells. Those that it does not impose are treated later.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },

@@ -146,8 +146,7 @@ class InsideRefiner {
     return refused > 0 && std::all_of(t.begin(), t.end(), [&](VertexIndex v) { return changed_[v] < refused; });
   }
 
-  /// Returns whether p is too close to a corner of the cell for any size at its corners, without evaluating the size at
-  /// p.
+  /// Returns whether p is too close to a corner of c for any size at its corners. Does not evaluate the size at p.
   bool crowds_corner(const Vec3& p, CellIndex c) {
     const Tetrahedron& t = walled_->vertices(c);
     double h = std::numeric_limits<double>::infinity();

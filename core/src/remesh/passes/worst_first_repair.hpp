@@ -26,7 +26,7 @@ class WorstFirstRepair {
   /// cell has changed since. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
-  /// Permits new points to be tried again where they failed, for example because they may be closer to others this
+  /// Permits new points to be tried again where they failed, for example because they may be closer to others next
   /// time.
   void forget_failed_points();
 

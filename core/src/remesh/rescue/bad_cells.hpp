@@ -20,8 +20,7 @@ struct BadCell {
 };
 
 std::size_t count_below(const DomainMesh& mesh, double limit);
-/// Returns the shape below which the share 0..1 of all cells lies, using all cores. O(n). Precondition: there are
-/// cells.
+/// Returns the shape below which the share 0..1 of all cells lies, on all cores. O(n). Precondition: there are cells.
 double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads);
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);

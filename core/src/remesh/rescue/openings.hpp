@@ -8,8 +8,7 @@
 
 namespace geomesh::remesh {
 
-/// Least shape of cells that an opening may leave: far below that of bad cells, around which it could do nothing
-/// otherwise.
+/// Least shape of cells that an opening may leave. It is far below that of bad cells, to which openings are applied.
 inline constexpr double opening_shape = 1e-7;
 
 /// Makes one random change at a random place around the live cell c: removes a vertex that is no corner, splits an

@@ -67,8 +67,7 @@ class RescuedPlace {
   }
   void forget_given_up() { given_up_.clear(); }
 
-  /// Returns whether the initial bad cell of the trial exists and is hardly better, so that only other cells have
-  /// gained.
+  /// Returns whether the initial bad cell of the trial exists and is hardly better, so that only others have gained.
   bool is_seed_as_it_was() const {
     return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
   }

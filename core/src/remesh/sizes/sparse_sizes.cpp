@@ -8,8 +8,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// For each vertex on a surface or curve, the smallest size that a component at it requires; negative for other
-/// vertices.
+/// The smallest size that a component at each vertex on a surface or curve requires; negative for other vertices.
 class LeastSizes {
  public:
   LeastSizes(const DomainMesh& mesh, const SizeField& asked)

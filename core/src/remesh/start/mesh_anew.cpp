@@ -78,8 +78,7 @@ bool is_complete(std::vector<Index> match, std::size_t n_components) {
   return match == all;
 }
 
-/// Makes a complex of a mesh: faces become facets and edges segments, in their order; other points become isolated
-/// points.
+/// Makes a complex of a mesh: faces become facets and edges segments, in their order; other points are isolated ones.
 PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   PiecewiseLinearComplex plc;
   plc.points = mesh.points;

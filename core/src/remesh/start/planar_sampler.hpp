@@ -55,8 +55,7 @@ class PlanarSampler {
 
   SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
-  /// Edges by strip; strips divide the longer dimension of the polygon, so a straight border along it is in all of
-  /// them.
+  /// Edges by strip; strips divide the longer dimension of the polygon, so a straight border along it is in all strips.
   std::vector<std::vector<Index>> rows_, inner_rows_;
   bool is_along_x_ = false;
   double low_ = 0, strip_ = 1;

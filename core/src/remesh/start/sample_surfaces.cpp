@@ -84,8 +84,7 @@ class SurfaceSampler {
   }
 
  private:
-  /// An edge of facets, or a segment: the facets at it, and the new points on it, from the vertex with the lower index
-  /// on.
+  /// An edge of facets, or a segment: the facets at it, and the new points on it, ordered from the lower vertex on.
   struct EdgeParts {
     std::vector<Index> facets;
     std::vector<VertexIndex> points;

@@ -130,8 +130,8 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// The constrained faces at an edge (a, b): positions k in its ring of vertices where the face (a, b, ring[k]) is
-/// constrained.
+/// The constrained faces at an edge (a, b): positions k in its ring of vertices with a constrained face (a, b,
+/// ring[k]).
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
   /// Tags of these two faces, seen from cell at[i] (the cell after the face), or from the last cell of an open ring.

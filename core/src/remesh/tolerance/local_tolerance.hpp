@@ -24,8 +24,7 @@ class LocalTolerance {
   double least_at(std::span<const Vec3> points) const;
   /// Returns the smallest tolerance at the given points; faster if places are repeated.
   double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;
-  /// Returns an upper bound of the tolerance at all points of the triangle. For an edge of a curve the last two corners
-  /// are equal.
+  /// Returns an upper bound of the tolerance on a triangle, or on an edge of a curve (the last two corners are equal).
   double most_on(const std::array<Vec3, 3>& corners) const;
 
  private:

@@ -95,8 +95,7 @@ struct Judge {
   unsigned threads;
   std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results for all
-  /// pieces.
+  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results by piece.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();
