@@ -25,7 +25,7 @@ enum class ErrorKind {
 /// A part of an unfinished mesh and the constraints there, so that the place where meshing failed can be viewed.
 struct MeshExcerpt {
   std::vector<Vec3> points;
-  /// Tetrahedra that are positive at exact coordinates, which `points` has rounded.
+  /// Tetrahedra, which are positive with exact coordinates; those in `points` are rounded.
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Triangle> triangles;  ///< facets and parts of facets that the mesh should contain
   std::vector<Index> facet;         ///< for each triangle, its facet of the PLC

@@ -25,7 +25,7 @@ struct TetrahedronShape {
   std::array<double, 4> solid_angle;
   double radius_ratio;  ///< 3 * inscribed radius / circumscribed radius
   double aspect;        ///< least height divided by longest edge, relative to the regular tetrahedron
-  double mean_ratio;    ///< 12 (3V)^(2/3) / sum of squared edges
+  double mean_ratio;    ///< 12 (3 volume)^(2/3) / sum of squared edge lengths
   double volume;
   double shortest_edge, longest_edge;
 };
@@ -97,7 +97,7 @@ struct QualityOptions {
   /// For each facet of the PLC its patch, if surfaces were remeshed: edges between facets of one patch are then no
   /// constraints. Empty: every facet is kept.
   std::vector<Index> facet_patch;
-  /// For each tetrahedron its group, below `n_groups`; statistics are by group. Empty: by component.
+  /// For each tetrahedron its group, below `n_groups`, to which statistics are divided. Empty: statistics by component.
   std::vector<Index> group;
   std::size_t n_groups = 0;
   unsigned threads = 0;  ///< number of threads; 0: all cores

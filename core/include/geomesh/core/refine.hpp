@@ -125,7 +125,7 @@ struct RefineStatistics {
 /// A place where surfaces were kept exactly, because they could not be proven to be within the tolerance otherwise.
 struct KeptPlace {
   Vec3 place{};
-  Index facet = no_index;  ///< the nearest facet of the PLC
+  Index facet = no_index;  ///< facet of the PLC that is nearest to the place
 };
 
 struct RefineResult {

@@ -191,7 +191,7 @@ std::string DomainMesh::validate_domain() const {
       if (!tag(c, i).constrained() && component(c) != component(n.cell()))
         return describe("components leak through a face", c);
     }
-    for (const auto& e : edge_vertices)  // Vertices of any other kind cannot be on curves.
+    for (const auto& e : edge_vertices)  // only corners and vertices of the kind `curve` are on curves
       if (kinds_[t[e[0]]] <= VertexKind::curve && kinds_[t[e[1]]] <= VertexKind::curve)
         edges.push_back(sorted(std::array{t[e[0]], t[e[1]]}));
   }

@@ -27,7 +27,7 @@
 
 namespace geomesh::remesh {
 
-/// Data stored for each cell: its component, the tags of its faces, and its shape measure.
+/// Data stored for each cell: its component, the tags of its faces, and its shape (quality measure).
 struct DomainAttributes {
   using FaceMark = FaceTag;
   static constexpr bool is_closed = false;
@@ -301,7 +301,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<VertexKind> kinds_;
   std::vector<Index> supports_;
   std::vector<std::uint64_t> changed_;
-  std::vector<bool> pinched_;  // for each vertex of the imported mesh
+  std::vector<bool> pinched_;  // whether each imported vertex is non-manifold
 
   CellQuality measure_;
   std::uint64_t clock_ = 1;

@@ -17,7 +17,7 @@ void DomainMesh::open_block(BlockEdit& block, std::size_t n) {
     }
     block.free.push_back(c);
   }
-  std::reverse(block.free.begin(), block.free.end());  // Slots are used from the end of the list.
+  std::reverse(block.free.begin(), block.free.end());  // free slots are used from the end of the list
 }
 
 void DomainMesh::close_block(BlockEdit& block) {

@@ -57,7 +57,7 @@ class WalledMesh {
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< links with more vertices are connected by sorting
+  static constexpr unsigned table_side = 64;  ///< the cells of larger links are connected by sorting instead
 
   /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {

@@ -200,7 +200,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   find_sizes(plc, mesh, options, tolerance, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  std::optional<DomainMesh> given;  // surfaces of the input, for reference
+  std::optional<DomainMesh> given;  // the mesh of the input, kept for its surfaces
   if (options.refine && add_surface_points(plc, merged, options, input, context, result))
     given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
   const SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, tolerance, hold);

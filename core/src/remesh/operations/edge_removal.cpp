@@ -13,7 +13,7 @@ namespace {
 struct RemovalRule {
   /// If this is below the worst shape before the removal, the new shapes need only be above this value.
   double worst_before = 1;
-  const MeanGoal* goal = nullptr;  ///< if given, the mean shape must rise instead
+  const MeanGoal* goal = nullptr;  ///< if not null, the mean shape must rise instead of the worst
   /// Whether to flip an edge of a surface if this makes the surface more nearly Delaunay; shapes may fall to `floor`.
   bool for_surface = false;
   double floor = 0;
@@ -106,7 +106,7 @@ class EdgeRemoval {
       if (side.size() < 3 && other.size() < 3) return false;
       if (!solve_side(other, mesh_.component(cells[t]))) return false;
     }
-    if (!guard_allows(patch, x, y)) return false;  // this is the most expensive test
+    if (!guard_allows(patch, x, y)) return false;
     const FaceTag tag = faces_.tag[0];
     for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
       tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));

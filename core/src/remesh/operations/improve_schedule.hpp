@@ -26,7 +26,7 @@ struct AscentLimits {
   double shorten = 0.4;       ///< factor of the step length after a step without gain
   double lengthen = 1.5;      ///< factor of the step length after a step with gain
   double lengthen_mean = 2;   ///< like `lengthen`, if the mean is raised, which is a smoother function
-  double least_slope = 1e-6;  ///< a step is tried if its slope predicts a larger rise of the shape
+  double least_slope = 1e-6;  ///< a step is tried if the slope predicts a rise of the shape above this
   double mean_reach_by_gain = 7.5;  ///< smallest step if the mean is raised, as a multiple of the least gain
   unsigned hull_steps = 40;         ///< iterations of Gilbert's method for the direction of a step; usually 12 suffice
   double hull_accuracy = 1e-3;      ///< relative accuracy in Gilbert's method, which suffices for a direction
@@ -46,8 +46,8 @@ inline constexpr PointLimits point_limits{};
 
 /// Parameters of sequences of operations that look ahead (rescue.hpp).
 struct RescueLimits {
-  /// Least distance of a new point to others, as a share of the target size; small, because a bad cell is the worse
-  /// evil.
+  /// Least distance of a new point to others, as a share of the target size; small, as a bad cell is worse than a short
+  /// edge.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
   /// Reduction of the deficit of bad cells (1 for a flat cell) that makes a search worthwhile.
@@ -68,28 +68,29 @@ struct RescueLimits {
   unsigned free_sweeps = 64;
   /// Number of trials around one cell in the first sweep; doubled after each sweep that has not improved every cell.
   std::size_t first_trials = 200;
-  std::size_t least_trials = 500;  ///< least budget of trials for all cells together
+  std::size_t least_trials = 500;  ///< least number of trials allowed for all cells together
   std::size_t most_trials = 60'000;
-  std::size_t cells_a_vain_opening = 10;  ///< cells of the mesh for each sequence of operations that may fail
+  std::size_t cells_a_vain_opening = 10;  ///< number of cells of the mesh per sequence of operations that may fail
   std::size_t least_vain =
       4'000;  ///< least number of sequences that may fail, for all cells together; takes some seconds
   std::size_t most_vain = 60'000;
   std::size_t least_vain_free = 10'000;  ///< like `least_vain`, for cells that the input does not impose
   std::size_t most_vain_poor = 10'000;   ///< like `most_vain`, for cells that are poor but not bad; takes 1 to 2 s
-  std::size_t cells_a_trial = 25;  ///< cells of the mesh for each trial; all trials take less than a fifth of the time
+  /// Number of cells of the mesh per trial; all trials take less than a fifth of the time.
+  std::size_t cells_a_trial = 25;
 };
 inline constexpr RescueLimits rescue_limits{};
 
 /// Parameters of each pass for one quality level. The defaults are those of the standard level.
 struct ImproveSchedule {
-  // Passes that raise the mean.
+  // Parameters of the passes that raise the mean shape.
   unsigned mean_rounds = 1;          ///< rounds that raise the mean before repair, which improves the worst cells only
   unsigned mean_rounds_if_poor = 2;  ///< rounds that raise the mean before and after repair if many cells are poor
   double mean_floor_angle = 30;      ///< raising the mean lowers no cell below this angle
-  double floor_percentile = 0.01;  ///< percentile of all shapes (0..1) below which the mean may not lower cells either
-  double many_poor = 0.1;          ///< share of cells (0..1) below `target_angle` from which many cells count as poor
+  double floor_percentile = 0.01;    ///< the floor falls to this percentile (0..1) of all shapes if that is lower
+  double many_poor = 0.1;            ///< share of cells (0..1) below `target_angle` from which many cells count as poor
 
-  // Repair, in which the worst cells come first.
+  // Parameters of repair, which treats the worst cells first.
   unsigned repair_rounds = 8;
   double target_angle = 32;  ///< cells below this angle are repaired
   /// Number of classes of shape in which poor cells are repaired, the worst class first; within a class in the order of
@@ -105,7 +106,7 @@ struct ImproveSchedule {
   /// Number of the first round that adds points; round 0 only flips and moves, round 1 also contracts edges.
   unsigned first_round_with_points = 2;
 
-  // Repair of slivers, with points closer to others than the sizes require.
+  // Parameters of the repair of slivers, with points closer to others than the target sizes require.
   unsigned sliver_rounds = 8;  ///< for each room
   double sliver_angle = 12;
   /// Least distances of points that repair slivers, as shares of the target size; the second is tried after the first.
@@ -113,7 +114,8 @@ struct ImproveSchedule {
   double few_slivers = 0.05;  ///< if more than this share of all cells are slivers, the surfaces impose them
   /// If the surfaces impose slivers, number of the worst cells that are repaired, as a share of all cells.
   double forced_share = 0.001;
-  double forced_room = 0.01;  ///< least distance of points in such cells, as a share of the target size
+  /// Least distance of points in slivers that surfaces impose, as a share of the target size.
+  double forced_room = 0.01;
   /// Cells below this angle are repaired at a high cost for each cell, because solvers refuse cells below 1 degree.
   double flat_angle = 1.5;
   double few_bad = 0.01;  ///< if more than this share of all cells are bad, the surfaces impose them

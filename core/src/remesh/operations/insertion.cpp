@@ -40,8 +40,8 @@ class CavityDigger {
 
  private:
   struct BorderFace {
-    double shape = 1;  ///< shape of the new cell at this face
-    FaceRef neighbor;  ///< the border face as part of the cell outside, if any
+    double shape = 1;  ///< shape of the new cell that would be made at this face
+    FaceRef neighbor;  ///< the border face as a face of the cell outside
     bool is_constrained = false;
   };
 

@@ -79,11 +79,11 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
                                       const Vec3* place = nullptr);
 
 enum class CollapseRule {
-  improve,  ///< the worst shape around u must rise
+  improve,  ///< the worst shape around the removed vertex must rise
   /// The worst shape must not fall below both its former value and `floor`, and no new edge may be longer than 1.4
   /// times its size.
   coarsen,
-  thin_out,  ///< as `coarsen`; if bad cells may not spread, their number must not rise either
+  thin_out,  ///< like `coarsen`; in addition, the number of bad cells must not rise unless this is allowed
 };
 
 /// Contracts the edge u-v by moving u to v, if u is no corner and the edge lies on the curve or patch of u. The

@@ -14,10 +14,11 @@ struct RefineRatios {
   double split_edge = 1.4;  ///< a longer edge is split at its middle; its halves are longer than split_edge / 2
   /// A shorter edge is collapsed; below split_edge / 2, so that halves of split edges are kept.
   double collapse_edge = 0.6;
-  double thin_out_edge = 0.5;  ///< a shorter edge is collapsed if improvement does not need its points
-  /// Like thin_out_edge, for edges on surfaces. It is above the promised third, because the edges around need a margin.
+  double thin_out_edge = 0.5;  ///< an edge shorter than this is collapsed if improvement does not need its points
+  /// Like thin_out_edge, for edges on surfaces. It is above the third that is promised, as the edges around need a
+  /// margin.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;    ///< an edge below this is too short; slightly above the promised third
+  double promised_edge = 0.34;  ///< below this, an edge counts as too short; slightly above the third that is promised
   double stretched_edge = 0.355;  ///< an edge that cannot be collapsed is stretched to this length
   double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
   /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.

@@ -119,7 +119,7 @@ class Smoother {
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
-    if (best == old_) return false;  // projecting it would move the vertex by rounding
+    if (best == old_) return false;  // the projection must not move v by rounding
     return place(project(best), needed);
   }
 
@@ -161,7 +161,7 @@ class Smoother {
       if (!(problem_.shape_at(p, least) > least)) return false;
     }
     if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
-    const std::vector<double>& shapes = problem_.link.shapes(p);  // one shape for each cell of the star
+    const std::vector<double>& shapes = problem_.link.shapes(p);  // shapes of the cells around v
     if (tools_.spoils(cavity_, shapes) ||
         !tools_.guard.admits(surface_of(mesh_, cavity_, old_), surface_of(mesh_, cavity_, p)))
       return false;

@@ -154,7 +154,7 @@ class VolumeBalancer {
   struct Face {
     Triangle vertices;
     Index patch;
-    Vec3 normal{};    ///< normal vector of twice the area's length
+    Vec3 normal{};    ///< normal vector; its length is twice the area
     double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
   /// Sums over the faces around a vertex.

@@ -90,7 +90,7 @@ class ComponentRefiner {
     if (n_cells > max_cells_) throw_too_many_cells(max_cells_);
   }
 
-  /// Joins the components and returns the number of new points. The target sizes at these points are taken over.
+  /// Joins the components and returns the number of new points. The target sizes at these points are stored, too.
   std::size_t put_together() {
     std::vector<MeshPart> parts;
     std::vector<double> known;

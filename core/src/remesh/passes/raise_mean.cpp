@@ -29,7 +29,7 @@ class MeanRaiser {
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
-    // If most cells are poor, the mean is worth more time.
+    // If most cells are poor, raising the mean is worth more time.
     rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.015;
     const auto go_on = [&] {
       context.check_cancelled();
@@ -89,7 +89,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  std::vector<bool> is_left_;  // for each vertex, whether it is left out; empty: none is
+  std::vector<bool> is_left_;  // for each vertex, whether it is left out; empty: no vertex is
   struct Lists {
     std::vector<CellIndex> star;
     std::vector<std::pair<VertexIndex, CellIndex>> edges;
@@ -99,7 +99,7 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  // For each vertex; accessed only by the block of the vertex.
+  // Entry of each vertex; accessed only by the block of the vertex.
   std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 

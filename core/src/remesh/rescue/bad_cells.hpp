@@ -30,7 +30,7 @@ std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
 std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes);
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c);
 
-/// Returns whether the cell still exists; a vertex may have moved.
+/// Returns whether the cell still exists with the same vertices, even if these have moved.
 bool is_left(const DomainMesh& mesh, const BadCell& b);
 inline bool changed_since(const DomainMesh& mesh, const BadCell& b, std::uint64_t time) {
   return changed_since(mesh, b.vertices, time);

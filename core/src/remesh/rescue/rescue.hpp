@@ -46,7 +46,7 @@ bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const Rescue
 /// does. The repair may bring u and v closer together again.
 bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length, const RescueRule& rule);
 
-/// State that consecutive searches share.
+/// State shared by consecutive searches for better cells.
 struct RescueSearch {
   Random choose;
   std::size_t trials_a_cell;

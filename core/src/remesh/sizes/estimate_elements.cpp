@@ -21,7 +21,7 @@ namespace {
 /// at the scale 1, limited to powers between one and three.
 double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   const auto at = [&](unsigned k) { return integrals[k] * std::pow(std::ldexp(scale, static_cast<int>(k)), 3); };
-  const double x = 1 / scale;  // relative to the smallest of the scales 1, 2, 4
+  const double x = 1 / scale;  // the scale 1 relative to the smallest of the three scales
   const double found = at(0) * (x - 2) * (x - 4) / 3 - at(1) * (x - 1) * (x - 4) / 2 + at(2) * (x - 1) * (x - 2) / 6;
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }

@@ -30,13 +30,14 @@ class FlatExtent {
 
  private:
   struct Entry {
-    std::array<std::int64_t, 4> cell;  ///< patch, then grid columns in x, y and z
+    std::array<std::int64_t, 4> cell;  ///< grid cell: the patch, then the columns in x, y and z
     Index face;
   };
   struct Level {
     double cell = 0;             ///< width
     std::vector<Entry> entries;  ///< sorted
-    std::vector<double> off;  ///< for the first entry of each cell, the distance from a plane; -1 if not yet measured
+    /// Measured distance from a plane, for the first entry of each grid cell; -1 if not yet measured.
+    std::vector<double> off;
   };
   Level& level(unsigned number);
   double off_plane(Level& level, Index patch, const Vec3& place);

@@ -93,7 +93,7 @@ bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
   // Relative distance from the line of intersection within which the surfaces may actually meet.
   constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
-  const Vec3 down = m - dot(m, n) * n;  // along the face, towards the line of intersection
+  const Vec3 down = m - dot(m, n) * n;  // direction in the plane of the face, towards the line of intersection
   const double slope = length(down) / dot(m, n);
   if (!(facing.width > 0 && slope * reach >= facing.width)) return false;
   const Vec3 meeting = facing.origin + (facing.width / slope) * unit(down);

@@ -264,7 +264,7 @@ class SurfaceSampler {
   const SizeField& size_;
   const WholeParts& whole_;
   std::vector<bool> is_whole_;                // by facet
-  std::vector<std::array<Index, 2>> beside_;  // components below and above each facet
+  std::vector<std::array<Index, 2>> beside_;  // for each facet, the components below and above it
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Prevents folds of surfaces. Cells prevent them only where both sides are meshed.
+/// Prevents folds of surfaces, which cells prevent only where both sides of a surface are meshed.
 #include <algorithm>
 #include <cmath>
 

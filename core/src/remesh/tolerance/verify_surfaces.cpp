@@ -36,7 +36,6 @@ std::vector<std::size_t> in_order(const Items& items) {
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-/// The comparison of two lists of items.
 struct Difference {
   std::vector<std::size_t> same;        ///< for each item of the second list, its index in the first, or no_row
   search::ClosestPointTrees exchanged;  ///< items that are in only one of the lists
