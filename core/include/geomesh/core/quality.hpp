@@ -89,7 +89,7 @@ struct QualityOptions {
   const SizeField* size = nullptr;  ///< target sizes with which edges are compared
   /// Target sizes with which the widths of gaps are compared: without the sizes that gaps require. Null: `size`.
   const SizeField* asked = nullptr;
-  /// Distance by which surfaces may move. A gap of up to twice this distance could be closed, so it is no cause.
+  /// Distance by which surfaces may move. A gap of up to twice this could be closed, so it is no cause of a bad shape.
   double tolerance = 0;
   /// A second limit on the movement of surfaces, as a share of the target size. With it, surfaces never close a gap, so
   /// every thin gap is a cause. 0: `tolerance` is the only limit.
@@ -97,7 +97,7 @@ struct QualityOptions {
   /// For each facet of the PLC its patch, if surfaces were remeshed: edges between facets of one patch are then no
   /// constraints. Empty: every facet is kept.
   std::vector<Index> facet_patch;
-  /// For each tetrahedron its group, below `n_groups`, to which statistics are divided. Empty: statistics by component.
+  /// For each tetrahedron its group, below `n_groups`, by which statistics are divided. Empty: division by components.
   std::vector<Index> group;
   std::size_t n_groups = 0;
   unsigned threads = 0;  ///< number of threads; 0: all cores

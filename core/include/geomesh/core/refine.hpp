@@ -41,7 +41,7 @@ struct SizeOptions {
   /// Target size of each patch (see RefineOptions::facet_patch); may be shorter than the list of patches.
   std::vector<AskedSize> patch_size;
   std::vector<AskedSize> segment_size;  ///< Target size of each segment of the PLC; may be shorter than plc.segments.
-  std::vector<SizeSource> sources;      ///< target sizes near places (wells, points of interest), with radius
+  std::vector<SizeSource> sources;      ///< target sizes near places (wells, points of interest), within radii
   std::function<double(const Vec3&)> background;  ///< target size at a place; called from one thread
   bool from_input_edges = true;  ///< whether surfaces request the mean length of the input edges around each point
   double curvature_angle = 0;    ///< largest angle in degrees over which one edge may span a curved patch; 0: no limit
@@ -134,7 +134,7 @@ struct RefineResult {
   /// Warnings of the run, for example that short edges of the input require most of the elements.
   std::vector<std::string> warnings;
   std::vector<KeptPlace> kept;  ///< Honour::tolerance: places where facets were kept unchanged
-  /// Honour::tolerance: whether all surfaces were kept unchanged in the end, because nothing else could be proven.
+  /// Honour::tolerance: whether all surfaces were kept unchanged in the end, as no other result was proven.
   bool all_kept = false;
   SizeField size_field;
   SizeField asked;  ///< target sizes without those that gaps require, as needed by `QualityOptions::asked`

@@ -21,7 +21,7 @@ struct SizeSource {
   Vec3 point;
   double size = 0;
   double radius = 0;     ///< distance up to which the size is constant
-  double gradation = 0;  ///< growth of the size beyond that distance; 0: that of the field
+  double gradation = 0;  ///< growth of the size beyond the radius; 0: that of the field
 };
 
 class SizeField {

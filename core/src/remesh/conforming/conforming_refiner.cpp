@@ -90,7 +90,8 @@ std::size_t ConformingRefiner::label_cells() {
 }
 
 void ConformingRefiner::refine_segments() {
-  for (Index s = 0; s < constraints_.subsegments.size(); ++s) {  // the list grows by the halves of split subsegments
+  // The list of subsegments grows by halves of split ones.
+  for (Index s = 0; s < constraints_.subsegments.size(); ++s) {
     recovery_.context.check_cancelled();
     const recover::Subsegment& sub = constraints_.subsegments[s];
     if (!sub.live || sub.segment == no_index || segment_is_given_up_[sub.segment]) continue;

@@ -26,8 +26,7 @@ using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Limits relative to the target size, beyond which the circumradii of cells and faces and the subsegments are too
-  /// large.
+  /// Largest circumradius of cells and faces, and largest length of subsegments, relative to the target size.
   static constexpr double max_radius = 0.75, max_length = 1.3;
   /// Cells whose circumradius is more than this factor times their shortest edge are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;

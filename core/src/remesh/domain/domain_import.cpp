@@ -83,7 +83,7 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// Builds the mesh that refinement works on, with the kinds of its vertices, from the faces and curves of the caller's.
+/// Builds the mesh that refinement works on, and the kinds of its vertices, from faces and curves of the caller's mesh.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,

@@ -163,7 +163,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
 
   /// @name Blocks (mesh_blocks.hpp)
   /// @{
-  /// Gives the block a clock and free slots. Must be called for all blocks before any of them is changed.
+  /// Gives a block a clock and free cell slots. Must be called for all blocks before any of them is changed.
   void open_block(BlockEdit& block, std::size_t n_slots);
   /// Returns unused slots of a block to the mesh. Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);

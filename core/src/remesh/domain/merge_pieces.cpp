@@ -212,8 +212,7 @@ class Outlines {
     return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
   }
 
-  /// Returns whether the outline is a valid facet. Rounding may place inner vertices on the border, for example of a
-  /// sliver.
+  /// Returns whether the outline is a valid facet. Rounding may place inner vertices on the border, e.g. of a sliver.
   bool is_facet(const Outline& outline) const {
     FacetFault fault;
     return triangulate_facet(plc_.points, {outline.loops, outline.segments, outline.points}, fault).has_value();

@@ -14,7 +14,7 @@ struct RemovalRule {
   /// If this is below the worst shape before the removal, the new shapes need only be above this value.
   double worst_before = 1;
   const MeanGoal* goal = nullptr;  ///< if not null, the mean shape must rise instead of the worst
-  /// Whether to flip an edge of a surface if this makes the surface more nearly Delaunay; shapes may fall to `floor`.
+  /// Whether to flip an edge of a surface to make the surface more nearly Delaunay; shapes may fall to `floor`.
   bool for_surface = false;
   double floor = 0;
 };

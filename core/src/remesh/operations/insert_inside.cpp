@@ -27,8 +27,8 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 
 namespace {
 
-/// Finds the cell that contains p by a walk from `start`. Returns nothing if it meets a constrained face or is too
-/// long.
+/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face or many cells
+/// intervene.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
   const auto end = mesh.walk(

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_shape = 1e-3;  ///< least shape of a cell after the repair of a surface
 
-/// A face or an edge of a curve, by its vertices and a cell that contains it.
+/// A face or an edge of a curve, given by its vertices and a cell that contains it.
 struct Place {
   CellIndex cell;
   std::vector<VertexIndex> vertices;

@@ -13,7 +13,7 @@
 
 namespace geomesh::remesh {
 
-/// The objects that operations work with.
+/// The mesh and the other objects with which local operations work.
 struct Toolbox {
   DomainMesh& mesh;
   const SurfaceGuard& guard;
@@ -91,7 +91,7 @@ enum class CollapseRule {
 /// tolerance, and each new cell is positive.
 bool try_collapse(Toolbox& tools, VertexIndex u, VertexIndex v, CollapseRule rule, double floor = 0.05);
 /// Contracts an edge to the first of u's neighbours for which this is possible. The cells around u are gathered only
-/// once, whereas try_collapse for each neighbour takes time proportional to the square of their number.
+/// once, whereas try_collapse for each neighbour takes time proportional to the square of the number of cells.
 bool try_collapse_into_any(Toolbox& tools, VertexIndex u, std::span<const VertexIndex> neighbours, CollapseRule rule,
                            double floor);
 

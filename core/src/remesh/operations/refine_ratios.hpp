@@ -30,7 +30,8 @@ struct RefineRatios {
   double hair = 1e-6;
   /// Least squared height of a new point above its face, relative to the squared target edge.
   double least_height = 0.2;
-  double least_way = 0.5;       ///< a new point moves towards the circumcentre by at least this share of the height
+  /// A new point has at least this share of its ideal height, even if the circumcentre is lower.
+  double least_way = 0.5;
   double surface_shape = 1e-7;  ///< least shape of a cell created by a new point on a surface; more points follow there
   double collapse_floor = 0.05;  ///< a contraction must not lower shapes from above to below this
   double regular_floor = 1e-3;   ///< flips and moves on surfaces must not lower shapes from above to below this

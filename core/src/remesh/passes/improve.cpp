@@ -163,7 +163,7 @@ void mend_what_is_left(const Mending& mending) {
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
       rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_bad);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
-  // Solvers refuse cells this flat, so they are repaired at every quality level.
+  // Solvers refuse flat cells, so these are repaired at every quality level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
       [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },

@@ -20,7 +20,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
 
 enum class ShortEdges : bool {
   on_surfaces,  ///< edges on curves and surfaces, if these may be remeshed
-  inside,       ///< edges with at least one end inside
+  inside,       ///< edges with at least one end inside a region
 };
 /// Collapses edges shorter than RefineRatios::collapse_edge, the shortest first. O(n log n).
 std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunContext& context);

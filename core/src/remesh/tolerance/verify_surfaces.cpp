@@ -38,7 +38,7 @@ constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
 struct Difference {
   std::vector<std::size_t> same;        ///< for each item of the second list, its index in the first, or no_row
-  search::ClosestPointTrees exchanged;  ///< items that are in only one of the lists
+  search::ClosestPointTrees exchanged;  ///< items that are in only one of the two lists
 };
 
 Difference difference(const Items& first, const Items& second, std::size_t n_groups) {
