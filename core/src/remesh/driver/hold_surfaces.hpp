@@ -26,8 +26,8 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
 /// this is still not proven.
 Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context);
 
-/// Reduces the tolerances for the next run: everywhere if a surface was not proven to be within its tolerance, or if
-/// two local reductions were not enough; otherwise locally where surfaces intersect.
+/// Reduces the tolerances for the next run: locally where surfaces intersect, and everywhere if a surface was not
+/// proven to be within its tolerance or if two local reductions were not enough.
 void tighten(Hold& hold, const Attempt& attempt, double tolerance);
 
 /// Chooses facets that are kept unchanged while the rest of their surface is remeshed, because no remeshed surface

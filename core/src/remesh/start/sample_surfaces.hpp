@@ -25,7 +25,7 @@ struct WholeParts {
   std::size_t size() const { return edges.size() + facets.size(); }
 };
 
-/// A complex with additional points on edges and facets. Merged facets, segments and original points keep their order.
+/// A complex with additional points on edges and facets, after the original ones. Facets and segments keep their order.
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< for each segment, the original segment of which it is a piece

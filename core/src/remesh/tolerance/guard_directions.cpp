@@ -30,9 +30,9 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
 }
 
 /// Returns whether no new face turns away from the reference. If curves are kept, new faces have the same border as the
-/// removed ones and wind around it in the same way. If the reference is a single sheet over each new face, no new face
-/// is steep to it, and all are oriented to the same side of it, this is also the side of the removed faces. In this
-/// case the directions need not be computed.
+/// removed ones and wind around it in the same way. If the reference is a single smooth layer over each new face, no
+/// new face is steep to it, and all are oriented to the same side of it, this is also the side of the removed faces. In
+/// this case the directions need not be computed.
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                    const std::vector<Index>& over, bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees

@@ -9,7 +9,7 @@
 /// `tolerance`: every point of a new face is proven to be within 0.8 of the tolerance of the ORIGINAL surface of its
 /// patch (search/reference_surfaces.hpp); otherwise the change is refused. Within a flat patch, a change is admitted
 /// without this proof if the new faces cover the same area as the removed ones (flat_patches.hpp). In the other
-/// direction, nothing is required if the original is a smooth sheet around the change. Elsewhere, samples of the
+/// direction, nothing is required if the original is a single smooth layer around the change. Elsewhere, samples of the
 /// original patch near the removed faces must be within 0.7 of the tolerance of the new faces or their neighbours.
 /// Samples are at most eight tolerances apart on a triangle of up to a hundred tolerances. Curves are kept within 0.7
 /// of the tolerance, at samples in both directions. Deviations do not add up over operations. No new face may be turned
@@ -99,15 +99,15 @@ class SurfaceGuard {
   /// the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
-  /// Returns whether the reference is a single sheet over each of the patch's faces (`over`), and all of these are
-  /// oriented to the same side of it.
+  /// Returns whether the reference is a single smooth layer over each of the patch's faces (`over`), and all of these
+  /// are oriented to the same side of it.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
-  /// Returns the cosine between the normals of the face and of the reference nearest to its centroid; 1 without area.
+  /// Returns the cosine between the normals of a face and of the reference nearest to its centroid; 1 for zero area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   /// Returns whether the whole face is proven to be within the limit (times the local share of the tolerance) of the
-  /// reference. `over` receives a facet of the reference if the reference is a single sheet over the whole face, and
-  /// no_index otherwise.
+  /// reference. `over` receives a facet of the reference if the reference is a single smooth layer over the whole face,
+  /// and no_index otherwise.
   bool is_proven_within(const SurfaceFace& f, double limit, Index& over) const;
   /// Returns whether the reference near the removed faces is near to the new faces. If the reference there is nearly
   /// the graph of a function over a plane, and the new faces have the same border as the removed ones and are near to

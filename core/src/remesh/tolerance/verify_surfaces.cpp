@@ -67,7 +67,7 @@ struct KnownCovers {
 };
 
 /// Collects the earlier results that are still valid: for items of the result that existed before, and for items of the
-/// input if all items of the result near them still exist.
+/// input near which no item of the result has been added or removed.
 KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_groups, const Items& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
   const Difference d = difference(before, now, n_groups);
