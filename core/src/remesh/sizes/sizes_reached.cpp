@@ -25,8 +25,8 @@ void for_each_cell_edge(const DomainMesh& mesh, unsigned threads, const Visit& v
   });
 }
 
-/// For each vertex, the ends with higher index of its edges: once for each cell with the edge, in any order. Built by a
-/// counting sort.
+/// For each vertex, its neighbours of higher index along edges. A neighbour is listed once for each cell at the edge,
+/// in any order. Built by a counting sort.
 struct EdgeEnds {
   EdgeEnds(const DomainMesh& mesh, unsigned threads) : first(mesh.n_vertices() + 1, 0) {
     const auto next_at = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };
