@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes NAME.faces.vtp and NAME.curves.vtp beside NAME.vtu: constrained faces; curves and marked points.
+/// Writes two files beside NAME.vtu: NAME.faces.vtp with the constrained faces, and NAME.curves.vtp with curves and
+/// named points.
 #pragma once
 
 #include <filesystem>

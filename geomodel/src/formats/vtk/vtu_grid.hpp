@@ -8,7 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns sections in the order point data, cell data, points, cells. All arguments must exist until it is written.
+/// Returns the XML sections in the order point data, cell data, points, cells. All arguments must exist until the
+/// document is written.
 VtkDocument vtu_document(const ModelMesh& mesh, const WriteOptions& options, const VtuLayout& layout);
 
 }  // namespace geomesh::geomodel
