@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A set of files that are only valid together: if one of them cannot be written, those before it are removed.
+/// A set of files that are only valid together: if one of them cannot be written, those that were written before are
+/// removed.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +21,7 @@ class WrittenFiles {
   }
   void add(std::filesystem::path file) { files_.push_back(std::move(file)); }
   void add(const std::vector<std::filesystem::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Called when all files are written, so that none is removed.
+  /// Keeps all files, and returns their paths. Called when all of them are written; otherwise they are removed.
   std::vector<std::filesystem::path> keep() { return std::exchange(files_, {}); }
 
  private:
