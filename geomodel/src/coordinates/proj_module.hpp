@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel {
 
-/// A transformation from one coordinate system to another.
 class ProjOperation {
  public:
   virtual ~ProjOperation() = default;

@@ -55,7 +55,6 @@ class SharedFiles {
   std::map<std::string, FileContents> read_;
 };
 
-/// Returns the contents of the file of a surface.
 FileContents contents_of(const SurfaceSpec& spec, SharedFiles& files) {
   if (spec.given) return *spec.given;
   if (spec.below_by) return {};  // a constant thickness has no file

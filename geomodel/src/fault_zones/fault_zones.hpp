@@ -10,7 +10,6 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the name of the region between the walls of a fault.
 inline std::string zone_name(const std::string& fault) { return fault + ".zone"; }
 
 /// Returns the mesh with these faults opened to zones. Nodes of a fault are doubled as split_along() does. The copies

@@ -14,7 +14,6 @@ namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the rows of the faces at each edge.
 std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> faces_at(const ModelMesh& mesh,
                                                                            const EdgeSet* edges) {
   std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> at;

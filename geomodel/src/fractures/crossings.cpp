@@ -63,7 +63,6 @@ Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direc
   return found;
 }
 
-/// Returns the part of a segment that lies in the box.
 std::optional<Segment> clipped(const Segment& s, const Box3& box) {
   double from = 0, to = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -45,7 +45,6 @@ PlaneAxes axes_of_plane(double dip_direction, double dip);
 std::string plane_fault(const std::vector<Vec3>& corners);
 
 double area_of(const std::vector<Vec3>& polygon);
-/// Returns the part of a convex polygon that lies in the box; empty if there is none.
 std::vector<Vec3> clipped(std::vector<Vec3> polygon, const Box3& box);
 
 }  // namespace geomesh::geomodel

@@ -32,7 +32,6 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-/// Corners of the sides S1 to S4 of an Abaqus tetrahedron.
 constexpr std::size_t corners_of_side[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
 
 class AbaqusReader {

@@ -12,7 +12,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Corners of the sides 1 to 4 of an Exodus tetrahedron.
 constexpr std::size_t corners_of_side[4][3] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 2, 1}};
 
 class ExodusReader {

@@ -77,7 +77,6 @@ class FileCursor {
   std::size_t at_ = 0, line_start_ = 0;
 };
 
-/// Converts node numbers of a file to rows.
 class NodeRows {
  public:
   void add(std::size_t number, const FileCursor& in) {

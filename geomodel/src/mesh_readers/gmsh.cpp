@@ -14,7 +14,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Properties of one of Gmsh's element types.
 struct ElementType {
   int dimension;
   std::size_t n_nodes;

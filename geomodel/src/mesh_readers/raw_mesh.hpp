@@ -23,7 +23,6 @@ struct RawCells {
   std::size_t size() const { return n_corners == 0 ? 0 : corners.size() / n_corners; }
 };
 
-/// A named set of cells or of nodes.
 struct RawSet {
   std::string name;
   std::int32_t id = 0;  ///< id of the set in the file; 0 if it has none

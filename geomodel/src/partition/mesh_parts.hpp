@@ -57,7 +57,6 @@ class MeshParts {
   std::int32_t n_parts() const { return n_parts_; }
   /// Returns the parts whose cells are available in this process: all parts, or a single one.
   std::vector<std::int32_t> parts_here() const;
-  /// Returns the number in the whole mesh of a cell, from 0.
   std::size_t cell_number(std::size_t row) const {
     return is_given_ ? static_cast<std::size_t>(given_.cell_number[row]) : row;
   }

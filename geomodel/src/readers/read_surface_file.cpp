@@ -50,7 +50,6 @@ constexpr std::array formats{
     Format{"points (XYZ, CSV)", ".xyz .csv .txt .dat .pts", is_xyz, read_xyz},
 };
 
-/// Returns the format that belongs to the extension, or nullptr.
 const Format* by_extension(const InputFile& file) {
   const std::string wanted = file.extension();
   if (wanted.empty()) return nullptr;
@@ -109,7 +108,6 @@ void refuse_strangers(const InputFile& file) {
 
 namespace {
 
-/// Removes the points that no triangle uses; the others keep their order.
 void keep_used_points(TriangulatedSurface& surface) {
   std::vector<VertexIndex> row(surface.points.size(), no_vertex);
   for (const Triangle& t : surface.triangles)
@@ -217,7 +215,6 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
   drop_no_data_of_lines(file, contents);
 }
 
-/// Converts names and messages to UTF-8, whatever the file's encoding.
 void names_in_utf8(FileContents& contents) {
   const auto fix = [](std::string& text) { text = as_utf8(text); };
   for (auto& s : contents.surfaces) fix(s.name);

@@ -28,7 +28,6 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
 using Neighbours = std::array<std::uint32_t, 4>;
 inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
 
-/// Rows of some tetrahedra.
 using TetrahedronRows = std::span<const VertexIndex>;
 /// Returns the neighbours of the tetrahedra in `pieces`, which are numbered consecutively; without pieces, of all
 /// tetrahedra in their order. O(n log n); takes about 3 bytes per tetrahedron besides the result.

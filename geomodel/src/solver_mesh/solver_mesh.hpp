@@ -45,7 +45,6 @@ struct CellBlock {
   }
 };
 
-/// A named group of blocks of cells.
 struct CellGroup {
   std::int32_t id;
   int dimension;

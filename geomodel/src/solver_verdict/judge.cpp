@@ -63,7 +63,6 @@ struct Tally {
   SolverVerdict v;
   double least_over_size = infinity;
 
-  /// Adds the results of the checks on later elements.
   void join(const Tally& o) {
     if (o.v.least_volume < v.least_volume) v.flattest = o.v.flattest;
     if (o.v.min_dihedral < v.min_dihedral) v.sharpest = o.v.sharpest;

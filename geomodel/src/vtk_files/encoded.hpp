@@ -17,7 +17,6 @@ struct DamagedArray : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How a VTK file encodes its numbers.
 struct VtkEncoding {
   enum class Compressor { none, zlib, lz4, lzma };
   std::endian order = std::endian::little;

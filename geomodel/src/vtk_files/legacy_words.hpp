@@ -33,7 +33,6 @@ class LegacyWords {
   std::size_t count(const char* what);
   /// Returns the next word as a type of numbers; texts and bits are types too.
   VtkType type();
-  /// Returns the remaining words of the current line.
   std::vector<std::string_view> words_of_line();
 
   /// Reads an array of `n_tuples` tuples of this type. In a binary file its values begin on the next line.

@@ -57,7 +57,6 @@ std::uint32_t checksum(std::string bytes) {
   return c;
 }
 
-/// The beginning of an HDF5 object header of version 2.
 struct HeaderStart {
   static constexpr std::size_t n_signature = 4, first_time = 6, n_times = 16;
   std::uint64_t flags;

@@ -25,7 +25,6 @@ class TextBuffer {
     return number(value);
   }
   TextBuffer& operator<<(double value) { return number(value); }
-  /// Appends three numbers separated by blanks.
   TextBuffer& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
   const std::string& text() const { return text_; }
 

@@ -30,7 +30,6 @@ class OutputText {
     return number(value);
   }
   OutputText& operator<<(double value) { return number(value); }
-  /// Appends three numbers separated by blanks.
   OutputText& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
   /// The value's bytes.
   template <class T>

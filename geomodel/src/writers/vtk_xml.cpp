@@ -24,7 +24,6 @@ using Bytes = std::vector<std::byte>;
 
 std::size_t size_of(const VtkArray& array) { return array.n_values * array.value_size; }
 
-/// Returns the values of one block of an array.
 Bytes block_of(const VtkArray& array, std::size_t block) {
   const std::size_t per_block = block_bytes / array.value_size, first = block * per_block;
   const std::size_t last = std::min(array.n_values, first + per_block);

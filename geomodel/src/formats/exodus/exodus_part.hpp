@@ -15,7 +15,6 @@ namespace geomesh::geomodel {
 /// 2).
 inline constexpr std::array<int, 4> exodus_side_opposite{2, 3, 1, 4};
 
-/// One part of a mesh, together with the whole mesh.
 struct ExodusPart {
   const SolverMesh& whole;
   const MeshParts& parts;

@@ -27,7 +27,6 @@ std::size_t vtk_node(CellShape shape, std::size_t i) {
   return shape == CellShape::tetrahedron ? tetrahedron[i] : shape == CellShape::prism ? prism[i] : i;
 }
 
-/// Returns the MED element type of a cell shape, for elements of first or second order.
 med_geometry_type geometry_of(const SolverMesh& mesh, CellShape shape) {
   constexpr std::array<std::array<med_geometry_type, 2>, 5> types{{{MED_POINT1, MED_POINT1},
                                                                    {MED_SEG2, MED_SEG3},

@@ -33,7 +33,6 @@ class Conditions {
     mark_faces();
   }
   const std::vector<std::int32_t>& of_cells() const { return of_cell_; }
-  /// Returns the boundary conditions of faults, by id of the surface.
   const std::map<std::int32_t, std::int32_t>& of_faults() const { return of_fault_; }
 
  private:

@@ -20,7 +20,6 @@ namespace {
 
 constexpr std::size_t tags_at_once = 1 << 16;
 
-/// The cells of one dimension, each with the number of its label.
 struct TaggedCells {
   const char* topology;
   const char* name;  ///< name of the XDMF grid and of its attribute

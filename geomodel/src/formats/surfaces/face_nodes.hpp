@@ -31,7 +31,6 @@ inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_
   return nodes;
 }
 
-/// Returns the nodes of all faces of a mesh.
 inline FaceNodes face_nodes(const SolverMesh& mesh) {
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

@@ -13,7 +13,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns GOCAD's term for a kind of surface; empty if it has none.
 const char* feature_of(SurfaceKind kind) {
   if (kind == SurfaceKind::horizon) return "top";
   if (kind == SurfaceKind::fault) return "fault";

@@ -59,7 +59,6 @@ class Marcher {
   }
 
  private:
-  /// Returns the vertex of the isosurface on the edge between a corner below the isovalue and one above it.
   VertexIndex vertex(VertexIndex below, VertexIndex above) {
     const bool is_corner = vertices_.values[above] == value_;
     const std::size_t edge = is_corner ? 0 : edges_.row(below, above);

@@ -63,7 +63,6 @@ struct Piece {
   MeshFile mesh;
 };
 
-/// Returns true if the tetrahedron is a copy of a tetrahedron of another piece.
 bool is_ghost(const MeshFile& piece, std::size_t t) {
   const auto ghosts = piece.cell_values.find("vtkGhostType");
   return ghosts != piece.cell_values.end() && ghosts->second[t] != 0;

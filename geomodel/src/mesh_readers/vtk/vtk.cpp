@@ -26,7 +26,6 @@ bool is_solid(std::uint8_t type) {
 
 bool is_value(const VtkColumn& column) { return !column.is_text() && !column.name.empty() && column.n_components == 1; }
 
-/// Reads the scalar cell arrays of a VTK file, for the tetrahedra only.
 void take_cell_values(const VtkData& grid, MeshFile& mesh) {
   for (const VtkColumn& column : grid.cell_data.columns) {
     if (!is_value(column) || mesh.region_array == column.name) continue;

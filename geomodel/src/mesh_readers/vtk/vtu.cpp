@@ -17,7 +17,6 @@ constexpr std::array<std::string_view, 8> arrays_of_cells{"surface_set",  "patch
                                                           "vtkGhostType", "partition"};
 constexpr std::array<std::string_view, 4> arrays_of_points{"kind", "input_vertex", "GlobalPointIds", "vtkGhostType"};
 
-/// Adds a set for each id, with the cells that have this id.
 void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
                     const std::map<std::int32_t, std::string>& names, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;

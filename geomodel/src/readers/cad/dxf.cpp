@@ -23,7 +23,6 @@ struct Pair {
   std::size_t line = 0;
 };
 
-/// One entity of a DXF file: its name and its pairs of group code and value.
 struct Entity {
   std::string_view name;
   std::size_t line = 0;

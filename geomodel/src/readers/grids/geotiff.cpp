@@ -27,7 +27,6 @@ const GeomeshRasterReader& geotiff_plugin() {
 
 namespace {
 
-/// A raster opened by the GDAL module, with the file name for messages.
 class Raster {
  public:
   Raster(const InputFile& file, const GeomeshRasterReader& reader)

@@ -25,7 +25,6 @@ struct GeomeshRaster {
   double metres_per_unit;  ///< metres per unit of x and y; 1 for degrees
 };
 
-/// Table of the functions of the module that reads rasters.
 struct GeomeshRasterReader {
   int version;  ///< version of this interface with which the module was built
   /// Opens a raster from memory. Never returns null. `bytes` must outlive the raster.

@@ -21,12 +21,10 @@ std::size_t checked_count(const InputFile& file, std::int64_t n, const char* wha
   return static_cast<std::size_t>(n);
 }
 
-/// Reads the records of a Fortran binary file.
 class Records {
  public:
   explicit Records(const InputFile& file) : file_(file) {}
   bool at_end() const { return at_ == file_.size(); }
-  /// Returns the position and the length of the bytes of the next Fortran record.
   std::pair<std::size_t, std::size_t> next(const char* what) {
     const std::size_t left = file_.size() - at_;
     if (left < 8) fail(what, "the file ends");

@@ -41,7 +41,6 @@ std::optional<std::pair<std::size_t, std::size_t>> grid_size(std::string_view va
   return std::pair(static_cast<std::size_t>(*nx), static_cast<std::size_t>(*ny));
 }
 
-/// Skips to the lines of data, which begin after the comments of the header.
 void skip_comments(LineReader& lines) {
   while (lines.next()) {
     const std::string_view line = trim(lines.line());

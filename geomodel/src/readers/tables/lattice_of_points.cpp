@@ -14,7 +14,6 @@ struct Axis {
   double first = 0, spacing = 0;
   std::size_t n = 0;
 
-  /// Returns the number of the grid node near a coordinate.
   std::size_t node(double v) const { return static_cast<std::size_t>(std::llround((v - first) / spacing)); }
 };
 

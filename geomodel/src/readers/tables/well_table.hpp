@@ -9,7 +9,6 @@
 
 namespace geomesh::geomodel {
 
-/// One station of a deviation survey.
 struct SurveyStation {
   double md = 0;           ///< measured depth: length along the well path
   double inclination = 0;  ///< angle of the well path from the vertical in degrees: 0 is straight down

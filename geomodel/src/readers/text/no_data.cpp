@@ -57,7 +57,6 @@ struct Extremes {
   }
 };
 
-/// The lowest or highest height compared with all other heights.
 struct Outermost {
   double value, gap, range;
   std::size_t count, first;

@@ -63,7 +63,6 @@ class TokenStream {
 
   /// Returns the next token as a finite number; throws an error that `what` was expected if it is none.
   double number(const char* what);
-  /// Returns the next token as an integer; throws if it is none.
   std::int64_t integer(const char* what);
   /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
   std::size_t count(const char* what, std::size_t least_bytes);
@@ -89,7 +88,6 @@ std::optional<std::int64_t> to_integer(std::string_view token);
 
 /// Converts a token to a finite coordinate; throws an error with the line and `what` if it is none.
 double finite_number(const LineReader& at, std::string_view token, const char* what);
-/// Reads the three finite coordinates of the point `id` from the next tokens.
 Vec3 read_point(const LineReader& at, Tokens& tokens, std::string_view id);
 
 }  // namespace geomesh::geomodel

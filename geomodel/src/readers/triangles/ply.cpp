@@ -56,7 +56,6 @@ struct PlyElement {
 
 enum class PlyEncoding { ascii, little, big };
 
-/// Reads the values of a PLY file one by one, from text or bytes.
 class PlyValues {
  public:
   PlyValues(const InputFile& file, std::size_t body, PlyEncoding encoding, std::size_t header_lines)

@@ -37,7 +37,6 @@ class SurfaceBuilder {
 /// Returns the collected surface as the contents of a file; throws if it has no triangle.
 FileContents one_surface(const InputFile& file, std::string format, SurfaceBuilder&& builder);
 
-/// Adds a note that polygons were divided into triangles, if any were.
 void note_split_polygons(std::size_t n_split, FileContents& contents);
 
 }  // namespace geomesh::geomodel

@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel {
 
-/// One facet as contained in a .poly file.
 struct TetgenFacet {
   /// vertices of each polygon: one for a point, two for a segment, more for a closed polygon
   std::vector<std::vector<VertexIndex>> polygons;

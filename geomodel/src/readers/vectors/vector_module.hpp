@@ -13,7 +13,6 @@
 
 namespace geomesh::geomodel {
 
-/// One feature of a layer of a map file.
 struct VectorFeature {
   std::string layer;
   std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of the feature's text columns
