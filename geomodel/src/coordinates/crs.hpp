@@ -22,7 +22,7 @@ struct HorizontalCrs {
   int zone = 0;
   bool north = true;
   int epsg = 0;  ///< EPSG code; 0 if the system was not given by a code
-  /// whether the datum is ETRS89 and not WGS84; the two are treated as equal (they differ by less than a metre)
+  /// Whether the datum is ETRS89 and not WGS84; the two are treated as equal (they differ by less than a metre).
   bool etrs89 = false;
   std::string text;  ///< as written
 

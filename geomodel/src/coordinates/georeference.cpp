@@ -124,7 +124,7 @@ void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from
 void ModelFrame::refuse_exchanged_degrees(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty() || from.kind != Kind::geographic || system_.kind != Kind::utm || system_.zone == 0) return;
-  // degrees of longitude from the middle of a UTM zone beyond which the projection is useless
+  // Degrees of longitude from the middle of a UTM zone beyond which the projection is useless.
   constexpr double far = 40;
   constexpr double near = 15;  // models lie in their UTM zone, which is 6 degrees wide, or beside it
   const double middle = 6.0 * system_.zone - 183;

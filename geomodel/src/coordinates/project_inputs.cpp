@@ -234,7 +234,7 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
       below = surface_below(*above, *spec.below_by);
     } else {
       TriangulatedSurface thickness = raw_surface(contents[s], spec, box, inputs);
-      // a thickness is not a position, so the subtraction of the origin is undone
+      // A thickness is not a position, so the subtraction of the origin is undone.
       for (Vec3& p : thickness.points) p.z += project.output.origin.z;
       below = surface_below(*above, thickness);
     }

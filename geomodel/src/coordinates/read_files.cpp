@@ -37,7 +37,7 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    // the file has only one object, or the name is rejected later
+    // The file has only one object, or the name is rejected later.
     if (part.surfaces.empty() && part.point_sets.empty()) part = all;
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();
@@ -75,7 +75,7 @@ const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
 
 ReadFiles read_files(const Project& project, const RunContext& context) {
   ReadFiles files;
-  // must not be reallocated, because `sources` has pointers to its elements
+  // Must not be reallocated, because `sources` has pointers to its elements.
   files.contents.reserve(project.surfaces.size() + project.wells.size());
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);

@@ -48,7 +48,7 @@ class FractureMesh {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];
       if (set.empty()) continue;
-      // the face lies on a side of the box, which comes first, and on a fault
+      // The face lies on a side of the box, which comes first, and on a fault.
       if (std::find(set.begin(), set.end(), face.surface) == set.end()) {
         face.surface = set.front();
         face.source_triangle = -1;

@@ -306,7 +306,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
                                          const std::filesystem::path& stem) {
   WriteOptions one_label = options;
   one_label.curves = false;
-  // an OpenFOAM face is in only one patch
+  // An OpenFOAM face is in only one patch.
   if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;
   const SolverMesh mesh = make_solver_mesh(model, one_label, TetrahedronNodes::by_rows);
   return FoamCase(mesh, stem.string() + ".foam").write(model);

@@ -43,7 +43,7 @@ void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const c
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   WriteOptions one_label = options;
-  // a TetGen face has only one marker
+  // A TetGen face has only one marker.
   if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;
   const SolverMesh mesh = make_solver_mesh(model, one_label);
   WrittenFiles written;

@@ -148,7 +148,7 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    // fields so far of an element with ten nodes, which may continue on the next line at any place
+    // Fields so far of an element with ten nodes, which may continue on the next line at any place.
     std::vector<std::string> rest;
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();

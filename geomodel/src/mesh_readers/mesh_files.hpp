@@ -26,7 +26,7 @@ struct MeshFile {
   std::vector<VertexIndex> midpoints;
   std::vector<std::size_t> cell;   ///< number of each tetrahedron among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
-  /// prisms among the solids that are not tetrahedra, in VTK's order (VTK files only)
+  /// Prisms among the solids that are not tetrahedra, in VTK's order (VTK files only).
   std::vector<std::array<VertexIndex, 6>> prisms;
   std::size_t n_lower_cells = 0;     ///< number of triangles, lines and points in the file
   std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no such array

@@ -63,7 +63,7 @@ struct RawMesh {
   /// Six midpoint nodes for each second-order tetrahedron, on the edges 01 12 20 03 13 23.
   std::vector<VertexIndex> midpoints;
   bool single_precision = false;  ///< whether the file has 32-bit coordinates
-  /// kind and input row of each point; empty unless geomesh wrote the file
+  /// Kind and input row of each point; empty unless geomesh wrote the file.
   std::vector<std::int32_t> point_kind, input_vertex;
   std::vector<CellArray> cell_arrays;    ///< by tetrahedron
   std::vector<PointArray> point_arrays;  ///< point arrays, with a value for each row of `points`

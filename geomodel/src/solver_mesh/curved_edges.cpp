@@ -47,7 +47,7 @@ struct Plane {
 struct EdgeOnSurfaces {
   VertexIndex a, b;
   std::vector<std::int32_t> surfaces;  ///< ids of the surfaces at the edge without sides of the model, ascending
-  /// coordinates of the midpoint that are fixed by a side of the model along the axes
+  /// Coordinates of the midpoint that are fixed by a side of the model along the axes.
   std::array<bool, 3> fixed{false, false, false};
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;

@@ -63,7 +63,7 @@ class AcrossFaces {
  private:
   struct Use {
     Triangle vertices;
-    /// number of the face: four times the tetrahedron plus 0 to 3; meshes have fewer than 2^30 cells
+    /// Number of the face: four times the tetrahedron plus 0 to 3; meshes have fewer than 2^30 cells.
     std::uint32_t code;
   };
   template <class F>

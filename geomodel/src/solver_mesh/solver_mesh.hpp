@@ -55,7 +55,7 @@ struct CellGroup {
 
 struct SolverMesh {
   const ModelMesh* source;
-  /// all blocks of cells: solids (regions by id, then cohesive layers), faces, edges, points
+  /// All blocks of cells: solids (regions by id, then cohesive layers), faces, edges, points.
   std::vector<CellBlock> blocks;
   /// The groups that the options request: whole surfaces and curves, their pieces, or both. Two groups may share
   /// blocks.

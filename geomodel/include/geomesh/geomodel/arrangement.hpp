@@ -64,7 +64,7 @@ struct PolygonSoup {
 
 /// A place where the arrangement found or changed something. Messages, the report and a VTP file list these places.
 struct Spot {
-  /// kind of finding: "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged",
+  /// Kind of finding: "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged",
   /// ...
   std::string what;
   Index surface_a = no_index, surface_b = no_index;

@@ -102,7 +102,7 @@ struct NamingRules {
   /// requested.
   double min_volume = 0;
   bool merge_small = false;
-  /// lists of units, bodies or regions by the name of their group
+  /// Lists of units, bodies or regions by the name of their group.
   std::map<std::string, std::vector<std::string>> groups{};
   /// Attribute values, by the name of the unit or region and then by the name of the attribute.
   std::map<std::string, std::map<std::string, double>> attributes{};

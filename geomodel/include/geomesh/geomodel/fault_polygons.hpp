@@ -20,7 +20,7 @@ FileContents read_fault_polygons(const std::filesystem::path& file);
 
 /// Result of cutting a horizon at its fault polygons.
 struct PolygonCut {
-  /// names of the faults that pass through a fault polygon, in the order of the surfaces
+  /// Names of the faults that pass through a fault polygon, in the order of the surfaces.
   std::vector<std::string> faults;
   std::size_t n_nodes = 0, n_triangles = 0;
   std::vector<std::string> notes, warnings;

@@ -27,7 +27,7 @@ struct FormatHolds {
 
 struct Format {
   std::string name;  ///< in `output.formats`
-  /// file extensions of the format, with the dot; files are written with the first one
+  /// File extensions of the format, with the dot; files are written with the first one.
   std::vector<std::string> extensions;
   std::string what;  ///< description of the format in a few words
   FormatHolds holds;

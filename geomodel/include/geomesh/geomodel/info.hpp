@@ -30,7 +30,7 @@ struct SurfaceInfo {
   std::size_t n_holes = 0;               ///< number of borders except for the longest border of each piece
   bool closed = false;  ///< whether the surface has no border: every edge has an even number of triangles
   double volume = 0;    ///< enclosed volume, if the surface is closed and consistently oriented
-  /// a place on a border of the surface, and a place on an edge with more than two triangles
+  /// A place on a border of the surface, and a place on an edge with more than two triangles.
   Vec3 border_place, non_manifold_place;
 };
 SurfaceInfo measure_surface(const TriangulatedSurface& surface);

@@ -22,7 +22,7 @@ struct Region {
   std::size_t n_tetrahedra = 0;
   double volume = 0;   ///< volume in m3, summed without cancellation
   std::string unit{};  ///< name of the region without suffixes: a unit of the column, a body ...
-  /// volume of the region before surfaces were moved within the tolerance; 0 if none was moved
+  /// Volume of the region before surfaces were moved within the tolerance; 0 if none was moved.
   double volume_of_input = 0;
 };
 
@@ -42,7 +42,7 @@ struct CellArray {
 /// A value for each point: a point array of the VTU.
 struct PointArray {
   std::string name;
-  /// value for each row of ModelMesh::points, followed by those of the midpoints if the mesh has any
+  /// Value for each row of ModelMesh::points, followed by those of the midpoints if the mesh has any.
   std::vector<double> values;
   std::string unit{};
 };
@@ -111,7 +111,7 @@ struct NodeSet {
 struct OpenBorders {
   std::string horizon;
   std::string region;  ///< name of the region; empty if the border lies outside all regions
-  /// whether the gap beyond the border joins the units on both sides of the horizon to one region
+  /// Whether the gap beyond the border joins the units on both sides of the horizon to one region.
   bool joins_units = false;
   bool are_holes = false;
   std::size_t count = 0;

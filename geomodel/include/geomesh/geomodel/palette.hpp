@@ -39,7 +39,7 @@ std::string unit_of_part(const std::string& name);
 /// same colours.
 class Palette {
  public:
-  /// kind of object that gets colours: surfaces are darker than the units beside them
+  /// Kind of object that gets colours: surfaces are darker than the units beside them.
   enum class Of { units, surfaces };
   explicit Palette(Of of, GivenColours given = {});
 

@@ -24,9 +24,9 @@ namespace geomesh::geomodel {
 struct JobResult {
   std::vector<std::filesystem::path> files;  ///< paths of the written files in order; the report is the last one
   std::vector<std::string> warnings;
-  /// about ten lines on the mesh for a person: counts, units with volumes, and the verdict
+  /// About ten lines on the mesh for a person: counts, units with volumes, and the verdict.
   std::vector<std::string> summary;
-  /// further lines on the mesh: every region, element shapes, and what would make solvers fail
+  /// Further lines on the mesh: every region, element shapes, and what would make solvers fail.
   std::vector<std::string> details;
   ModelMesh mesh;           ///< the verified mesh, for runs of `project` and `mesh` that reached the end
   std::string report_json;  ///< the report as text, for runs of `project` and `mesh` that reached the end

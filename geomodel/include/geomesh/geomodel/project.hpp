@@ -57,7 +57,7 @@ struct SurfaceSpec {
   /// One or several scalar fields, each with its own domain, of which the surface is a level set; used instead of a
   /// file.
   std::vector<LevelSetSpec> level_sets;
-  /// whether the surface cuts all other surfaces inside it (`cuts: all`); true by default for bodies
+  /// Whether the surface cuts all other surfaces inside it (`cuts: all`); true by default for bodies.
   bool cuts_all = false;
   SourceSpec source;
   GriddingSpec gridding;  ///< how a surface is interpolated from points
@@ -66,7 +66,7 @@ struct SurfaceSpec {
   FaultPolygonsSpec fault_polygons;
   /// Name of the horizon from which this one is computed, by subtracting `thickness` or the thicknesses in the file.
   std::string below;
-  /// value of the key `thickness` if it is a number; if empty, the file holds the thicknesses
+  /// Value of the key `thickness` if it is a number; if empty, the file holds the thicknesses.
   std::optional<double> below_by;
   ExtrudeSpec extrude;
   SurfaceRules rules;  ///< the keys `extend`, `fill_holes`, `extent` and `base`
@@ -83,7 +83,7 @@ struct WellSpec {
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< as of surfaces
   SourceSpec source;
-  /// point of the well at which measured depth is zero, in the coordinates of the well's file
+  /// Point of the well at which measured depth is zero, in the coordinates of the well's file.
   std::optional<Vec3> head;
   int line = 0;
 };

@@ -23,7 +23,7 @@ FileContents read_surface_file(const std::filesystem::path& path, const ReadOpti
 /// Options for reading a well whose file may be a table.
 struct WellReading {
   ReadOptions options;
-  /// point of the well at which measured depth is zero, in the coordinate system of the file
+  /// Point of the well at which measured depth is zero, in the coordinate system of the file.
   std::optional<Vec3> head;
   bool head_is_depth = false;  ///< whether z of the well head counts downwards
   double metres = 1;           ///< metres per unit of the coordinates of the well head

@@ -38,9 +38,9 @@ struct SettledHorizon {
   std::size_t n_triangles_given = 0, n_triangles = 0;
   double area = 0;
   double area_merged = 0;  ///< area where the horizon coincides with a neighbouring horizon
-  /// area where the horizon's input lies above the topography, so that it is cut off
+  /// Area where the horizon's input lies above the topography, so that it is cut off.
   double area_above_topography = 0;
-  /// remaining area where the horizon is farther from its input than the share of the tolerance
+  /// Remaining area where the horizon is farther from its input than the share of the tolerance.
   double area_moved = 0;
   /// Largest and mean distance by which the horizon was moved, over the area where it was moved.
   double largest_move = 0, mean_move = 0;

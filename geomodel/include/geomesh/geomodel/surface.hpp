@@ -95,7 +95,7 @@ struct FileContents {
   std::vector<PointSet> point_sets;
   std::vector<RegionHint> regions;
   std::vector<GridSummary> grids;  ///< descriptions of the surfaces that were grids
-  /// names of the properties of points or triangles that the file holds; they are ignored
+  /// Names of the properties of points or triangles that the file holds; they are ignored.
   std::vector<std::string> arrays;
   /// Notes on how the file was interpreted (z negated because it is depth, unit ft, ...).
   std::vector<std::string> notes;

@@ -52,7 +52,7 @@ struct WriteOptions {
   bool curves = true;       ///< whether curves and named points are written
   ElementOrder order = ElementOrder::first;
   std::string region_array = "region";  ///< for VTU: name of the first cell array, which holds the region ids
-  /// for VTU: whether faces and curves are 2D and 1D cells of the same grid as the tetrahedra
+  /// For VTU: whether faces and curves are 2D and 1D cells of the same grid as the tetrahedra.
   bool single_grid = false;
   bool node_arrays = false;  ///< for VTU: whether each surface and curve gets a point array of 0 and 1
   Compression compression = Compression::fast;

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 /// Names under which an output file is composed and finally stored.
 struct OutputTarget {
-  /// the file that will hold the content; for a symbolic link, the file to which it points
+  /// The file that will hold the content; for a symbolic link, the file to which it points.
   std::filesystem::path file;
   std::filesystem::path
       temporary;  ///< name of the file while it is written, unique to this process; `file` itself for devices and pipes

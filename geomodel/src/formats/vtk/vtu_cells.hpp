@@ -39,7 +39,7 @@ class VtuLayout {
   std::uint8_t type(std::size_t cell) const;
   std::int64_t end_of(std::size_t cell) const;  ///< VTK offset of a cell, which is the end of its nodes
   VertexIndex node(std::size_t entry) const;    ///< number in the file of an entry in the cells' list of nodes
-  /// id of the region, cohesive layer, surface, curve or point to which a cell belongs
+  /// Id of the region, cohesive layer, surface, curve or point to which a cell belongs.
   std::int32_t id(std::size_t cell) const;
 
  private:

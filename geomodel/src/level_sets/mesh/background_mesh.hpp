@@ -22,7 +22,7 @@ class BackgroundMesh {
   struct Cell {
     std::array<VertexIndex, 4> v;
     std::uint8_t tag;  ///< number of the corner at the other end of the refinement edge, which begins at v[0]
-    /// set by the refinement algorithm for cells that need no refinement; false for new cells
+    /// Set by the refinement algorithm for cells that need no refinement; false for new cells.
     bool is_settled = false;
   };
 

@@ -79,7 +79,7 @@ class Walk {
   /// Returns the path of the group that is being read, with a slash at its end; "" for the root.
   std::string path() const { return above_.size() < 2 ? "" : above_.back().first + "/"; }
 
-  /// names and addresses of the groups from the root to the one that is being read
+  /// Names and addresses of the groups from the root to the one that is being read.
   std::vector<std::pair<std::string, haddr_t>> above_;
   std::uintmax_t bytes_, n_visits_ = 0;
 };

@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 /// A variable with two dimensions, and the positions of its nodes.
 struct NetcdfGrid {
   std::string name;  ///< name of the variable with its groups: "group/variable"
-  /// numbers of the file after scale_factor and add_offset are applied; z is NaN if a node has no value
+  /// Numbers of the file after scale_factor and add_offset are applied; z is NaN if a node has no value.
   NodeLattice lattice;
   std::string z_name;           ///< standard_name or long_name of the heights, else the variable's own name
   std::string z_unit, xy_unit;  ///< units of heights and positions as written; empty if the file names none

@@ -268,7 +268,7 @@ std::vector<Vec3> path_of_survey(const std::vector<SurveyStation>& stations, dou
     const double length = stations[k].md - stations[k - 1].md;
     const Vec3 normal = cross(from, to);
     const double turn = std::atan2(std::sqrt(dot(normal, normal)), dot(from, to));  // also near 0
-    // turning angle in radians below which an arc is straight: it bulges by about 1e-8 of its length
+    // Turning angle in radians below which an arc is straight: it bulges by about 1e-8 of its length.
     constexpr double straight = 1e-7;
     if (turn < straight) {
       path.push_back(start + length * from);
