@@ -182,8 +182,7 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
     warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") +
                        "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
   }
-  // The reader has converted coordinates according to the file's own units; these factors complete the conversion to
-  // metres with elevation up.
+  // The reader has applied the file's own units; `scale` completes the conversion to metres with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
   if (is_geographic(from)) scale.xy = 1;
   if (depth != contents.frame.depth) scale.z = -scale.z;

@@ -20,7 +20,7 @@ struct SourceInput {
   FileContents* contents;
 };
 
-/// The coordinate frame in which a model is computed: coordinate system, unit and origin of the project, with elevation
+/// The coordinate frame in which a model is computed: the project's coordinate system, unit and origin, with elevation
 /// up.
 class ModelFrame {
  public:

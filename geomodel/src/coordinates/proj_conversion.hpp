@@ -23,9 +23,8 @@ class ProjConversion {
   ~ProjConversion();
   ProjConversion(ProjConversion&&) noexcept;
 
-  /// Converts a point from the first system to the second. Coordinates are in metres, or degrees of longitude and
-  /// latitude, with x east and y north whatever the register says. Throws Error{invalid_input} if PROJ cannot convert
-  /// the point.
+  /// Converts a point from the first system to the second. Coordinates are in metres or degrees, with x east and y
+  /// north whatever the register says. Throws Error{invalid_input} if PROJ cannot convert the point.
   Vec2 convert(const Vec2& p) const;
   /// Returns the text "; datum shift from A to B by PROJ", or an empty text if both systems have the same datum.
   const std::string& datum_shift() const { return datum_shift_; }

@@ -282,8 +282,7 @@ void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyli
   }
 }
 
-/// Returns the well tops of the table that are on a well and belong to a horizon of the project, in the order of the
-/// table.
+/// Returns the well tops of the table, in its order, that are on a well and belong to a horizon of the project.
 std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs) {
   std::vector<FittedTop> tops;
   std::map<std::string, std::size_t> unknown;
@@ -344,8 +343,7 @@ void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool
   }
 }
 
-/// Removes from each horizon the parts inside its fault polygons. `read` reads the polygons and converts them to the
-/// frame.
+/// Removes from each horizon the parts inside its fault polygons. `read` reads and converts the polygons.
 template <class Read>
 void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   inputs.faults_of_polygons.resize(project.surfaces.size());

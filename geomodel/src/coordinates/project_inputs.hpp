@@ -18,8 +18,7 @@
 
 namespace geomesh::geomodel {
 
-/// Everything that a project reads from files. All coordinates are in the frame of the model, with the origin
-/// subtracted.
+/// Everything that a project reads from files. Coordinates are in the frame of the model, minus its origin.
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
@@ -38,11 +37,9 @@ struct ProjectInputs {
   PointsOfHorizons gridded{};
   std::vector<ToleranceUse> uses{};  ///< distances of surfaces from the data from which they were made
 
-  /// Adds the faults that pass through a horizon's fault polygons to throw_at, for horizons without a list of their
-  /// own.
+  /// Adds the faults that pass through a horizon's fault polygons to its throw_at, if the project gives no list.
   void add_throws(ModelRules& rules) const;
-  /// Completes SurfaceRules::field_parts with the triangles of each field and the doubts about them, and converts its
-  /// places to the frame.
+  /// Completes SurfaceRules::field_parts with the triangles and doubts of each field, and converts its places.
   void complete_field_parts(ModelRules& rules) const;
 };
 

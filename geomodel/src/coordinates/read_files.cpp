@@ -61,8 +61,7 @@ FileContents contents_of(const SurfaceSpec& spec, SharedFiles& files) {
   return spec.extrude.axis < 0 ? files.contents_of(spec) : read_section(spec.file, spec.extrude);
 }
 
-/// Returns the settings with which the coordinates in a surface's file are interpreted. Thicknesses count upwards from
-/// zero.
+/// Returns the settings with which coordinates in a surface's file are interpreted. Thicknesses count up from zero.
 const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
   if (spec.below.empty()) return &spec.source;
   files.of_thicknesses.push_back(spec.source);

@@ -72,8 +72,7 @@ class ZoneOpener {
 
  private:
   /// Moves the midpoints of curved edges with the walls. Edges with both ends on walls become straight, like those of
-  /// the elements between the walls. The midpoint of any other curved edge moves by the mean of the movements of its
-  /// ends.
+  /// the elements between the walls. The midpoint of any other curved edge moves by the mean of its ends' movements.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {

@@ -13,13 +13,11 @@
 
 namespace geomesh::geomodel {
 
-/// A column of nodes across a fault zone, between two nodes on the sides of the fault; a single node where the fault
-/// ends.
+/// A column of nodes across a fault zone, between two nodes on the sides of the fault; one node where the fault ends.
 struct ZoneColumn {
   VertexIndex minus, plus;
   std::size_t zone;  ///< row of the first zone that contains the column
-  /// Nodes of the column from the minus to the plus side, one more than there are layers; only one if both sides share
-  /// the node.
+  /// Nodes of the column from the minus to the plus side, one more than layers; only one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };
@@ -38,8 +36,8 @@ struct ZoneColumns {
 };
 
 /// Finds the columns of fault zones in a mesh that was split along the faults. Throws Error{cannot_mesh} if more than
-/// two sides meet in a node, if zones of different thickness or number of layers share a node, or if a fault has only
-/// one side.
+/// two sides meet in a node, if zones of different thickness or number of layers share a node, or if a fault is
+/// one-sided.
 ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
 
 /// Adds the nodes between the two ends of each column, evenly on the straight line. Precondition: the ends were moved

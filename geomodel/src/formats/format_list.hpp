@@ -39,8 +39,7 @@ Format stl_format();                // surfaces/stl.cpp
 Format seissol_format();            // modules/at_need.cpp
 Format vtkhdf_format();             // modules/at_need.cpp
 
-/// All mesh formats in the order of the documents. Formats in modules are listed whether or not the module is
-/// available.
+/// All mesh formats in the order of the documents. Formats in modules are listed even if the module is missing.
 inline constexpr Format (*listed_formats[])() = {
     vtu_format,      gmsh41_format, gmsh41_binary_format, gmsh22_format,       gmsh22_binary_format,
     abaqus_format,   exodus_format, med_format,           xdmf_format,         ogs_format,

@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 /// kept. Precondition: no midpoints. Throws Error{usage} if no face is on a fault. O(points + faces + curves).
 ModelMesh fractures_alone(const ModelMesh& mesh);
 
-/// Returns the reason why a file of this format cannot contain fractures without tetrahedra under these options; empty
-/// if it can.
+/// Returns why a file of this format cannot hold fractures without tetrahedra under these options; empty if it can.
 std::string against_fractures_alone(const Format& format, const WriteOptions& options);
 
 }  // namespace geomesh::geomodel

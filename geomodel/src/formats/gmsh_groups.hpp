@@ -63,8 +63,7 @@ struct GmshGroups {
 GmshGroups gmsh_groups(const SolverMesh& mesh, const WriteOptions& options);
 
 int gmsh_type(const SolverMesh& mesh, CellShape shape);
-/// Returns node `i` of a cell in Gmsh's order, in which the last two midpoints of a tetrahedron are exchanged compared
-/// with VTK's.
+/// Returns node `i` of a cell in Gmsh's order: compared with VTK's, a tetrahedron's last two midpoints are exchanged.
 std::size_t gmsh_node(const CellBlock& block, std::size_t i);
 
 /// Writes the arrays of a mesh: cell arrays as $ElementData (with NaN for elements that are not tetrahedra, because a

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes an MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements are surface ids
 // (inner faces are boundary elements too); names are in a JSON file beside the mesh. If only fractures are written, the
-// elements are triangles in space, and the boundary consists of the edges on curves. Source: "Mesh Formats" of MFEM
-// 4.7.
+// elements are triangles in space, and edges on curves are the boundary. Source: "Mesh Formats" of MFEM 4.7.
 #include <algorithm>
 
 #include "formats/format_list.hpp"

@@ -28,8 +28,7 @@ struct FoamFace {
 };
 
 /// All faces in OpenFOAM's order: inner faces by owner, then by neighbour; boundary faces by label, then by owner.
-/// Inner faces are computed whenever they are needed, because storing all of them would take twice the memory of the
-/// mesh.
+/// Inner faces are computed whenever they are needed, because all of them would take twice the memory of the mesh.
 class FoamFaces {
  public:
   explicit FoamFaces(const SolverMesh& mesh) : tetrahedra_(mesh.source->tetrahedra) {

@@ -40,8 +40,7 @@ std::string rock_name(std::int32_t region) {
   return text;
 }
 
-/// A number or text in a TOUGH column of ten characters. A number has as many digits as fit; a text that is too long is
-/// truncated.
+/// A number or text in a TOUGH column of ten characters. A number has as many digits as fit; a long text is cut.
 class Ten {
  public:
   explicit Ten(double value) {
@@ -78,8 +77,8 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
   for (const auto& c : grid.connections) {
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
-    // A connection has direction 1. Its last number is the cosine between gravity and the line from the first element
-    // to the second.
+    // A connection has direction 1; its last number is the cosine between gravity and the line from first to second
+    // element.
     const Ten half(length / 2);
     out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << Ten(c.area)
         << Ten(-along.z / length) << "\n";

@@ -17,8 +17,7 @@ struct NetworkCrossings {
 
 /// Estimates how many pairs of fractures cross and how many points three fractures share. At most 200 of the fractures,
 /// and at most 200 of the lines in which they cross others, are compared with all fractures, in O(fractures). If there
-/// are no more, the numbers are exact, provided that the fractures are convex. Precondition: the surfaces are plane
-/// polygons.
+/// are no more, the numbers are exact, provided that the fractures are convex. Precondition: they are plane polygons.
 NetworkCrossings estimate_crossings(const std::vector<const TriangulatedSurface*>& fractures, const Box3& bounds);
 
 /// Throws Error{cannot_mesh} if the crossings alone require more elements than settings.max_elements. Many planes

@@ -10,8 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Largest distance of a polygon's corners from one plane, as a share of its size: files round their numbers to about
-/// five digits.
+/// Largest distance of a polygon's corners from one plane, as a share of its size: files round to about five digits.
 inline constexpr double plane_share = 1e-3;
 
 struct Fracture {
@@ -20,8 +19,8 @@ struct Fracture {
   std::size_t line = 0;       ///< number of the fracture's line in the file; 0: none
 };
 
-/// A fracture in the shape of an ellipse or disc, with the half lengths `major` along its own x axis and `minor` along
-/// its own y axis.
+/// A fracture in the shape of an ellipse or disc, with the half axes `major` (its own x axis) and `minor` (its own y
+/// axis).
 struct Ellipse {
   Vec3 center;
   double major = 0, minor = 0;

@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns whether a file holds surfaces or lines, according to its extension. Text with numbers is always a table of
-/// fractures.
+/// Returns whether a file has surfaces or lines, according to its extension. Text files are tables of fractures.
 bool is_file_of_surfaces(const std::filesystem::path& path);
 
 /// Reads the fractures of a file: one for each connected surface, which its border defines, and one for each closed

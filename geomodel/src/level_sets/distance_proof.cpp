@@ -14,9 +14,8 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Number of times that a triangle is divided into four before its distance counts as not proven. A smaller number
-/// costs more cells of the background mesh, and a larger one more time for the proof; the result is not affected
-/// otherwise.
+/// Number of times that a triangle is divided into four before its distance counts as not proven. Fewer divisions cost
+/// more cells of the background mesh, and more divisions more time; the result is not affected otherwise.
 constexpr int most_divisions = 4;
 constexpr std::size_t n_samples_of_surface = 20'000;
 

@@ -52,8 +52,8 @@ std::vector<Group> group_by_field(const Project& project) {
   return groups;
 }
 
-/// Returns the bounds of the project's box in the coordinates of the project file; nothing if the box is derived from
-/// the surfaces.
+/// Returns the bounds of the project's box in the coordinates of the project file; nothing if it is derived from the
+/// surfaces.
 std::optional<Box3> bounds_of_volume(const Project& project) {
   if (!project.box) return std::nullopt;
   const VolumeSpec& volume = *project.box;

@@ -16,8 +16,7 @@ struct SheetTopology {
   Vec3 bad_place;                  ///< of the first
 };
 
-/// Counts the components and borders of a surface in O(n log n). Vertices are identified by their rows, not by their
-/// coordinates.
+/// Counts the components and borders of a surface in O(n log n). Vertices are identified by rows, not coordinates.
 SheetTopology topology_of(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

@@ -199,8 +199,7 @@ class AbaqusReader {
     std::sort(numbers.begin(), numbers.end());
     for (const std::size_t number : numbers) add_to_set(number, false);
   }
-  /// Keeps each item of a set once. Sets that contain each other, or themselves, could otherwise let a short file fill
-  /// all memory.
+  /// Keeps each item of a set once. Otherwise a short file could fill all memory with sets that contain each other.
   void drop_repeated(std::size_t n_items) {
     std::vector<std::size_t>& rows = set_->rows;
     if (rows.size() <= n_items) return;

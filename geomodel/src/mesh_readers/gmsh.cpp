@@ -185,7 +185,7 @@ class GmshReader {
           for (std::size_t k = size(); k > 0; --k) integer();
       }
   }
-  /// Reads the Gmsh entities of one part, with the groups of their parent, and the entities with copies of other parts'
+  /// Reads the Gmsh entities of one part with the groups of their parents, and those with copies of other parts'
   /// elements.
   void read_partitioned_entities() {
     n_parts_ = std::max(n_parts_, static_cast<std::int32_t>(std::min<std::size_t>(size(), most_parts)));

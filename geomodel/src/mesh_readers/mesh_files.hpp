@@ -21,8 +21,7 @@ struct MeshFile {
   std::vector<Vec3> points;
   bool single_precision = false;  ///< whether the file has 32-bit coordinates
   std::vector<Tetrahedron> tetrahedra;
-  /// Six midpoint nodes for each tetrahedron (on the edges 01 12 20 03 13 23); empty if any tetrahedron has first
-  /// order.
+  /// Six midpoint nodes for each tetrahedron (edges 01 12 20 03 13 23); empty if any tetrahedron has first order.
   std::vector<VertexIndex> midpoints;
   std::vector<std::size_t> cell;   ///< number of each tetrahedron among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
@@ -88,8 +87,7 @@ MeshFile read_pvtu_mesh(const std::filesystem::path& path);
 FacesFile read_faces_file(const std::filesystem::path& path);
 CurvesFile read_curves_file(const std::filesystem::path& path);
 
-/// Faces and curves read from a .vtu with a single grid for all cells (`output.single_grid`), in the form of separate
-/// files.
+/// Faces and curves of a .vtu with a single grid for all cells (`output.single_grid`), in the form of separate files.
 struct SurfacesOfGrid {
   FacesFile faces;
   CurvesFile curves;

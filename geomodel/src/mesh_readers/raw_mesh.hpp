@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A mesh as contained in a file of any tool: cells of each dimension and named sets of cells, in the order of the
-/// file.
+/// A mesh as contained in a file of any tool: cells of each dimension and named sets, in the file's order.
 #pragma once
 
 #include <array>

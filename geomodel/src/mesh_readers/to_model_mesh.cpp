@@ -35,7 +35,7 @@ SurfaceKind surface_kind(const std::string& word) {
   return SurfaceKind::surface;
 }
 
-/// Returns the name of a surface without its side: `fault.minus`, `fault.plus` and `zmin.faces` are sides of one
+/// Returns the name of a surface without its side: `fault.minus` and `fault.plus`, for example, are sides of one
 /// surface.
 std::string without_side(const std::string& name) {
   for (const std::string_view side : {".minus", ".plus", ".faces"})
@@ -137,8 +137,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Returns the values of the point arrays at a midpoint node; nothing if all are the means of the values at the ends
-  /// of the edge.
+  /// Returns the values of the point arrays at a midpoint node; nothing if all are means of those at the edge's ends.
   std::vector<double> values_at(VertexIndex middle, VertexIndex first, VertexIndex second) const {
     std::vector<double> values;
     bool are_means = true;
@@ -287,8 +286,7 @@ class ModelMeshBuilder {
     next_id_ = static_cast<std::int32_t>(mesh_.regions.size() + 1);
   }
 
-  /// Adds each face once, with all surfaces on which it lies. Its normal points from the lower region id to the higher,
-  /// or outwards.
+  /// Adds each face once, with all its surfaces. Its normal points from the lower region id to the higher, or outwards.
   void add_faces() {
     std::map<Triangle, std::size_t> face_of;
     std::vector<std::vector<std::int32_t>> surfaces_of;

@@ -79,8 +79,7 @@ class MeshParts {
   std::int32_t owner_of_node(VertexIndex node) const { return parts_at(node).front(); }
 
   MeshPart part(std::int32_t number, Ghosts ghosts) const;
-  /// Returns the faces of a part that border other parts, sorted by the other part and then in an order that both parts
-  /// share.
+  /// Returns the faces of a part that border other parts, by other part and then in an order that both parts share.
   std::vector<BorderFace> border_faces(std::int32_t number) const;
 
  private:

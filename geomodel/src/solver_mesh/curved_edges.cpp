@@ -52,8 +52,7 @@ struct EdgeOnSurfaces {
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  /// Number of times that the distance of the midpoint from the straight edge was halved; with `stays`, the edge is
-  /// straight.
+  /// Number of times that the distance of the midpoint from the straight edge was halved; `stays`: it is straight.
   int halvings = 0;
   static constexpr int stays = 4;
 
@@ -242,8 +241,7 @@ class EdgeCurver {
     });
   }
 
-  /// Halves the curvature of the edges of elements whose Jacobian is not proven positive. Returns true if there were
-  /// any.
+  /// Halves the curvature of the edges of elements whose Jacobian is not proven positive. Returns true if any.
   bool straighten_unproven() {
     bool any = false;
     for (bool changed = true; changed;) {

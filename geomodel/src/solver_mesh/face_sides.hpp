@@ -18,8 +18,7 @@ struct TetrahedronSide {
 };
 inline constexpr std::size_t no_side = SIZE_MAX;
 
-/// Returns for each face the tetrahedron that its normal points away from, and the tetrahedron that its normal points
-/// to.
+/// Returns for each face the tetrahedron that its normal points away from, and the one that its normal points to.
 std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vector<Tetrahedron>& tetrahedra,
                                                                 const std::vector<Triangle>& faces);
 

@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 struct FacePiece {
   std::int32_t id;  ///< id of the surface if the surface has only this piece, else a new id
   std::int32_t surface_set, region_minus, region_plus;
-  /// Name of the piece: the names of its surfaces joined by `+`; if a surface has several pieces, followed by `/` and
-  /// the regions.
+  /// Names of the piece's surfaces joined by `+`; if a surface has several pieces, followed by `/` and the regions.
   std::string full_name;
   std::vector<std::size_t> faces;
 };

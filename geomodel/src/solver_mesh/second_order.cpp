@@ -21,8 +21,7 @@ struct Edge {
 };
 Edge edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// A number with a bound on its rounding error. Every operation adds half a unit in the last place of its result to the
-/// bound.
+/// A number with a bound on its rounding error. Every operation adds half an ulp of its result to the bound.
 struct Bounded {
   double value, error;
 };

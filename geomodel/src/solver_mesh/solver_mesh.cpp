@@ -122,8 +122,7 @@ class SolverMeshBuilder {
   static CellGroup group_of_block(const CellBlock& block, std::size_t row) {
     return {block.id, dimension_of(block.shape), block.full_name, {row}, block.members};
   }
-  /// Makes a group of blocks for each surface and each curve. A block of solids and a named point are groups by
-  /// themselves.
+  /// Makes a group of blocks for each surface and each curve. Each block of solids and each named point is a group.
   void group_wholes() {
     const bool pieces = options_.groups != GroupChoice::whole, wholes = options_.groups != GroupChoice::pieces;
     std::map<std::int32_t, std::vector<std::size_t>> of_member;

@@ -57,8 +57,7 @@ struct SolverMesh {
   const ModelMesh* source;
   /// All blocks of cells: solids (regions by id, then cohesive layers), faces, edges, points.
   std::vector<CellBlock> blocks;
-  /// The groups that the options request: whole surfaces and curves, their pieces, or both. Two groups may share
-  /// blocks.
+  /// Groups that the options request: whole surfaces and curves, their pieces, or both. Groups may share blocks.
   std::vector<CellGroup> groups;
   /// Groups for formats in which a cell has only one number, so that no two groups share a block. Faces on several
   /// surfaces form a group of their own, named `a+b`.

@@ -19,8 +19,7 @@ namespace geomesh::geomodel {
 /// NAME.layer. Throws Error{usage} if no inner face is on a surface of that name.
 ModelMesh split_along(const ModelMesh& mesh, const std::vector<std::string>& surfaces, bool cohesive);
 
-/// A split mesh and the original node of each of its nodes. Its tetrahedra are those of the original mesh; none was
-/// divided.
+/// A split mesh with the original node of each of its nodes. Its tetrahedra are those of the original mesh.
 struct SplitMesh {
   ModelMesh mesh;
   std::vector<VertexIndex> original;  ///< for each node of the split mesh: its row in the original mesh

@@ -53,8 +53,7 @@ void require_delaunay(const ModelMesh& mesh) {
   if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
 }
 
-/// Returns for each point the region with the largest share of the point's Voronoi cell; the first one if shares are
-/// equal.
+/// Returns for each point the region with the largest share of its Voronoi cell; the first one if shares are equal.
 std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
   constexpr std::int32_t none = 0, several = -1;
   std::vector<std::int32_t> largest(mesh.points.size(), none);

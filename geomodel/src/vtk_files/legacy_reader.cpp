@@ -18,8 +18,7 @@ class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
 
-  /// Reads a section of attributes after its keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other
-  /// keyword.
+  /// Reads attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
   bool take(const std::string& keyword) {
     if (keyword == "metadata") {
       skip_metadata();

@@ -28,8 +28,7 @@ class LegacyWords {
   std::string next_keyword() const;
   /// Returns the next name, in which characters encoded as %XX are decoded.
   std::string name();
-  /// Returns the next word as a count of items that take at least one bit each; throws if the file is too short for
-  /// them.
+  /// Returns the next word as a count of items that take at least one bit each; throws if the file is too short.
   std::size_t count(const char* what);
   /// Returns the next word as a type of numbers; texts and bits are types too.
   VtkType type();

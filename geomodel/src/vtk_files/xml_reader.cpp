@@ -208,8 +208,7 @@ class XmlReader {
   VtkData data_;
 };
 
-/// Returns the appended data of a VTK file, which follow the underscore in their element; base64 text ends with the
-/// element.
+/// Returns the appended data of a VTK file, which follow an underscore; base64 text ends with the element.
 XmlArrays::Appended appended_data(const InputFile& file, std::string_view element) {
   XmlArrays::Appended appended;
   if (element.empty()) return appended;

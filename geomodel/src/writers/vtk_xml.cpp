@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Number of bytes of a block before compression. It does not depend on the number of threads, so that the file does
-/// not either.
+/// Number of bytes of a block before compression. Like the file, it does not depend on the number of threads.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
 
 using Bytes = std::vector<std::byte>;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Writes VTK XML files (VTU, VTP, PVTU) without VTK: appended raw data, 64-bit headers, zlib in blocks that are
-/// compressed in parallel. No array of strings is written, because a widely used Python reader refuses files that have
-/// one.
+/// compressed in parallel. No array of strings is written, because a widely used Python reader refuses them.
 #pragma once
 
 #include <cstddef>
@@ -62,8 +61,7 @@ VtkArray vtk_array(std::string name, std::size_t n_values, F value, int componen
           }};
 }
 
-/// A field array: a few numbers about the whole file, written as text. Values of field arrays with the same name are
-/// concatenated.
+/// A field array: a few numbers about the whole file, written as text. Those with the same name are concatenated.
 struct VtkField {
   std::string name;
   std::vector<std::int32_t> values;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A set of files that are only valid together: if one of them cannot be written, those that were written before are
-/// removed.
+/// A set of files that are only valid together: if one of them cannot be written, those before it are removed.
 #pragma once
 
 #include <filesystem>

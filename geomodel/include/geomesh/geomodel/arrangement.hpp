@@ -64,8 +64,7 @@ struct PolygonSoup {
 
 /// A place where the arrangement found or changed something. Messages, the report and a VTP file list these places.
 struct Spot {
-  /// Kind of finding: "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", "merged",
-  /// ...
+  /// The finding: "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", ...
   std::string what;
   Index surface_a = no_index, surface_b = no_index;
   std::size_t count = 0;  ///< number of pairs of triangles, or of edges or other items, found at this place
@@ -84,8 +83,8 @@ std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vec
 
 struct ArrangementOptions {
   std::optional<Box3>
-      /// Box to which the n input surfaces are clipped. Its sides become surfaces n .. n+5 in the order xmin xmax ymin
-      /// ymax zmin zmax.
+      /// Box to which the n input surfaces are clipped. Its sides become surfaces n .. n+5 (xmin xmax ymin ymax zmin
+      /// zmax).
       box;
   /// Sides of a closed volume other than a box, to which the n input surfaces are clipped. They must be oriented
   /// outwards and free of crossings, and become surfaces n, n+1, ... in this order. Cannot be combined with a box.
@@ -135,8 +134,7 @@ struct ArrangementResult {
   } merging;
   /// For each input surface: area removed inside bodies that cut other surfaces, and area removed outside the box.
   std::vector<double> area_clipped_by_bodies, area_clipped_by_box;
-  /// For each input surface: area removed by rules, filled in by the caller of trim_soup; empty if no rule acts on the
-  /// soup.
+  /// For each input surface: area removed by rules, which the caller of trim_soup fills in; empty without such rules.
   std::vector<double> area_clipped_by_rules;
   std::vector<Spot> spots;
   std::vector<std::string> warnings;
@@ -161,8 +159,7 @@ struct SoupFault {
   std::vector<Index> facets;
   Vec3 place;
 };
-/// Checks the invariants of a PolygonSoup exactly, sharing no code with the arrangement. Collects at most `limit`
-/// faults.
+/// Checks the invariants of a PolygonSoup exactly, without code of the arrangement. Returns at most `limit` faults.
 std::vector<SoupFault> validate_soup(const PolygonSoup& soup, std::size_t limit = 100);
 
 }  // namespace geomesh::geomodel

@@ -28,8 +28,8 @@ struct CheckRequest {
   /// Input surfaces; each of their triangles must be covered by faces of the mesh.
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false;
-  /// Whether the mesh is also checked against the limits of solvers (solver_verdict.hpp), with the velocities of the
-  /// project.
+  /// Whether the mesh is also checked against the limits of solvers (solver_verdict.hpp), with the project's
+  /// velocities.
   bool solver = false;
   /// Largest distance by which rounding may have moved a mesh face off its input triangle, in the mesh's unit. A
   /// negative value stands for the default: 1024 ulps of the largest coordinate (features closer than that are merged
@@ -39,8 +39,7 @@ struct CheckRequest {
   /// project's `honour: tolerance`, else 0. If it is not 0, distances, topology and volumes are checked instead of
   /// coverage.
   double within = -1;
-  /// Whether the checker compares the names, curves and arrays of the mesh with the project; this needs a project and a
-  /// file of faces.
+  /// Whether names, curves and arrays are compared with the project, if there are a project and a file of faces.
   enum class Contract { checked, passed_over } contract = Contract::checked;
 };
 

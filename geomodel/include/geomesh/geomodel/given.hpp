@@ -30,7 +30,7 @@ inline std::string further_field(const std::string& name, std::size_t entry) {
 }
 
 /// Makes the input of a triangulated surface from arrays in memory. Throws Error{invalid_input} with the rows that are
-/// wrong: a coordinate that is not finite or a triangle with a point that does not exist. Also throws if there is no
+/// wrong: a coordinate that is not finite or a triangle with a point that does not exist. Also throws if it has no
 /// triangle.
 FileContents given_surface(std::string name, std::vector<Vec3> points, std::vector<Triangle> triangles);
 
@@ -50,8 +50,7 @@ struct GivenGrid {
   double rotation = 0;  ///< rotation of the grid about its origin in degrees, counter-clockwise
 };
 /// Makes a surface with two triangles for each cell of a grid, as the readers of grid files do. Throws
-/// Error{invalid_input} if no cell has values at all of its nodes, or if the number of heights is not that of the
-/// nodes.
+/// Error{invalid_input} if no cell has values at all of its nodes, or if heights and nodes differ in number.
 FileContents given_grid(std::string name, const GivenGrid& grid);
 
 /// A project that a program holds in memory.

@@ -122,8 +122,7 @@ struct OpenBorders {
 /// Mesh with named regions, surfaces and curves, as plain data.
 ///
 /// Invariants (validate_model_mesh): every tetrahedron is positive and belongs to a named region; no unused point; no
-/// two equal points; no face listed twice; region_minus / region_plus agree with the tetrahedra at the face; ids
-/// disjoint.
+/// two equal points; no duplicate face; region_minus / region_plus agree with the tetrahedra at the face; ids disjoint.
 struct ModelMesh {
   std::string name;
   std::vector<Vec3> points;  ///< coordinates of the points as they are written to files

@@ -105,7 +105,7 @@ struct SurfaceRules {
   bool fills_blocks() const { return throw_auto && throw_at.empty(); }
   bool has_throw() const { return throw_auto || throw_at_polygons || !throw_at.empty(); }
   /// For horizons with throw_at: whether the throw is restored where the horizon crosses a fault as a smooth ramp. If
-  /// false, the ramp remains.
+  /// not, the ramp remains.
   bool cut_smeared = true;
 };
 
@@ -139,7 +139,7 @@ struct ModelRules {
   double min_thickness = 0;  ///< least thickness of layers in m along the vertical; 0: no limit
   ThinLayers thin_layers = ThinLayers::keep;
   StackRules stack;
-  /// The project's `rules.continue_within` in m, which replaces the distances derived from the model; negative if not
+  /// The project's `rules.continue_within` in m, which replaces distances derived from the model; negative if not
   /// given.
   double continue_within = -1;
   ContinuationRules continuation;
@@ -163,11 +163,9 @@ struct BuiltRows {
       /// For each surface with throw_at, the number of the fault block of each triangle, from 0, or of_every_block or
       /// of_no_block. Empty for other surfaces.
       block_of_triangle;
-  /// For each surface, the rows of the faults that divide it into blocks: those faults of throw_at across which it does
-  /// not continue.
+  /// For each surface, the rows of the faults that divide it into blocks: those of throw_at across which it ends.
   std::vector<std::vector<Index>> parted_at;
-  /// For each surface and block, whether the block lies above each fault of parted_at. Empty for surfaces without
-  /// blocks.
+  /// For each surface and block, whether the block is above each fault of parted_at. Empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
   /// For each surface and block, whether the scalar field of the block is valid on both sides of each fault of
   /// parted_at. Empty for surfaces without fields that are restricted to certain sides of faults.

@@ -24,8 +24,7 @@ struct VolumeSpec {
   Box3 box;
   Vec3 margin;        ///< margin along the box's own x, y and z
   Vec2 center, size;  ///< in the map
-  /// Azimuth of the box's own y axis: its angle clockwise from north in degrees. For rotated boxes, with or without a
-  /// margin.
+  /// Azimuth of the box's own y axis: its angle clockwise from north in degrees. For rotated boxes, also with a margin.
   double azimuth = 0;
   std::vector<Vec2> polygon;
   /// Heights of the bottom and the top of the model volume, for all shapes but `box`.

@@ -27,16 +27,15 @@ std::string to_hex(const Colour& colour);
 /// Colours that a project assigns to names (key `colours`).
 using GivenColours = std::map<std::string, Colour>;
 
-/// Returns the colours in `input.colours` of a report in JSON; empty if the report has none or the text is not a
-/// report.
+/// Returns the colours in `input.colours` of a report in JSON; empty if there are none or the text is no report.
 GivenColours colours_of_report(std::string_view json);
 
-/// Returns the unit to which a part such as "sand__2" or "sand__B2" belongs, here "sand"; a name without suffix is
-/// returned unchanged.
+/// Returns the unit to which a part such as "sand__2" or "sand__B2" belongs, here "sand"; other names are returned
+/// unchanged.
 std::string unit_of_part(const std::string& name);
 
-/// Assigns colours to names in the order in which they are requested, so that the same list of names always gets the
-/// same colours.
+/// Assigns colours to names in the order in which they are requested, so that a list of names always gets the same
+/// colours.
 class Palette {
  public:
   /// Kind of object that gets colours: surfaces are darker than the units beside them.

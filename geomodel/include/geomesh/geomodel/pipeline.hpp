@@ -51,8 +51,7 @@ JobResult run_project(const ProjectRequest& request, const RunContext& context);
 
 struct MeshRequest {
   std::vector<std::filesystem::path> inputs;
-  /// Path of the output. For .vtu, all four files with its stem are written; for other known extensions, only this
-  /// file.
+  /// Path of the output. For .vtu, all four files with its stem are written; for other extensions, only this file.
   std::filesystem::path output;
   TetrahedralizeOptions options;
   RefinementSettings refinement;

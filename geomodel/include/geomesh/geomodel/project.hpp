@@ -28,8 +28,7 @@ namespace geomesh::geomodel {
 
 /// How the coordinates of one input are to be interpreted (docs/coordinates.md).
 struct SourceSpec {
-  /// Name of the object to read from the input file. If empty: the only object, or the one named like the surface or
-  /// well.
+  /// Name of the object to read from the file. If empty: the only object, or the one named like the surface or well.
   std::string object;
   /// Coordinate system of the input. If empty: that of the file, if it names a known one, else the project's.
   std::string crs;
@@ -94,8 +93,8 @@ struct CrsSpec {
   bool depth = false;
   std::string unit = "m";  ///< unit of the mesh and of all lengths in the project file
   std::string z_datum;     ///< name of the height system, which is only repeated in the report
-  /// Factor by which z is multiplied during meshing and divided afterwards. It is a power of two, so that no rounding
-  /// occurs.
+  /// Factor by which z is multiplied during meshing and divided afterwards. It is a power of two, which avoids
+  /// rounding.
   double z_scale = 1;
 };
 
@@ -120,11 +119,9 @@ struct Project {
   std::vector<WellSpec> wells;
   TopsSpec tops;
   std::vector<NamedPoint> points;
-  /// Stratigraphic column: alternating units and horizons (unit, horizon, ..., unit), youngest first. Empty if not
-  /// given.
+  /// Stratigraphic column: alternating units and horizons (unit, horizon, ..., unit), youngest first. May be empty.
   std::vector<std::string> column;
-  /// The keys `on_crossing` and `trim_overshoot` of `rules`; the surfaces, box and column of the rules come from other
-  /// keys.
+  /// The keys `on_crossing` and `trim_overshoot` of `rules`; surfaces, box and column come from other keys.
   ModelRules rules;
   NamingRules
       /// The keys that name regions: `regions`, `groups`, `attributes`, and `topography`, `fault_blocks`, `min_volume`,

@@ -15,13 +15,11 @@ struct ReadOptions {
     std::string meaning;
     std::string column;  ///< name of the table column in the header, or its number from 1
   };
-  /// Meaning of each column of a table; if empty, it is taken from the header, or the table has the three columns x, y,
-  /// z.
+  /// Meaning of each table column; if empty, it is taken from the header, or the table has the three columns x, y, z.
   std::vector<Column> columns;
   /// Key `no_data`: a height that means "no value", in addition to what the file declares.
   std::optional<double> no_data;
-  /// Set by `no_data: none`: only the value that the header declares means "no value"; no other value is recognised as
-  /// such.
+  /// Set by `no_data: none`: only the value that the header declares means "no value"; no other value does.
   bool keep_all_heights = false;
 };
 

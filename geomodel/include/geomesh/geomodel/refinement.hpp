@@ -26,7 +26,7 @@ struct NamedSizes {
   SizeOptions base;
   std::map<std::string, AskedSize> units;     ///< target sizes inside of units, bodies or regions, by name
   std::map<std::string, AskedSize> surfaces;  ///< target sizes on surfaces or sides of the box, by name
-  /// Target sizes on curves, by name of the curve, by well, or by kind: `wells`, `intersections`, `borders`,
+  /// Target sizes on curves, by name of the curve or well, or by kind: `wells`, `intersections`, `borders`,
   /// `fault_tips`.
   std::map<std::string, AskedSize> curves;
   std::vector<PlaceSize> near;
@@ -40,14 +40,13 @@ struct NamedSizes {
     double depth, size;
   };
   std::vector<DepthSize> by_depth;  ///< target sizes by depth below z = 0, ascending; interpolated linearly
-  /// File with target sizes at points, read into base.background before meshing (docs/meshing.md lists the formats);
-  /// empty: none.
+  /// File with target sizes at points, read into base.background before meshing (formats: docs/meshing.md); may be
+  /// empty.
   std::filesystem::path background;
 };
 
 struct RefinementSettings {
-  /// Whether the mesh is refined. If not, only the points needed to recover the facets are added, and other settings
-  /// are ignored.
+  /// Whether the mesh is refined. If not, points are added only to recover the facets, and other settings are ignored.
   bool refine = false;
   NamedSizes size;
   QualityLevel quality = QualityLevel::standard;
@@ -96,8 +95,7 @@ RefinementSettings preview_settings();
 /// mean_ratio, aspect.
 const std::vector<std::string>& known_cell_arrays();
 
-/// Describes in words any contradiction among the mesh settings, or between them and the recovery options; empty if
-/// there is none.
+/// Describes any contradiction among the mesh settings, or with the recovery options; empty if there is none.
 std::string contradiction(const RefinementSettings& settings, const RecoverOptions& recover);
 
 }  // namespace geomesh::geomodel

@@ -14,15 +14,13 @@ namespace geomesh::geomodel {
 inline constexpr double least_told_apart = 1e-9;
 
 /// Least thickness of a model, and of the scalar field of a surface, as a share of its longest edge. In a thinner
-/// model, a single layer of elements as wide as the model is thick would have more elements than a whole model usually
-/// has.
+/// model, a single layer of elements as wide as the model is thick has more elements than a whole model usually has.
 inline constexpr double least_thickness = 1e-5;
 
 /// Throws Error{usage}, with the key and a suggested value, if a setting of the mesh size is out of range. A size may
 /// not be longer than the longest edge of the model's bounding box, nor shorter than a millionth of it. A tolerance
 /// lies between a billionth and a tenth of the box's diagonal, and a gradation between a millionth and a million. The
-/// box may not be thinner than a hundred-thousandth of its longest edge. Sizes and tolerance are not checked if the box
-/// is empty.
+/// box may not be thinner than a hundred-thousandth of its longest edge. Nothing is compared with an empty box.
 void require_sizes_in_range(const RefinementSettings& settings, const Box3& bounds);
 
 /// Throws Error{cannot_mesh} if a mesh of the global target size needs more than settings.max_elements elements to fill

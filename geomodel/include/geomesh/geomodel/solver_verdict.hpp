@@ -18,9 +18,8 @@ namespace geomesh::geomodel {
 
 /// Limits beyond which an element makes a kind of solver fail or slow down.
 struct SolverLimits {
-  /// Volume divided by the cube of the longest edge. Least volume of an element relative to its longest edge: below
-  /// this value a solver that computes in doubles may find a Jacobian that is not positive, once coordinates have been
-  /// rounded.
+  /// Least volume of an element divided by the cube of its longest edge. Below this value a solver that computes in
+  /// doubles may find a Jacobian that is not positive, once coordinates have been rounded.
   double least_volume = 1e-10;
   /// Dihedral angles in degrees beyond which direct solvers lose digits.
   double least_implicit_angle = 1, most_implicit_angle = 179;
@@ -81,8 +80,7 @@ SolverVerdict judge_for_solvers(const MeshForSolver& mesh, const SolverLimits& l
 /// Name of the attribute that holds a unit's velocity of compressional waves, in the mesh's unit of length per second.
 inline constexpr const char* velocity_attribute = "vp";
 
-/// Returns the solver verdict as a JSON object for programs: the members of SolverVerdict under their own names, and
-/// `passes`.
+/// Returns the solver verdict as a JSON object: the members of SolverVerdict under their own names, and `passes`.
 std::string to_json(const SolverVerdict& verdict);
 /// Describes the solver verdict for a person, in lines that begin with the verdict.
 std::vector<std::string> to_lines(const SolverVerdict& verdict);

@@ -24,8 +24,7 @@ struct StackRules {
   bool outline_is_box = false;  ///< along the axes
 };
 
-/// Share of the tolerance that settling and simplification of the horizons may use; remeshing of the surfaces keeps
-/// within the rest.
+/// Share of the tolerance that settling and simplification of the horizons may use; remeshing uses the rest.
 inline constexpr double stack_share = 0.5;
 
 /// Largest distance of the surfaces of a settled stack from the input, as a share of the local target size. If a thin

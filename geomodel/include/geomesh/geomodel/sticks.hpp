@@ -23,8 +23,8 @@ struct SurfaceOfSticks {
 /// Interpolates a fault surface between sticks. Neighbouring sticks are joined by triangles, each time along the
 /// shorter diagonal; all points of the sticks are vertices. Sticks may run either way and come in any order: they are
 /// sorted along the direction in which their midpoints are most spread. Neighbours that are nowhere closer than
-/// `max_distance` are not joined; 0 means that all are. Throws Error{invalid_input} if there are fewer than two sticks
-/// of two points.
+/// `max_distance` are not joined; 0: all are. Throws Error{invalid_input} if there are fewer than two sticks of two
+/// points.
 SurfaceOfSticks surface_of_sticks(const std::vector<Polyline>& lines, double max_distance);
 
 /// Returns the name of a line without the number that readers append: "F1" for "F1__3", the third line of F1. Other

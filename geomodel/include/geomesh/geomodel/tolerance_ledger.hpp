@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Accounts for the tolerance of a run: how far surfaces of the mesh may be from the input, how far each stage has
-/// moved them, and what is left for the next stage. Stages record here what they use; the report and the checker read
-/// it.
+/// Accounts for the tolerance of a run: how far the mesh's surfaces may be from the input, how far each stage has moved
+/// them, and what is left for the next stage. Stages record here what they use; the report and the checker read it.
 #pragma once
 
 #include <optional>
@@ -37,8 +36,7 @@ class ToleranceLedger {
   ToleranceLedger() = default;
   /// Makes a record whose tolerance is the same length everywhere. Precondition: the length is above 0.
   static ToleranceLedger of_length(double length);
-  /// Makes a record whose tolerance is a share of the target size at each place. Its length is known after a call of
-  /// follow_size.
+  /// Makes a record whose tolerance is a share of the target size at each place. follow_size sets its length.
   static ToleranceLedger of_sizes(double share);
 
   bool follows_sizes() const { return share_ > 0; }
@@ -46,16 +44,14 @@ class ToleranceLedger {
   double requested() const { return left_ + taken_; }
   /// Returns the largest distance by which the stages that follow may move surfaces.
   double left() const { return left_; }
-  /// Returns the remaining tolerance as a share of the target size at each place; 0 if it is the same length
-  /// everywhere.
+  /// Returns the remaining tolerance as a share of the target size at each place; 0 if it is a constant length.
   double left_share() const { return share_; }
   /// Returns the largest possible distance between the input as built and the mesh: the requested tolerance, plus the
   /// movements that separate project keys allowed.
   double bound() const;
   const std::vector<ToleranceUse>& uses() const { return uses_; }
 
-  /// Sets the length of the tolerance where the target size is largest. Does nothing if the tolerance is a constant
-  /// length.
+  /// Sets the tolerance's length where the target size is largest. Does nothing if the tolerance is a constant length.
   void follow_size(double largest);
   /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);

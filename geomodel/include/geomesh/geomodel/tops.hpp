@@ -23,8 +23,7 @@ struct TopsSpec {
   std::filesystem::path file;  ///< empty: no tops
   std::string file_as_written;
   Depth depth = Depth::along;
-  /// Radius on the map within which a well top moves its horizon; 0: a fifth of the longer side of the horizon's
-  /// bounding box.
+  /// Radius on the map within which a well top moves its horizon; 0: a fifth of the horizon's longer extent.
   double reach = 0;
 };
 
@@ -61,8 +60,7 @@ std::optional<Vec3> place_on_path(const std::vector<Vec3>& path, double depth, b
 /// times triangles, and the cube of the number of tops.
 void fit_to_tops(TriangulatedSurface& horizon, std::span<FittedTop> tops, double reach);
 
-/// Returns the height of a place minus that of the nearest triangle above or below it; NaN if there is no such
-/// triangle.
+/// Returns the height of a place minus that of the nearest triangle above or below it; NaN if there is none.
 double misfit_of(const Vec3& place, std::span<const Vec3> points, std::span<const Triangle> triangles);
 
 }  // namespace geomesh::geomodel

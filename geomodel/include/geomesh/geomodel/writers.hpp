@@ -19,8 +19,7 @@ struct OutputTarget {
   bool is_direct() const { return temporary == file; }
 };
 
-/// Returns the names under which a file is composed and finally stored. Throws Error{usage} if the name is that of a
-/// folder.
+/// Returns the names under which a file is composed and finally stored. Throws Error{usage} if it is a folder.
 OutputTarget output_target(const std::filesystem::path& file);
 
 /// Throws Error{usage} if a file cannot be written because its name is that of a folder, or because its folder (or the
@@ -42,8 +41,7 @@ class FileBeingWritten {
   void* place_ = nullptr;
 };
 
-/// Removes the registered temporary files. A signal handler calls this before the process ends, so it neither allocates
-/// nor locks.
+/// Removes the registered temporary files. Signal handlers may call this function: it neither allocates nor locks.
 void remove_files_being_written() noexcept;
 
 /// Calls `write` with a temporary path and then renames the temporary file to `file`; removes it if `write` throws.

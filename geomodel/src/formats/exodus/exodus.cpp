@@ -61,7 +61,7 @@ class ExodusWriter {
     sidecar_.push_back({type, group.dimension, group.id, name, group.full_name, group.members});
     return name;
   }
-  /// Collects node sets and side sets. Each face is in a side set once, as a side of the element from which its normal
+  /// Collects node sets and side sets. A side set has each face once, as a side of the element from which the normal
   /// points away.
   void collect_sets() {
     SolverNames side_names(name_limit_exodus), node_names(name_limit_exodus);

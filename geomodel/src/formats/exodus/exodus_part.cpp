@@ -74,8 +74,7 @@ class NemesisWriter {
   void add_list(const std::string& name, const std::string& dimension, std::vector<int> list) {
     if (!list.empty()) file_.add_ints(name, dimension, std::move(list));
   }
-  /// Adds the lists of inner and border nodes and elements of a part; none of its nodes are external in the sense of
-  /// Nemesis.
+  /// Adds the lists of inner and border nodes and elements of a part; it has no external nodes in Nemesis' sense.
   void add_loads() {
     for (const auto& [name, list] : {std::pair{"num_int_elem", &inner_elements_},
                                      {"num_bor_elem", &border_elements_},

@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Number of the side of an Exodus tetrahedron opposite each vertex: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3
-/// 2).
+/// Side of an Exodus tetrahedron opposite each vertex: 1 = (1 2 4), 2 = (2 3 4), 3 = (1 4 3), 4 = (1 3 2).
 inline constexpr std::array<int, 4> exodus_side_opposite{2, 3, 1, 4};
 
 struct ExodusPart {

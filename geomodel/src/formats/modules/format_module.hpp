@@ -25,8 +25,7 @@ constexpr const char* format_module_function = "geomesh_format_module";
 
 }  // namespace geomesh::geomodel
 
-/// Defines the function geomesh_format_module() of a module. The build defines `GEOMESH_MODULE_VERSION` for its
-/// sources.
+/// Defines the function geomesh_format_module() of a module. Its build defines `GEOMESH_MODULE_VERSION`.
 #define GEOMESH_FORMAT_MODULE(write, read, write_part)                                                               \
   extern "C" __attribute__((visibility("default"))) const geomesh::geomodel::FormatModule* geomesh_format_module() { \
     static constexpr geomesh::geomodel::FormatModule module{GEOMESH_MODULE_VERSION, write, read, write_part};        \

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only if HDF5 is available): NAME.xdmf has
 // the cells with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. The
-// numbers of each .xdmf file are in an .h5 file of the same name. Each file has one grid, because meshio reads only
-// one.
+// numbers of each .xdmf file are in an .h5 file of the same name. A file has one grid, because meshio reads only one.
 #include <algorithm>
 #include <array>
 

@@ -9,8 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The points used by a set of cells, in the order of the mesh. The point array `mesh_point` has their rows in the
-/// mesh.
+/// The points used by a set of cells, in the order of the mesh. The array `mesh_point` has their rows in the mesh.
 class PointSubset {
  public:
   explicit PointSubset(const ModelMesh& mesh) : mesh_(&mesh), row_(mesh.points.size(), no_vertex) {}

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes two files beside NAME.vtu: NAME.faces.vtp with the constrained faces, and NAME.curves.vtp with curves and
-/// named points.
+/// Writes the constrained faces to NAME.faces.vtp, and curves and named points to NAME.curves.vtp.
 #pragma once
 
 #include <filesystem>

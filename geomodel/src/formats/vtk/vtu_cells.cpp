@@ -5,7 +5,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Order of the nodes of a VTK wedge. The first face of a wedge has its normal outwards, that of a prism in the mesh
+/// Order of the nodes of a VTK wedge. The normal of its first face points outwards, that of a prism in the mesh
 /// inwards.
 constexpr std::array<std::size_t, 6> vtk_wedge{0, 2, 1, 3, 5, 4};
 

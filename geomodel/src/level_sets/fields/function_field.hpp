@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// A scalar field defined by a function that is called only for places inside the box: places outside are moved to its
-/// border first.
+/// A scalar field defined by a function, which is called only inside the box: other places are moved to its border
+/// first.
 class FunctionField final : public ScalarField {
  public:
   FunctionField(std::shared_ptr<FieldFunction> function, const Box3& box, std::string surface);

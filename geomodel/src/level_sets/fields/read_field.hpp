@@ -26,8 +26,7 @@ using FieldOfFile = std::variant<GridField::Lattice, TetrahedralField>;
 /// value that is not finite, another kind of cell.
 FieldOfFile read_field_file(const LevelSetSpec& spec);
 
-/// Reads a three-dimensional variable of a netCDF or HDF5 file as a grid. Throws Error{invalid_input} if the file does
-/// not contain it.
+/// Reads a three-dimensional variable of a netCDF or HDF5 file as a grid. Throws Error{invalid_input} if there is none.
 GridField::Lattice read_netcdf_lattice(const LevelSetSpec& spec);
 
 /// Reads a NumPy array with three axes as a grid, with x varying fastest. Throws Error{invalid_input} if the file is

@@ -42,7 +42,7 @@ class ScalarField {
   /// Returns an interval that contains every value of the field in a box. Preconditions: has_bounds(), and the box lies
   /// in the domain of the field.
   virtual Range value_range(const Box3&) const { return {1, 0}; }
-  /// Returns an interval that contains every value in a box of the field minus `linear`, up to rounding. Precondition:
+  /// Returns an interval that contains all values in a box of the field minus `linear`, to rounding. Precondition:
   /// has_bounds().
   virtual Range residual_range(const Box3&, const LinearFunction&) const { return {1, 0}; }
 };

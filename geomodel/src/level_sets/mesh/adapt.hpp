@@ -20,8 +20,7 @@ struct AdaptLimits {
 };
 
 struct AdaptResult {
-  /// Bounding boxes of cells that reached the least edge length and in which an isosurface may still have several
-  /// parts.
+  /// Bounding boxes of cells of the least edge length in which an isosurface may still have several parts.
   std::vector<Box3> unresolved;
 };
 

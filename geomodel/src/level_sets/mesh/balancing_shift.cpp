@@ -26,8 +26,8 @@ double nearest_difference(const std::vector<double>& values, double at) {
   return nearest;
 }
 
-/// Sums over the triangles in the cells around a vertex: of their areas, and of area times isovalue minus mean field
-/// value.
+/// Sums over the triangles in the cells around a vertex: of their areas, and of area times (isovalue - mean field
+/// value).
 struct Mean {
   double sum = 0, area = 0;
 };

@@ -15,8 +15,7 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr int most_secant_steps = 12;
 constexpr int most_steps = most_secant_steps + 54;
 
-/// The interval [low, high], as fractions of a segment, in which the sign of f changes; f is the field minus the
-/// isovalue.
+/// Interval [low, high], in fractions of a segment, in which the sign of f, the field minus the isovalue, changes.
 struct Search {
   std::size_t row;
   double low = 0, high = 1, f_low, f_high;

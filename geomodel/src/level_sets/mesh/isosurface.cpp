@@ -100,8 +100,7 @@ class Marcher {
     }
   }
 
-  /// Removes pairs of triangles with the same corners. They enclose no volume: the field only touches the isovalue
-  /// there.
+  /// Removes pairs of triangles with the same corners. They enclose no volume, as the field only touches the isovalue.
   void drop_duplicates() {
     std::vector<std::pair<Triangle, std::size_t>> sorted;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {

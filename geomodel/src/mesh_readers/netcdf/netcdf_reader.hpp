@@ -15,8 +15,8 @@ namespace geomesh::geomodel {
 /// the file can contain.
 class NetcdfReader {
  public:
-  /// Opens a netCDF file: classic, with 64-bit offsets, with 64-bit data, or netCDF-4. Throws Error{usage} if it cannot
-  /// be opened.
+  /// Opens a netCDF file: classic, with 64-bit offsets or data, or netCDF-4. Throws Error{usage} if it cannot be
+  /// opened.
   explicit NetcdfReader(const std::filesystem::path& path);
   ~NetcdfReader();
   NetcdfReader(const NetcdfReader&) = delete;

@@ -69,8 +69,7 @@ class PlaceMerger {
     return rows_[v] = entry->second;
   }
 
-  /// Returns the bits of the coordinates of a point, with which any numbers can be compared; both zeros have the same
-  /// bits.
+  /// Returns the bits of a point's coordinates, by which any numbers can be compared; both zeros have the same bits.
   static std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
     return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
             std::bit_cast<std::uint64_t>(p.z + 0.0)};

@@ -10,8 +10,7 @@
 namespace geomesh::geomodel::checking {
 
 /// Concatenates the tetrahedra of the pieces, without those that are ghosts (cell array `vtkGhostType`). Points with
-/// equal coordinates, to the last bit, are merged. Midpoints and arrays that not all pieces have are left out. O(n log
-/// n).
+/// exactly equal coordinates are merged. Midpoints and arrays that not all pieces have are left out. O(n log n).
 MeshFile merged_by_place(std::vector<MeshFile> pieces);
 
 }  // namespace geomesh::geomodel::checking

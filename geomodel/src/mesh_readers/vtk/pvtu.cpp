@@ -71,7 +71,7 @@ bool is_ghost(const MeshFile& piece, std::size_t t) {
 class PieceMerger {
  public:
   /// Global numbers must count the contents of the pieces without gaps, so they cannot require more memory than the
-  /// files do.
+  /// files.
   PieceMerger(const std::filesystem::path& path, const std::vector<Piece>& pieces) : path_(path) {
     std::size_t n_cells = 0;
     for (const Piece& piece : pieces) {

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 /// Adds to `contents` all regions of a GOCAD model except Universe, and the kinds of surfaces (fault, horizon) that the
 /// model declares. The surfaces of `contents` came from `objects`. The sign `+` of a face means that the key triangle's
-/// normal points out of the region. If a key triangle is not among its surface's triangles, no region is added, with a
+/// normal points out of the region. If a key triangle is not a triangle of its surface, no region is added, with a
 /// warning.
 void add_model3d_regions(const GocadObject& model, const std::vector<GocadObject>& objects, FileContents& contents);
 

@@ -9,8 +9,8 @@
 
 extern "C" {
 
-/// A raster that the module has opened, or the reason why it could not be opened. The texts are valid as long as this
-/// object exists.
+/// A raster that the module has opened, or the reason why it could not be opened. Its texts exist as long as this
+/// object.
 struct GeomeshRaster {
   const char* error;  ///< reason why the raster could not be opened; empty if it is open
   std::size_t n_columns, n_rows, n_bands;
@@ -42,8 +42,7 @@ namespace geomesh::geomodel {
 
 constexpr int geomesh_raster_reader_version = 1;
 
-/// Loads the module that reads rasters, at the first call. Throws Error{usage} with the name of its package if it is
-/// missing.
+/// Loads the module that reads rasters, at the first call. Throws Error{usage} with its package if it is missing.
 const GeomeshRasterReader& geotiff_plugin();
 
 }  // namespace geomesh::geomodel

@@ -41,13 +41,12 @@ void allocate_heights(const InputFile& file, Grid& grid, std::size_t bytes_left,
 /// "y") are equal or in the wrong order.
 double node_spacing(const InputFile& file, const char* axis, double low, double high, std::size_t n);
 
-/// Reads the next height of a text grid. Returns NaN if the token means NaN or is infinite; throws if it is not a
-/// number.
+/// Reads the next height of a text grid. NaN and infinite numbers become NaN; throws for other words.
 double read_height(TokenStream& tokens);
 /// Throws Error{invalid_input} if the file continues after the last value of the grid.
 void expect_end_of_grid(TokenStream& tokens, const Grid& grid);
-/// Reads all heights of a text grid in the order of the file, up to its end. Values of `limit` or more mean that a node
-/// has no height.
+/// Reads all heights of a text grid in the order of the file, up to its end. Values of `limit` or more mean "no
+/// height".
 void read_heights_below(double limit, TokenStream& tokens, Grid& grid);
 
 /// Choice of the diagonal along which a grid cell of four nodes is divided into two triangles.
@@ -70,8 +69,7 @@ FileContents grid_contents(const InputFile& file, std::string format, const Grid
 void add_lattice(const InputFile& file, std::string name, NodeLattice lattice, GridSummary summary,
                  FileContents& contents);
 
-/// Appends a grid of nodes as a surface like add_lattice, but does not examine its heights, because the caller has done
-/// so.
+/// Appends a grid of nodes as a surface like add_lattice, but without examining its heights, as the caller has.
 void add_checked_lattice(const InputFile& file, std::string name, const NodeLattice& lattice, GridSummary summary,
                          FileContents& contents);
 

@@ -59,8 +59,7 @@ FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   return contents;
 }
 
-/// Returns whether the values of a netCDF variable are heights: lengths or travel times, and not temperatures or
-/// percentages.
+/// Returns whether the values of a netCDF variable are lengths or travel times, and not temperatures or percentages.
 bool is_height(const NetcdfGrid& grid) {
   return length_unit_in_metres(grid.z_unit).has_value() || is_time_unit(grid.z_unit);
 }

@@ -98,8 +98,7 @@ class OmfReader {
     return v;
   }
 
-  /// Returns the bytes of an array, decompressed as far as possible: a wrong length is detected at the end of the
-  /// compressed data.
+  /// Returns the bytes of an array, decompressed as far as possible: a wrong length is found at the end of the data.
   std::string inflate(const Json& owner, const std::string& what) {
     const auto array = owner.find("array");
     if (array == owner.end() || !array->is_object() || !array->contains("start") || !array->contains("length") ||

@@ -15,8 +15,7 @@ FirstLines first_lines(LineReader& lines);
 
 std::vector<std::string_view> fields_of_line(std::string_view line, const Separation& separation);
 
-/// Returns the column names in a header line. A unit separated from its column's name by blanks remains part of it ("Z
-/// [m]").
+/// Returns the column names in a header line. A unit behind the name of its column is part of it ("Z [m]").
 std::vector<std::string> header_names(std::string_view line, const Separation& separation);
 
 std::size_t count_numbers(std::string_view line);

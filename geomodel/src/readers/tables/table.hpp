@@ -23,8 +23,7 @@ struct Separation {
 
   /// Splits a line into fields, without the quotes and blanks around them.
   std::vector<std::string_view> split(std::string_view line) const;
-  /// Converts a field to a number. Thousands may be separated by commas (by points or apostrophes if there is a decimal
-  /// comma).
+  /// Converts a field to a number. Commas may separate thousands (points or apostrophes if there is a decimal comma).
   std::optional<double> number(std::string_view field) const;
 };
 /// Determines the separator of fields from one line of data: ';', tab, ',' or blanks. Lines such as "1,5 2,5 3,5" and

@@ -20,8 +20,7 @@ struct AxisScale {
 void scale_contents(FileContents& contents, const AxisScale& scale);
 
 /// Converts the contents of a file according to its own unit and direction of z (contents.frame), with notes. For
-/// formats whose readers do not convert coordinates themselves. Throws Error{invalid_input} if a unit is one of time or
-/// unknown.
+/// readers that do not convert coordinates. Throws Error{invalid_input} if a unit is one of time or unknown.
 void convert_by_frame(const InputFile& file, FileContents& contents);
 
 /// Meaning of the name of a z column, without its unit.

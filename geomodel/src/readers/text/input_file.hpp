@@ -13,8 +13,7 @@
 
 namespace geomesh::geomodel {
 
-/// An input file that is read into memory at once. Readers limit allocations by `bytes.size()`, never by a count in the
-/// file.
+/// An input file, read into memory at once. Readers limit allocations by `bytes.size()`, never by a count in the file.
 struct InputFile {
   std::filesystem::path path;
   std::string bytes;

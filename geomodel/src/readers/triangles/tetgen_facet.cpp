@@ -53,8 +53,7 @@ class Nesting {
     return best;
   }
 
-  /// Returns whether polygon `inner` lies in polygon `outer`, by the first vertex of `inner` that is not on the border
-  /// of `outer`.
+  /// Returns whether polygon `inner` lies in polygon `outer`, by its first vertex that is not on the border of `outer`.
   bool contains(std::size_t outer, std::size_t inner) const {
     if (outer == inner) return false;
     for (const Vec2& p : outlines_[inner]) {
