@@ -14,8 +14,8 @@ namespace geomesh::geomodel {
 struct ReadFiles {
   /// Contents of the files of all surfaces in the project's order, followed by those of the wells.
   std::vector<FileContents> contents;
-  std::vector<SourceInput> sources;                           ///< inputs whose coordinates must be converted
-  std::vector<std::string> notes;                             ///< of level sets
+  std::vector<SourceInput> sources;  ///< inputs whose coordinates must be converted to the frame of the model
+  std::vector<std::string> notes;    ///< of level sets
   std::map<std::size_t, std::vector<FieldPart>> field_parts;  ///< LevelSurfaces::parts
   std::vector<std::string> warnings;      ///< warnings of the readers, preceded by the name of the surface or well
   std::deque<SourceSpec> of_thicknesses;  ///< settings for files of thicknesses, to which `sources` points

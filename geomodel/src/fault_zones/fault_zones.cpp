@@ -136,8 +136,8 @@ class ZoneOpener {
     mesh_.tetrahedra.push_back(t);
     mesh_.tet_region.push_back(region_of(zone));
   }
-  /// Divides the prisms of fault zones into tetrahedra. Each side of a prism is cut from the lower end of the column
-  /// with the smaller row to the upper end of the other column, so that neighbours agree.
+  /// Divides the prisms of fault zones into tetrahedra. Each side of a prism is cut along the diagonal from the lower
+  /// end of its column of nodes with the smaller row, so that neighbouring prisms agree.
   void add_elements() {
     for (const ZonePrism& prism : columns_.prisms) {
       std::array<std::size_t, 3> c = prism.columns;
@@ -207,7 +207,7 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      // Otherwise all tetrahedra around the edge form one sector, and its columns are closed.
+      // Otherwise all tetrahedra around the edge are connected, and its nodes are not doubled.
       GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
@@ -238,7 +238,7 @@ class ZoneOpener {
   }
   bool is_wall(const ModelMesh::Face& face) const { return columns_.zone_of_wall.contains(in_order(face.vertices)); }
 
-  /// Continues wells across zones: a well that meets the fault in a node follows the column of this node.
+  /// Continues wells across zones: a well that meets the fault in a node follows the new nodes across the zone there.
   void carry_wells_across() {
     std::map<VertexIndex, std::set<std::int32_t>> wells_at;
     for (const NamedCurve& curve : mesh_.curves)

@@ -18,7 +18,7 @@ void renumber_ids(ModelMesh& mesh);
 /// exactly two faces with the same surfaces meet.
 void number_patches(ModelMesh& mesh);
 
-/// Edges by their ends, the smaller first.
+/// Set of edges by their two nodes, the smaller one first.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
 /// Renames those of the edges that are intersections, by the surfaces of the faces around each. Wells and fault tips

@@ -22,7 +22,8 @@ struct ZoneColumn {
   bool is_closed() const { return minus == plus; }
 };
 
-/// A face of the fault with the columns at its corners. The normal of the columns' minus nodes points to the plus side.
+/// A prism of a fault zone: one face of the fault, with a column of nodes at each corner. The normal of the face on the
+/// minus side points to the plus side.
 struct ZonePrism {
   std::array<std::size_t, 3> columns;
   std::size_t zone;
@@ -40,8 +41,8 @@ struct ZoneColumns {
 /// one-sided.
 ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
 
-/// Adds the nodes between the two ends of each column, evenly on the straight line. Precondition: the ends were moved
-/// to the walls before.
+/// Adds the nodes across a zone between the two ends of each column of nodes, evenly on a straight line. Precondition:
+/// the ends were moved to the walls before.
 void fill_columns(ModelMesh& mesh, ZoneColumns& zone, const std::vector<FaultZone>& zones);
 
 }  // namespace geomesh::geomodel

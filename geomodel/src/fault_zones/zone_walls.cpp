@@ -113,7 +113,8 @@ class WallMover {
     }
   }
 
-  /// Finds the surfaces at the columns' nodes: sums area vectors of faces by set of surfaces; sides of the model first.
+  /// Finds the surfaces on which the nodes of faults lie: sums area vectors of faces by set of surfaces; sides of the
+  /// model first.
   void find_guides() {
     for (const ZoneColumn& column : zone_.columns)
       if (!column.is_closed()) guides_[column.minus], guides_[column.plus];

@@ -22,7 +22,7 @@ void write_nodes(OutputText& out, const SolverMesh& mesh) {
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << v + 1 << " " << mesh.node(v) << " " << markers[v] << "\n";
 }
 
-/// Writes the cells of one dimension as `NUMBER NODES LABEL`, under a line with their count and `columns`.
+/// Writes the cells of one dimension as `NUMBER NODES LABEL`, after a line with their number and the text `columns`.
 void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const char* columns) {
   out << mesh.count(dimension) << columns << "\n";
   std::size_t number = 0;

@@ -37,7 +37,7 @@ struct Segment {
 
 struct Line {
   Segment segment;
-  std::size_t first = 0, second = 0;  ///< rows of the fractures that cross in this line
+  std::size_t first = 0, second = 0;  ///< rows of the two fractures that cross in the line
 };
 
 /// Part of a line, as an interval of its parameter.

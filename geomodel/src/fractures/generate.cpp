@@ -53,7 +53,8 @@ Ellipse disc(const FractureFamily& family, const Box3& box, Uniform& next) {
   const Vec3 mean = cross(dip, strike);
   const double cosine = cosine_of_scatter(family.kappa, next());
   const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), turn = 2 * std::numbers::pi * next();
-  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;  // random direction perpendicular to the mean pole
+  // random direction perpendicular to the mean pole of the fractures
+  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;
   const Vec3 pole = cosine * mean + sine * about;
   disc.x_axis = cross(mean, about);
   disc.y_axis = cross(pole, disc.x_axis);

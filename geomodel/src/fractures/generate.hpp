@@ -21,7 +21,7 @@ struct FractureFamily {
   double least_radius = 0, greatest_radius = 0;
   double exponent = 0;  ///< the probability density of radii is proportional to r to the power -(1 + exponent)
   double p32 = 0;  ///< target for the area of discs in the box divided by the volume of the box; 0: `count` is used
-  std::size_t count = 0;  ///< number of discs that meet the box
+  std::size_t count = 0;  ///< number of discs of the family that meet the box
 };
 
 /// Generates the fractures of all families, with the names family_1, family_2 ... The same families, box and seed give

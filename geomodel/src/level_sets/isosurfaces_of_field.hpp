@@ -18,7 +18,7 @@ struct FieldSurfaces {
   std::size_t n_samples = 0;         ///< number of samples for each isosurface, if its distance is not proven
   /// For each isosurface, the rows of triangles for which the distance was neither proven nor found at samples.
   std::vector<std::vector<Index>> beyond;
-  std::size_t n_cells = 0;       ///< number of cells of the background mesh
+  std::size_t n_cells = 0;       ///< number of cells of the background mesh from which isosurfaces are made
   std::vector<Box3> unresolved;  ///< bounding boxes of cells in which an isosurface may have several parts
   Range found;                   ///< range of the field's values at the vertices of the background mesh
 };

@@ -59,7 +59,7 @@ class AbaqusReader {
   enum class Block { other, nodes, tetrahedra, lower, solids, element_set, node_set, surface };
   struct NamedSets {
     int dimension;
-    std::map<std::string, RawSet> sets;  ///< sets by name in capitals
+    std::map<std::string, RawSet> sets;  ///< sets of nodes or elements, by name in capitals
     std::vector<std::string> order;
     RawSet& give(std::string_view name) {
       const std::string key = upper(name);

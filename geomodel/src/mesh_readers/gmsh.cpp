@@ -374,9 +374,9 @@ class GmshReader {
   bool binary_ = false;
   std::size_t n_elements_ = 0;
   std::unordered_map<std::size_t, std::size_t> row_of_element_;  // row of each tetrahedron, by element number
-  // Groups by dimension and number of the entity.
+  // Groups of each Gmsh entity, by its dimension and number.
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;
-  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets by dimension and tag
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by dimension and tag
 };
 
 }  // namespace

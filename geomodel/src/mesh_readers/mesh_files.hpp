@@ -19,7 +19,7 @@ namespace geomesh::geomodel::checking {
 struct MeshFile {
   std::string format;
   std::vector<Vec3> points;
-  bool single_precision = false;  ///< whether the file has 32-bit coordinates
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
   std::vector<Tetrahedron> tetrahedra;
   /// Six midpoint nodes for each tetrahedron (edges 01 12 20 03 13 23); empty if any tetrahedron has first order.
   std::vector<VertexIndex> midpoints;

@@ -15,7 +15,7 @@ RawMesh read_abaqus_mesh(const std::filesystem::path& file);  // C3D4, C3D10
 RawMesh read_exodus_mesh(const std::filesystem::path& file);
 RawMesh read_med_mesh(const std::filesystem::path& file);  // with libmedc
 RawMesh read_mfem_mesh(const std::filesystem::path& file);
-// Also reads NAME.faces.vtp and NAME.curves.vtp if they exist.
+// The reader of VTU files also reads NAME.faces.vtp and NAME.curves.vtp if they exist.
 RawMesh read_vtu_mesh(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -54,14 +54,15 @@ class SetBudget {
 struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;
-  std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};  ///< points, edges, triangles and tetrahedra
+  /// cells by dimension: points, edges, triangles, tetrahedra
+  std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};
   std::vector<std::size_t> numbers;  ///< numbers of the tetrahedra among all cells of the file, for messages
   std::vector<RawSet> sets;
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
   bool second_order = false;
   /// Six midpoint nodes for each second-order tetrahedron, on the edges 01 12 20 03 13 23.
   std::vector<VertexIndex> midpoints;
-  bool single_precision = false;  ///< whether the file has 32-bit coordinates
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
   /// Kind and input row of each point; empty unless geomesh wrote the file.
   std::vector<std::int32_t> point_kind, input_vertex;
   std::vector<CellArray> cell_arrays;    ///< by tetrahedron

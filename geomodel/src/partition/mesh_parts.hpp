@@ -41,9 +41,9 @@ struct GivenPart {
   std::vector<std::int32_t> part_of_cell;  ///< by row
   /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
-  std::vector<std::size_t> first_at_node{0};  ///< for each node: first entry in parts_at
-  std::vector<std::int32_t> parts_at;         ///< parts that have each node, ascending, one node after the other
-  std::uint64_t n_cells = 0, n_nodes = 0;     ///< numbers of cells and nodes of the whole mesh
+  std::vector<std::size_t> first_at_node{0};  ///< for each node: first entry in the list of parts
+  std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
+  std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
 
 class MeshParts {
@@ -96,7 +96,7 @@ class MeshParts {
   std::vector<std::size_t> first_of_region_;
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
-  std::vector<std::size_t> first_;  // for each node: first entry in parts_at_
+  std::vector<std::size_t> first_;  // for each node: first entry in the list of parts
   std::vector<std::int32_t> parts_at_;
   std::vector<std::vector<std::size_t>> own_, ghosts_;  // cells by part
 };

@@ -9,7 +9,7 @@ namespace {
 
 /// Solids of a mesh, numbered block by block, and their numbers in one part.
 struct Solids {
-  std::vector<std::size_t> row;      ///< row of the tetrahedron that each solid is
+  std::vector<std::size_t> row;      ///< row of the tetrahedron of each solid
   std::vector<std::uint32_t> local;  ///< number of each solid in the part, or no_cell if the part does not have it
 };
 

@@ -160,7 +160,7 @@ void keep_no_data_alone(std::vector<OddHeight>& odd) {
   std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
 }
 
-/// Adds the message on unusual heights to the warnings, unless it is there already.
+/// Adds a message on unusual heights to the warnings, unless the same message is there already.
 void tell_odd(const std::string& name, const std::vector<Vec3>& points, const std::vector<OddHeight>& odd,
               const char* what, FileContents& contents) {
   for (std::string& text :

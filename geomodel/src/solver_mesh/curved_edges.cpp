@@ -28,7 +28,7 @@ double rounding_at(const Vec3& p) {
 /// by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< distance of the plane above the point
+  long double height = 0;  ///< signed distance of the plane above the point
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;

@@ -13,7 +13,7 @@
 namespace geomesh::geomodel {
 
 struct TetrahedronSide {
-  std::size_t tetrahedron;  ///< row of the tetrahedron on this side of the face; no_side if there is none
+  std::size_t tetrahedron;  ///< row of the tetrahedron; no_side if there is no tetrahedron on that side of the face
   unsigned opposite;        ///< position (0 to 3) in the tetrahedron of the vertex opposite the face
 };
 inline constexpr std::size_t no_side = SIZE_MAX;

@@ -38,7 +38,7 @@ std::string transliterated(const std::string& text) {
       result += text[i++];
       continue;
     }
-    std::size_t n = 1;  // number of bytes of this UTF-8 character
+    std::size_t n = 1;  // number of bytes of the current UTF-8 character
     while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0u) == 0x80u) ++n;
     const std::uint32_t code =
         n == 2 ? (lead & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu) : 0xFFFFFFFFu;

@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// Greatest length of names in each format.
+/// Greatest length of names in each file format.
 inline constexpr std::size_t name_limit_abaqus = 80, name_limit_med = 80, name_limit_gmsh = 80, name_limit_exodus = 256,
                              name_limit_plain = 80;
 

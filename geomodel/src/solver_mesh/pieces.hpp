@@ -26,7 +26,7 @@ struct CurvePiece {
   std::int32_t id;
   std::vector<std::int32_t> curves;
   std::string full_name;
-  std::vector<std::size_t> edges;  ///< rows of curve_edges; each mesh edge occurs once
+  std::vector<std::size_t> edges;  ///< rows of the edges in curve_edges; each mesh edge occurs once
 };
 
 struct SolverPieces {

@@ -31,7 +31,7 @@ struct FaceSide {
 /// between the same two regions, the edges on the same curves, a named point.
 struct CellBlock {
   CellShape shape;
-  std::int32_t id;  ///< id of the block, distinct from those of all others
+  std::int32_t id;  ///< id of the block, distinct from the ids of all other blocks
   std::string full_name;
   std::vector<std::int32_t> members;  ///< ids of the region, the surfaces, the curves or the point of the block
   std::int32_t region_minus = 0, region_plus = 0;

@@ -112,7 +112,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // table to which the attributes that follow belong
+  VtkTable* table_;    // table to which the attributes of a section are added
   std::size_t n_ = 0;  // their tuples
 };
 
@@ -139,13 +139,13 @@ class LegacyReader {
     if (!first.starts_with(head) || !version || !(*version >= 1) || *version >= newest)
       words_.fail("it does not begin as a VTK file of a known version (# vtk DataFile Version 1.0 to 5.1)");
     is_version_5_ = *version >= 5;
-    words_.line();  // the title, a line with any words
+    words_.line();  // skips the title, a line with any words
     const std::string coding = words_.keyword();
     if (coding != "ascii" && coding != "binary")
       words_.fail("its third line says " + in_quotes(coding) + "; ASCII or BINARY was expected");
     words_.binary = coding == "binary";
     words_.line();
-    if (words_.next_keyword() == "field") {  // a file may contain field data only
+    if (words_.next_keyword() == "field") {  // a file may contain field data and nothing else
       words_.keyword();
       attributes_.read_field(data_.field_data, 0);
     }

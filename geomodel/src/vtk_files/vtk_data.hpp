@@ -88,7 +88,7 @@ struct VtkCells {
 struct VtkData {
   enum class Kind { grid, poly, image } kind = Kind::grid;
   std::vector<Vec3> points;
-  bool single_precision = false;  ///< whether the file has 32-bit coordinates
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
   /// All cells of the file. Those of PolyData are ordered as vertices, lines, polygons, strips, and get their type from
   /// the number of corners.
   VtkCells cells;

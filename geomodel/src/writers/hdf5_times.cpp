@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/hdf5_times.hpp"
 
-#define H5_USE_110_API  // with this version of HDF5's interface, H5O_info_t has the addresses of objects
+#define H5_USE_110_API  // in this version of HDF5's interface, H5O_info_t has the addresses of objects
 #include <hdf5.h>
 
 #include <algorithm>

@@ -67,13 +67,13 @@ struct Spot {
   /// The finding: "crossing", "self-crossing", "free border", "gap" (a closed free border), "overlap", ...
   std::string what;
   Index surface_a = no_index, surface_b = no_index;
-  std::size_t count = 0;  ///< number of pairs of triangles, or of edges or other items, found at this place
+  std::size_t count = 0;  ///< number of pairs of triangles, or of edges or other items, found at the place
   double measure = 0;     ///< area (m2) or length (m) of the crossing, gap or other finding, for kinds that have one
   Vec3 place;
   /// For forbidden crossings of two surfaces: each surface has a part that lies beyond the other one; this is the area
   /// of the smaller of these two parts, or 0 if nothing is cut off.
   double area = 0;
-  std::size_t n_pieces = 1;  ///< number of connected pieces of free borders
+  std::size_t n_pieces = 1;  ///< for free borders: number of connected pieces
 };
 /// Describes a finding of the arrangement for a geologist: "horizon top crosses horizon base over 0.8 km2 along 3.1 km
 /// near (x, y, z)". `surfaces` are the input surfaces followed by the sides of the box.

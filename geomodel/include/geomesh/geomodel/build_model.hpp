@@ -97,7 +97,7 @@ struct NamingRules {
   bool join_pieces = false;
   std::string topography{};  ///< horizon that is the ground: what lies above it is not meshed
   std::string floor{};       ///< horizon that is the base of the model: what lies below it is not meshed
-  std::vector<std::string> unconformities{};  ///< names of the horizons that cut older surfaces
+  std::vector<std::string> unconformities{};  ///< names of the horizons that cut older surfaces (unconformities)
   /// Regions smaller than this (m3) are reported, and merged into the neighbour with the largest common area if
   /// requested.
   double min_volume = 0;

@@ -19,7 +19,7 @@ struct FormatHolds {
   bool second_order = false;
   bool prisms = false;       ///< cohesive layers
   bool curves = false;       ///< whether the format holds the edges or the nodes of curves under their names
-  bool overlapping = false;  ///< whether one face can belong to several groups
+  bool overlapping = false;  ///< whether a face of the mesh can belong to several groups
   bool names = true;  ///< whether the mesh file itself has names, so that they are not only in the JSON file beside it
   bool partitions = false;       ///< whether a mesh can be divided into parts with one file each
   bool triangles_alone = false;  ///< whether a mesh of triangles without tetrahedra can be written
@@ -60,7 +60,7 @@ std::string format_name_of(const std::filesystem::path& output);
 std::vector<std::string> mesh_formats();
 /// Names accepted in `output.formats`: all mesh formats, and html for the report as a web page.
 std::vector<std::string> known_formats();
-/// Extensions accepted after `-o`, with the dot.
+/// File name extensions accepted after the option `-o`, with the dot.
 std::vector<std::string> known_extensions();
 
 /// Writes all files of one mesh format and returns their paths. `stem` is their path without extension. Faults are

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 /// Distances between a horizon that was interpolated again in each fault block and its points.
 struct GriddedInBlocks {
   Index row;
-  /// Number of blocks with points, and number of those that keep the common surface.
+  /// Number of fault blocks with points, and number of those blocks that keep the common surface.
   std::size_t n_blocks = 0, n_in_common = 0;
   double rms_residual = 0, largest_residual = 0;
   Vec3 largest_place;

@@ -23,7 +23,7 @@ struct SurfaceInfo {
   /// Number of edges with only one triangle, and of the closed chains that these edges form.
   std::size_t n_border_edges = 0, n_borders = 0;
   double border_length = 0;
-  std::size_t n_non_manifold_edges = 0;  ///< number of edges with more than two triangles
+  std::size_t n_non_manifold_edges = 0;  ///< number of edges of the surface with more than two triangles
   std::size_t n_misoriented_edges = 0;   ///< number of edges whose two triangles traverse them in the same direction
   std::size_t n_degenerate = 0;          ///< number of triangles whose area is exactly zero
   std::size_t n_repeated = 0;            ///< number of triangles with the same three vertices as an earlier triangle

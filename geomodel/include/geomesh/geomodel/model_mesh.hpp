@@ -20,8 +20,8 @@ struct Region {
   std::string name;
   std::vector<std::string> inside;  ///< names of the bodies in which the region lies
   std::size_t n_tetrahedra = 0;
-  double volume = 0;   ///< volume in m3, summed without cancellation
-  std::string unit{};  ///< name of the region without suffixes: a unit of the column, a body ...
+  double volume = 0;   ///< volume of the region in m3, summed without cancellation
+  std::string unit{};  ///< name of the region without suffixes: a stratigraphic unit, a body ...
   /// Volume of the region before surfaces were moved within the tolerance; 0 if none was moved.
   double volume_of_input = 0;
 };
@@ -107,7 +107,7 @@ struct NodeSet {
   std::vector<VertexIndex> nodes;
 };
 
-/// Free borders, or holes, of a horizon of the column inside one region.
+/// Free borders, or holes, of a horizon inside one region.
 struct OpenBorders {
   std::string horizon;
   std::string region;  ///< name of the region; empty if the border lies outside all regions
@@ -169,7 +169,7 @@ struct ModelMesh {
   std::vector<Prism> prisms;  ///< prisms without thickness, present only if faults were split for cohesive elements
   std::vector<CohesiveLayer> cohesive_layers;
   Midpoints midpoints;
-  /// Edges with curved midpoints, sorted by their end points; add_midpoints() uses them.
+  /// Edges with curved midpoints, sorted by end points, for add_midpoints().
   std::vector<CurvedEdge> curved_edges;
   /// Position of each point before fault zones were opened, when both walls of a zone lay on the fault. Empty if there
   /// are no zones.

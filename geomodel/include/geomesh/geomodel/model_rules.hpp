@@ -71,8 +71,8 @@ struct SurfaceRules {
   /// For bodies given as a single open surface: thickness in m, half of it on either side of that surface. 0: the
   /// surface itself is the boundary of the body.
   double thickness = 0;
-  BaseRule base = BaseRule::conformable;  ///< how a horizon of the column cuts other horizons
-  /// For faults: consecutive units of the column that the fault cuts; if empty, it cuts all units.
+  BaseRule base = BaseRule::conformable;  ///< how a horizon of the stratigraphic column cuts other horizons
+  /// For faults: consecutive units of the stratigraphic column that the fault cuts; if empty, it cuts all units.
   std::vector<std::string> cut_units;
   /// For horizons that consist of a separate piece in each fault block: names of the faults that displace the horizon.
   /// Each piece is extended beyond these faults (by the rule `extend`, flat if none is given); then whatever lies on
@@ -109,7 +109,7 @@ struct SurfaceRules {
   bool cut_smeared = true;
 };
 
-/// Treatment of layers of the column that are thinner than the least thickness.
+/// Treatment of layers of the stratigraphic column that are thinner than the least thickness.
 enum class ThinLayers {
   keep,      ///< thin layers are kept, and a warning says where they are
   collapse,  ///< the younger horizon is lowered onto the older one where the layer is too thin
@@ -232,8 +232,8 @@ struct BuiltSurfaces {
   /// Returns the surfaces without the triangles that only separate fault blocks. The model should contain all of these
   /// surfaces before any of them is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
-  std::vector<std::string> notes;     ///< descriptions, with areas, of what each rule changed
-  std::vector<std::string> warnings;  ///< rules that could not be applied, and why
+  std::vector<std::string> notes;     ///< descriptions, with areas, of what each model-building rule changed
+  std::vector<std::string> warnings;  ///< model-building rules that could not be applied, and why
 };
 
 /// Adds faults to SurfaceRules::throw_at of horizons with `throw_auto`: those that the horizon crosses as a smooth ramp
@@ -262,7 +262,7 @@ struct TrimmedSoup {
   PolygonSoup soup;
   std::vector<double> area_removed;  ///< per surface
   std::vector<std::string> notes;
-  std::vector<std::string> warnings;  ///< rules that could not be applied, and why
+  std::vector<std::string> warnings;  ///< model-building rules that could not be applied, and why
 };
 /// Applies stop_at, erode, onlap, on_crossing and trim_overshoot to the arranged soup. The side of a cutting surface on
 /// which a piece lies is decided exactly along the curves where the two meet. A piece that does not meet the cutting

@@ -38,7 +38,7 @@ std::string unit_of_part(const std::string& name);
 /// colours.
 class Palette {
  public:
-  /// Kind of object that gets colours: surfaces are darker than the units beside them.
+  /// Kind of the object that gets a colour: surfaces are darker than the units beside them.
   enum class Of { units, surfaces };
   explicit Palette(Of of, GivenColours given = {});
 

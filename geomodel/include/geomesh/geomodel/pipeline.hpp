@@ -32,7 +32,7 @@ struct JobResult {
   std::string report_json;  ///< the report as text, for runs of `project` and `mesh` that reached the end
 };
 
-/// Names accepted by `--stop-after`, in order.
+/// Names of the stages that `--stop-after` accepts, in order.
 const std::vector<std::string>& stage_names();
 
 struct ProjectRequest {

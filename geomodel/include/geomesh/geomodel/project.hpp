@@ -68,7 +68,7 @@ struct SurfaceSpec {
   /// Value of the key `thickness` if it is a number; if empty, the file holds the thicknesses.
   std::optional<double> below_by;
   ExtrudeSpec extrude;
-  SurfaceRules rules;  ///< the keys `extend`, `fill_holes`, `extent` and `base`
+  SurfaceRules rules;  ///< rules in the keys `extend`, `fill_holes`, `extent` and `base` of a surface
   int line = 0;        ///< line of the entry in the project file, from 1
 
   /// Returns false if the surface is known to be of another kind. A surface whose kind was not recognised may be of any
@@ -121,7 +121,7 @@ struct Project {
   std::vector<NamedPoint> points;
   /// Stratigraphic column: alternating units and horizons (unit, horizon, ..., unit), youngest first. May be empty.
   std::vector<std::string> column;
-  /// The keys `on_crossing` and `trim_overshoot` of `rules`; surfaces, box and column come from other keys.
+  /// The keys `on_crossing` and `trim_overshoot` of `rules`; other rules come from other keys.
   ModelRules rules;
   NamingRules
       /// The keys that name regions: `regions`, `groups`, `attributes`, and `topography`, `fault_blocks`, `min_volume`,

@@ -55,7 +55,7 @@ struct RefinementSettings {
   /// Tolerance within which surfaces may be remeshed (Honour::tolerance). If it follows the target sizes, settle_sizes
   /// sets its length.
   ToleranceLedger tolerance;
-  bool derive_size = false;           ///< set if no global size is given, so that settle_sizes derives one
+  bool derive_size = false;           ///< set if no global size is given, so that it must be derived from the model
   bool gaps_by_default = false;       ///< set if the project does not say how gaps between surfaces are refined
   bool gradation_by_default = false;  ///< set if the project does not give a gradation
   double derived_elements = 1e5;      ///< approximate number of elements from which the global size is derived

@@ -56,7 +56,7 @@ struct Report {
   const ArrangementResult* arrangement = nullptr;
   const ToleranceLedger* tolerance = nullptr;
   const ModelMesh* mesh = nullptr;
-  const SettledStack* stack = nullptr;            ///< the settled stack of horizons; null if nothing was settled
+  const SettledStack* stack = nullptr;  ///< horizons after they were put in order in the map; null if they were not
   std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to the surfaces that bound them
   std::vector<std::string>
       /// Names of the input surfaces followed by the sides of the box, for areas and places in the report; if empty,
@@ -71,7 +71,7 @@ struct Report {
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
   std::vector<std::string> notes;  ///< notes on what was found before meshing, and on changes by rules, with areas
   std::vector<std::string> warnings;
-  std::vector<std::string> files;  ///< paths of written files, relative to the report
+  std::vector<std::string> files;  ///< paths of the written files, relative to the report
 };
 std::string to_json(const Report& report);
 void write_report(const Report& report, const std::filesystem::path& file);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The settled stack of horizons: the horizons of the column after they were put in order and layers that are too thin
-/// were removed, in the map, before anything is intersected.
+/// The settled stack: the horizons of the stratigraphic column after they were put in order and too thin layers were
+/// removed, in the map, before anything is intersected.
 #pragma once
 
 #include <string>
@@ -12,26 +12,27 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the horizons of the column are put in order in the map before they are intersected (docs/model-building.md).
+/// Whether the horizons of the stratigraphic column are put in order in the map before they are intersected.
 enum class StackRule { automatic, keep };
 
 struct StackRules {
   StackRule rule = StackRule::automatic;
   double size = 0;  ///< target edge length on the horizons, in m
-  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly and the stack is not settled.
+  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly, and horizons are not put in
+  /// order.
   double tolerance = 0;
   std::vector<Vec2> outline;    ///< corners of the model volume on the map
   bool outline_is_box = false;  ///< along the axes
 };
 
-/// Share of the tolerance that settling and simplification of the horizons may use; remeshing uses the rest.
+/// Share of the tolerance that ordering and simplifying the horizons may use; remeshing uses the rest.
 inline constexpr double stack_share = 0.5;
 
-/// Largest distance of the surfaces of a settled stack from the input, as a share of the local target size. If a thin
+/// Largest distance from the input of horizons that were put in order, as a share of the local target size. If a thin
 /// unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
-/// One horizon of the settled stack. Areas in the map, m2; lengths along the vertical, m.
+/// One horizon after horizons were put in order. Areas in the map, m2; lengths along the vertical, m.
 struct SettledHorizon {
   std::string name;
   std::size_t n_triangles_given = 0, n_triangles = 0;
@@ -39,7 +40,7 @@ struct SettledHorizon {
   double area_merged = 0;  ///< area where the horizon coincides with a neighbouring horizon
   /// Area where the horizon's input lies above the topography, so that it is cut off.
   double area_above_topography = 0;
-  /// Remaining area where the horizon is farther from its input than the share of the tolerance.
+  /// area, apart from that, where the horizon is farther from its input than the share of the tolerance
   double area_moved = 0;
   /// Largest and mean distance by which the horizon was moved, over the area where it was moved.
   double largest_move = 0, mean_move = 0;
@@ -51,12 +52,12 @@ struct SettledHorizon {
   Vec3 place_at_faults;
 };
 
-/// One unit between two horizons of the stack.
+/// One unit between two horizons after horizons were put in order.
 struct SettledUnit {
   std::string name, top, base;
   double area = 0;         ///< area over which the unit is present
   double area_merged = 0;  ///< area over which the top and the base of the unit coincide
-  double volume = 0;       ///< volume between the settled horizons within the bounds of the model volume
+  double volume = 0;       ///< volume between the two horizons of the unit inside the model volume
   /// Number of islands of the unit that were removed because they were too small to be merged or kept.
   std::size_t n_islands = 0;
   double mean_thickness = 0, largest_thickness = 0;  ///< thickness of the unit where it is present

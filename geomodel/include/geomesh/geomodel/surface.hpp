@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// The geological meaning of a surface.
+/// Geological kind of a surface.
 enum class SurfaceKind {
   surface,  ///< surface without a known geological meaning (files given to `geomesh mesh`)
   horizon,
@@ -85,7 +85,7 @@ struct GridSummary {
   bool cell_centred = false;
 };
 
-/// The contents of one file.
+/// The contents of one input file.
 struct FileContents {
   std::string format;  ///< name of the format: "GOCAD TSurf", "OFF", ...
   SourceFrame frame;   ///< unit and axes of the first object, if objects differ (a warning then says so)

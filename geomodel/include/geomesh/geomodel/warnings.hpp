@@ -22,7 +22,7 @@ std::string warning_statement(std::string_view warning);
 struct WarningGroup {
   std::string cause;
   std::size_t count = 0;
-  std::string first;  ///< text of the first warning that has this cause
+  std::string first;  ///< text of the first warning in the group
 };
 /// Groups warnings by their cause, in the order in which the causes first occur.
 std::vector<WarningGroup> group_warnings(const std::vector<std::string>& warnings);

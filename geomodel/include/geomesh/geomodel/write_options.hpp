@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 /// Which groups of faces and curves a solver file contains.
 enum class GroupChoice {
-  whole,  ///< each surface and each curve is one group
+  whole,  ///< each surface is one group, and each curve is one group
   /// Surfaces and curves are divided where different regions meet, and each part is a group that shares no face or
   /// edge.
   pieces,

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 namespace {
 
 bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
-/// The nodes and faces that one part of a mesh shares with another part.
+/// Nodes and faces that one part of a mesh shares with one other part.
 struct Shared {
   std::vector<int> nodes, elements, sides;
 };

@@ -182,7 +182,7 @@ class MedWriter {
       put_cells_of(shape);
   }
   void put_cells_of(CellShape shape) {
-    std::vector<std::size_t> blocks, ends;  // blocks of this shape, and the end of the cells of each
+    std::vector<std::size_t> blocks, ends;  // blocks of cells of this shape, and the end of the cells of each block
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;
       blocks.push_back(b);

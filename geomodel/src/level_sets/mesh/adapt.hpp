@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 struct AdaptLimits {
   double distance = 0;    ///< largest distance between the linear isosurface of a cell and that of the field itself
-  double least_edge = 0;  ///< cells are not refined if all of their edges are shorter than this
+  double least_edge = 0;  ///< cells whose edges are all shorter than this length are not refined
   /// Cells whose edges are all shorter than this are not refined if the only problem is that nearly touching parts of
   /// an isosurface are not separated.
   double least_sheet_edge = 0;

@@ -41,7 +41,7 @@ class BackgroundMesh {
   std::uint8_t sides(VertexIndex v) const { return sides_[v]; }
   std::array<Vec3, 4> corners(const Cell& cell) const;
 
-  /// Evaluates the field in one call at the midpoints of all edges of the cells that are not settled.
+  /// Evaluates the field in one call at the midpoints of all edges of the cells that may still need refinement.
   void sample_midpoints();
   /// Returns the value of the field at the midpoint of an edge. Precondition: sample_midpoints() was called since a
   /// cell with this edge was made.
@@ -63,7 +63,7 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  const ScalarField* field_ = nullptr;  ///< null if the background mesh is never bisected
+  const ScalarField* field_ = nullptr;  ///< scalar field of the mesh; null if it is never bisected
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;

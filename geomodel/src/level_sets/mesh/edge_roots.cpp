@@ -19,7 +19,7 @@ constexpr int most_steps = most_secant_steps + 54;
 struct Search {
   std::size_t row;
   double low = 0, high = 1, f_low, f_high;
-  double least_f;      ///< values of f closer to zero than this are due to rounding
+  double least_f;      ///< values of f closer to zero are due to rounding
   int last_moved = 0;  ///< end of the interval that moved last: -1 for low, 1 for high
   bool is_exact = false;
 

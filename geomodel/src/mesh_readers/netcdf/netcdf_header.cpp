@@ -140,7 +140,7 @@ std::string netcdf_header_fault(const std::filesystem::path& path) {
   std::array<char, 4> magic{};
   if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return "";
   const auto version = static_cast<unsigned>(magic[3]);
-  if (version != 1 && version != 2 && version != 5) return "";  // the library refuses other versions
+  if (version != 1 && version != 2 && version != 5) return "";  // the netCDF library refuses other versions
   try {
     Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {

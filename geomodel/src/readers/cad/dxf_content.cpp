@@ -12,7 +12,7 @@ namespace {
 constexpr double most_copied = 20e6;  // points and copies
 constexpr std::size_t most_nested = 64;
 
-/// Transforms points of a DXF block to one copy of its insertion, in one column and row.
+/// Transforms points of an inserted DXF block to one of its copies, in one column and row.
 class Placing {
  public:
   Placing(const DxfInsert& insert, const Vec3& base, std::int64_t column, std::int64_t row)

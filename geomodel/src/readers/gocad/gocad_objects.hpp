@@ -22,7 +22,7 @@ struct GocadFrame {
   bool given = false;
 
   Vec3 to_metres(const Vec3& p) const { return {scale[0] * p.x, scale[1] * p.y, (depth ? -scale[2] : scale[2]) * p.z}; }
-  double scale[3] = {1, 1, 1};  ///< metres per unit of x, y and z
+  double scale[3] = {1, 1, 1};  ///< metres per unit of x, y and z in the file
 };
 
 /// A TFACE of a GOCAD Model3d with the three points that define its + side, in metres. If z was converted from depth,

@@ -20,13 +20,13 @@ struct GeomeshRaster {
   int has_no_data;
   double no_data, scale, offset;  ///< of band 1
   const char* unit_of_heights;    ///< unit of the heights in band 1, as the file writes it
-  const char* system;             ///< coordinate system: "epsg:CODE", else its name, else empty
+  const char* system;             ///< coordinate system of the raster: "epsg:CODE", else its name, else empty
   int is_geographic;
   double metres_per_unit;  ///< metres per unit of x and y; 1 for degrees
 };
 
 struct GeomeshRasterReader {
-  int version;  ///< version of this interface with which the module was built
+  int version;  ///< version of the interface with which the module was built
   /// Opens a raster from memory. Never returns null. `bytes` must outlive the raster.
   GeomeshRaster* (*open)(const char* bytes, std::size_t size);
   /// Reads one row of band 1 as the file has it; rows count from the north. Returns null, or the reason why the row

@@ -21,7 +21,7 @@ struct NetcdfGrid {
   std::string z_name;           ///< standard_name or long_name of the heights, else the variable's own name
   std::string z_unit, xy_unit;  ///< units of heights and positions as written; empty if the file names none
   std::string positive;         ///< attribute `positive` of the heights: "up", "down" or empty
-  std::string system;           ///< coordinate system: "epsg:CODE", else its name, else empty
+  std::string system;           ///< coordinate system of the grid: "epsg:CODE", else its name, else empty
   bool geographic = false;      ///< whether x and y are longitude and latitude in degrees
   bool cell_centred = false;    ///< GMT's pixel registration
   bool regular = false;         ///< whether spacing along each axis is constant, up to rounding

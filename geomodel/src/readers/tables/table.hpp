@@ -69,7 +69,7 @@ struct Table {
   Columns columns;
   std::vector<TableRow> rows;
   std::size_t n_skipped = 0;  ///< number of table rows without a value of x, y or z
-  /// Whether the points form lines, which are separated by a column or by lines of text that begin with >.
+  /// Whether the points form lines: they are separated by a column of the table or by lines of text that begin with >.
   bool has_lines = false;
 };
 /// Reads the rows of a table from the reader's next line on. Blank lines and those that begin with # or ! are skipped;

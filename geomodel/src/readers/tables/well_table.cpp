@@ -52,7 +52,7 @@ struct WellColumns {
 
 WellColumns columns_of(const LineReader& lines, const std::vector<std::string>& names) {
   WellColumns columns;
-  std::vector<std::string> others = names;  // "tvd" means the depth below the well head here, not z
+  std::vector<std::string> others = names;  // in a table of wells, "tvd" is the depth below the well head, not z
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto [name, unit] = column_name_and_unit(as_utf8(names[i]));
     Role role = role_of(name);

@@ -21,7 +21,7 @@ constexpr double marker_gap = 0.1, single_marker_gap = 2;
 /// impossible.
 constexpr double odd_gap = 10;
 constexpr std::size_t most_odd = 8;
-constexpr std::size_t least_heights = 8;  // if there are fewer heights, none is considered unusual
+constexpr std::size_t least_heights = 8;  // fewest heights among which one can be considered unusual
 
 /// Values that common programs write for "no value": Petrel, SKUA, ZMAP+, Surfer, Irap, LAS, GIS.
 constexpr std::array written_for_no_data{-9999.0,    9999.0,    -99999.0, 99999.0, -999999.0,     999999.0,

@@ -32,15 +32,15 @@ class LineReader {
   char line_end_;
 };
 
-/// Iterates over the blank-separated tokens of one line.
+/// Iterates over the words of one line, which blanks separate.
 class Tokens {
  public:
   explicit Tokens(std::string_view line) : rest_(line) {}
-  /// Returns the next token, empty at the end.
+  /// Returns the next word of the line; empty at the end.
   std::string_view next();
   /// Returns the next token; if it is in double quotes, the trimmed text between them.
   std::string_view next_quoted();
-  /// Returns the rest of the line, trimmed.
+  /// Returns the rest of the line, without blanks at both ends.
   std::string_view rest() const;
   bool at_end() const { return rest().empty(); }
 
@@ -55,7 +55,7 @@ class TokenStream {
   explicit TokenStream(const InputFile& file, char comment = '\0') : file_(&file), comment_(comment) {}
   /// Returns the next token, empty at the end of the file.
   std::string_view next();
-  std::size_t line() const { return line_; }  ///< number of the line of the last token
+  std::size_t line() const { return line_; }  ///< number of the line in which the last token is
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return file_->size() - at_; }
   [[noreturn]] void fail(const std::string& message) const { file_->fail(line_, message); }

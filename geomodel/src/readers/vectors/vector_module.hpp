@@ -25,7 +25,7 @@ struct VectorFeature {
 struct VectorFile {
   std::string error;   ///< reason why the file was not read; empty if it was
   std::string format;  ///< "Shapefile", ...
-  std::string system;  ///< coordinate system: "epsg:CODE", else its name, else empty
+  std::string system;  ///< coordinate system of the layer: "epsg:CODE", else its name, else empty
   bool geographic = false;
   double metres_per_unit = 1;
   std::vector<VectorFeature> features;
