@@ -173,7 +173,7 @@ TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const S
   return std::move(made.surface);
 }
 
-/// Returns the surface of an input, or makes it from the points or lines of the input.
+/// Returns the surface that an input contains, or makes a surface from its points or lines.
 TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
                                 ProjectInputs& inputs) {
   const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;

@@ -37,7 +37,7 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    // The file has only one object, or the name is rejected later.
+    // A file with a single object needs no name; a wrong name is rejected later.
     if (part.surfaces.empty() && part.point_sets.empty()) part = all;
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();

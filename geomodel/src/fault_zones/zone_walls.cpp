@@ -113,8 +113,7 @@ class WallMover {
     }
   }
 
-  /// Finds the surfaces on which the nodes of faults lie: sums area vectors of faces by set of surfaces; sides of the
-  /// model first.
+  /// Finds the other surfaces on which nodes of faults lie, with the sums of their faces' area vectors at these nodes.
   void find_guides() {
     for (const ZoneColumn& column : zone_.columns)
       if (!column.is_closed()) guides_[column.minus], guides_[column.plus];

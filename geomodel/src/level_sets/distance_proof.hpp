@@ -16,8 +16,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the rows of the triangles of an isosurface that are not proven to be within the distance. Precondition: the
-/// field has bounds.
+/// Returns the rows of the triangles of an isosurface that are not proven to be within a distance of the true
+/// isosurface. Precondition: the field has bounds.
 std::vector<std::size_t> not_proven_within(const ScalarField& field, const Isosurface& surface, double value,
                                            double distance);
 

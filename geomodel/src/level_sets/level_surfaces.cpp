@@ -83,7 +83,7 @@ double distance_for(const Project& project, const Box3& bounds) {
     settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
     settings.derive_size = settings.derive_size || !(settings.size.base.global > 0);
   }
-  Box3 upright = bounds;  // z may be depth, but lengths are the same in both directions
+  Box3 upright = bounds;  // the box may be upside down if z is depth, but its lengths are the same
   settle_sizes(settings, upright, project.naming.attributes, project.output.origin);
   return level_set_share * settings.tolerance.left();
 }

@@ -130,7 +130,7 @@ class PartsMerger {
   const std::filesystem::path& whole_;
   RawMesh mesh_;
   std::vector<bool> has_point_, has_cell_;
-  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by dimension and id
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by id
   std::map<std::string, std::vector<double>> cell_values_, point_values_;
 };
 

@@ -376,7 +376,7 @@ class GmshReader {
   std::unordered_map<std::size_t, std::size_t> row_of_element_;  // row of each tetrahedron, by element number
   // Groups of each Gmsh entity, by its dimension and number.
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;
-  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by dimension and tag
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by tag
 };
 
 }  // namespace

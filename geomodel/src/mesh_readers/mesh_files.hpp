@@ -28,7 +28,7 @@ struct MeshFile {
   /// Prisms among the solids that are not tetrahedra, in VTK's order (VTK files only).
   std::vector<std::array<VertexIndex, 6>> prisms;
   std::size_t n_lower_cells = 0;     ///< number of triangles, lines and points in the file
-  std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no such array
+  std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no array of region ids
   std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
   std::vector<std::string> arrays;        ///< names and types of point arrays and cell arrays (VTK files only)
@@ -38,10 +38,10 @@ struct MeshFile {
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<std::int32_t> edge_id;
   std::map<std::int32_t, std::string> curve_names;
-  /// Row of each point in the input; -1 for added points. Empty if the file has no such array.
+  /// Row in the input of each mesh point; -1 for added points. Empty if the file has no array of these rows.
   std::vector<std::int32_t> input_vertex;
   std::vector<std::string> missing_arrays;  ///< names of required point arrays that the file lacks (VTK files only)
-  std::vector<std::int32_t> kind;           ///< kind of each point; empty if the file has no such array
+  std::vector<std::int32_t> kind;           ///< kind of each mesh point; empty if the file has no array of kinds
   /// Values of cell arrays for each tetrahedron, except for the array "region" (VTK files only).
   std::map<std::string, std::vector<double>> cell_values;
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
@@ -58,7 +58,8 @@ struct FacesFile {
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
   std::vector<std::string> missing_arrays;  ///< names of required arrays that the file lacks
-  std::vector<std::int32_t> mesh_point;     ///< row in the mesh of each point; empty if the file has no such array
+  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
   std::vector<std::string> surface_set_names;  ///< name of each list in surface_sets; empty if the file has none
 };
@@ -71,7 +72,8 @@ struct CurvesFile {
   };
   std::vector<Curve> curves;  ///< curves in the order of the file, including named points
   std::vector<Vec3> points;
-  std::vector<std::int32_t> mesh_point;  ///< row in the mesh of each point; empty if the file has no such array
+  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<VertexIndex> vertices;                   ///< points of the cells that consist of one point
   std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids

@@ -38,7 +38,7 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit by what one more file allows.
+  /// Increases the limit on cells and nodes in sets by what one more file allows.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
   /// Uses up `n` items of the limit; returns false if they exceed it.
   [[nodiscard]] bool take(std::size_t n) {

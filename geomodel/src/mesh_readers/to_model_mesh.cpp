@@ -314,7 +314,7 @@ class ModelMeshBuilder {
         return sides[f][k].tetrahedron == no_side ? 0 : mesh_.tet_region[sides[f][k].tetrahedron];
       };
       std::int32_t minus = region(0), plus = region(1);
-      if (minus == 0 && plus == 0) continue;  // the triangle is not a face of a tetrahedron
+      if (minus == 0 && plus == 0) continue;  // a triangle that is no face of a tetrahedron is left out
       if (minus == 0 || (plus != 0 && plus < minus)) {
         std::swap(minus, plus);
         std::swap(faces[f][1], faces[f][2]);

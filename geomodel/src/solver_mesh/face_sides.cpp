@@ -149,8 +149,8 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
       const auto end = list.begin() + static_cast<std::ptrdiff_t>(first[s.vertices[0] + 1]);
       auto face = std::lower_bound(list.begin() + static_cast<std::ptrdiff_t>(first[s.vertices[0]]), end, s.vertices,
                                    [](const Face& a, const Triangle& b) { return a.vertices < b; });
-      // The normal of a tetrahedron's own face points inwards, so a face with the same orientation points to this
-      // tetrahedron.
+      // Faces of a tetrahedron are listed with normals that point inwards, so the normal of a face with the same
+      // orientation points to this tetrahedron.
       for (; face != end && face->vertices == s.vertices; ++face)
         sides[face->row][face->even == s.even ? 1 : 0] = {t, static_cast<unsigned>(i)};
     }

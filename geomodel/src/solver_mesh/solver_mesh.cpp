@@ -122,7 +122,8 @@ class SolverMeshBuilder {
   static CellGroup group_of_block(const CellBlock& block, std::size_t row) {
     return {block.id, dimension_of(block.shape), block.full_name, {row}, block.members};
   }
-  /// Makes a group of blocks for each surface and each curve. Each block of solids and each named point is a group.
+  /// Makes a group of cell blocks for each surface and each curve. Each block of solids and each named point is a
+  /// group.
   void group_wholes() {
     const bool pieces = options_.groups != GroupChoice::whole, wholes = options_.groups != GroupChoice::pieces;
     std::map<std::int32_t, std::vector<std::size_t>> of_member;

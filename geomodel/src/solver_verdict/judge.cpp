@@ -177,7 +177,7 @@ class Judge {
   const MeshForSolver& mesh_;
   const SolverLimits& limits_;
   std::vector<Vec3> rounded_;
-  std::vector<double> step_;  // time step of each element; judge_steps changes the order of the entries
+  std::vector<double> step_;  // time step of each element; judge_steps changes their order
 };
 
 }  // namespace

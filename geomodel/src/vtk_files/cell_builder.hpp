@@ -23,7 +23,7 @@ void require_rising(const InputFile& file, const std::vector<std::int64_t>& ends
 /// Points of a VTK image, with equal steps along three axes.
 struct ImageLattice {
   std::array<double, 3> origin{}, spacing{};
-  std::array<double, 9> direction{};  ///< directions of the axes, as the rows of a matrix
+  std::array<double, 9> direction{};  ///< directions of the image's axes, as a matrix in rows
   std::array<std::int64_t, 3> first{};
   std::array<std::size_t, 3> n{};  ///< of points
 };

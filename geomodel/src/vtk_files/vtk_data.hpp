@@ -75,7 +75,7 @@ struct VtkTable {
 
 /// Cells of all types in one list. Their corners are rows of existing points.
 struct VtkCells {
-  std::vector<std::size_t> first{0};  ///< for each cell the first entry in `corners`; then the end of the last cell
+  std::vector<std::size_t> first{0};  ///< for each cell: its first entry in `corners`; at last the end of the last cell
   std::vector<VertexIndex> corners;
   std::vector<std::uint8_t> types;
 
@@ -89,8 +89,8 @@ struct VtkData {
   enum class Kind { grid, poly, image } kind = Kind::grid;
   std::vector<Vec3> points;
   bool single_precision = false;  ///< whether the file has coordinates in single precision
-  /// All cells of the file. Those of PolyData are ordered as vertices, lines, polygons, strips, and get their type from
-  /// the number of corners.
+  /// All cells of the VTK file. Those of PolyData are ordered as vertices, lines, polygons, strips, and get their type
+  /// from the number of corners.
   VtkCells cells;
   VtkTable point_data, cell_data, field_data;
 };

@@ -47,7 +47,7 @@ struct CheckFault {
   std::string id;    ///< stable identifier as listed in docs/checking.md, for example "inverted_tetrahedra"
   std::string what;  ///< one sentence that describes the fault of the mesh, with counts
   std::size_t count = 0;
-  std::vector<std::size_t> examples;  ///< at most ten rows of the cells, faces or points that are at fault
+  std::vector<std::size_t> examples;  ///< rows of at most ten cells, faces or points that have the fault
   Vec3 place;                         ///< place of the first example of the fault
 };
 

@@ -16,7 +16,7 @@ struct ModelItems {
   std::vector<std::string> surfaces;  ///< each once
   struct SourceTriangle {
     std::string surface;
-    Index row;  ///< row of the triangle, from 0, in the surface as read or passed in memory
+    Index row;  ///< row of the triangle in its surface as read or passed in memory, from 0
   };
   std::vector<SourceTriangle> triangles;
 

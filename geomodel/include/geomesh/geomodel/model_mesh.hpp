@@ -83,8 +83,8 @@ struct Midpoints {
 struct CurvedEdge {
   VertexIndex a, b;  ///< a < b
   Vec3 middle;
-  /// Values of each point array (ModelMesh::point_arrays) at the midpoint of the edge. Missing values are the means of
-  /// those at the ends.
+  /// Values at the midpoint for each of ModelMesh::point_arrays. A missing value is the mean of those at the edge's
+  /// ends.
   std::vector<double> values{};
 };
 

@@ -218,7 +218,7 @@ struct ContinuedSurface {
   Vec3 place;           ///< of the farthest
   double area = 0;      ///< area of the continuation in m2, before parts beyond the bounding surfaces are cut off
   std::size_t n_filled = 0;
-  double area_filled = 0;  ///< area in m2 of the gaps that were filled
+  double area_filled = 0;  ///< area in m2 of the gaps in the surface that were filled
   Vec3 place_filled;       ///< of the largest
 };
 
@@ -229,8 +229,8 @@ struct BuiltSurfaces {
   BuiltRows rows;
   SettledStack stack;
   std::vector<ContinuedSurface> continued;
-  /// Returns the surfaces without the triangles that only separate fault blocks. The model should contain all of these
-  /// surfaces before any of them is trimmed.
+  /// Returns the surfaces without triangles that only separate fault blocks; these surfaces should all be in the model
+  /// before any of them is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
   std::vector<std::string> notes;     ///< descriptions, with areas, of what each model-building rule changed
   std::vector<std::string> warnings;  ///< model-building rules that could not be applied, and why

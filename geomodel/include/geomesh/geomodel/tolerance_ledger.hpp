@@ -32,11 +32,11 @@ struct ToleranceUse {
 /// took, and left() is never negative.
 class ToleranceLedger {
  public:
-  /// Makes a record without tolerance: surfaces are kept exactly.
+  /// Makes a ledger of no tolerance: surfaces are kept exactly.
   ToleranceLedger() = default;
-  /// Makes a record whose tolerance is the same length everywhere. Precondition: the length is above 0.
+  /// Makes a ledger of a tolerance that is the same length everywhere. Precondition: the length is above 0.
   static ToleranceLedger of_length(double length);
-  /// Makes a record whose tolerance is a share of the target size at each place. follow_size sets its length.
+  /// Makes a ledger of a tolerance that is a share of the target size at each place. follow_size sets its length.
   static ToleranceLedger of_sizes(double share);
 
   bool follows_sizes() const { return share_ > 0; }

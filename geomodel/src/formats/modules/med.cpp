@@ -92,7 +92,7 @@ class MedWriter {
 
   /// Collects the MED families of nodes: one for each combination of groups to which a node belongs.
   void collect_node_families() {
-    // Rows of the node groups of each node; nodes in no group are not included.
+    // For each node, the groups to which it belongs; nodes in no group are not included.
     std::map<VertexIndex, std::vector<std::size_t>> sets_of;
     SolverNames give(name_limit_med);
     const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
@@ -182,7 +182,8 @@ class MedWriter {
       put_cells_of(shape);
   }
   void put_cells_of(CellShape shape) {
-    std::vector<std::size_t> blocks, ends;  // blocks of cells of this shape, and the end of the cells of each block
+    // cell blocks with the requested shape, and where the cells of each block end
+    std::vector<std::size_t> blocks, ends;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;
       blocks.push_back(b);
@@ -214,7 +215,7 @@ class MedWriter {
   std::string name_;
   med_idt id_ = -1;
   std::vector<std::string> node_groups_;
-  // Numbers of the node families, by the rows of their groups in node_groups_.
+  // MED numbers of the families of nodes, by the groups to which their nodes belong.
   std::map<std::vector<std::size_t>, med_int> node_families_;
   std::vector<med_int> family_of_node_;
   std::vector<SidecarGroup> sidecar_;

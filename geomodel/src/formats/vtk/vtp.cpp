@@ -37,7 +37,7 @@ class PointSubset {
   std::vector<VertexIndex> row_, rows_;
 };
 
-/// Makes a section of `n` cells with `nodes` nodes each; `node` returns their nodes.
+/// Makes a VTK section of `n` cells with `nodes` nodes each; `node` returns their nodes.
 template <class F>
 VtkSection cells(const char* tag, std::size_t n, std::size_t nodes, F node) {
   return {

@@ -11,7 +11,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the array of a VTK file that a surface names; else the only scalar array. Null if there is none.
+/// Returns the array of a VTK file that the project names; if it names none, the only scalar array. Null if there is
+/// none.
 const VtkColumn* array_of(const VtkTable& data, const std::string& name) {
   const VtkColumn* found = nullptr;
   for (const VtkColumn& column : data.columns) {

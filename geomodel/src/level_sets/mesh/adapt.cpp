@@ -91,7 +91,7 @@ class Adapter {
     return first != values_.end() && *first <= range.high;
   }
 
-  /// Returns true if the bounds of the field prove, without samples, that no isosurface passes through a large cell.
+  /// Returns true if bounds of the field prove, without samples, that no isosurface passes through a cell.
   bool passes_no_isosurface(const BackgroundMesh::Cell& cell) const {
     return field_.has_bounds() && !any_value_in(field_.value_range(bounds(mesh_.corners(cell))));
   }

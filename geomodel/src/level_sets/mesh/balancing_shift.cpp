@@ -26,7 +26,7 @@ double nearest_difference(const std::vector<double>& values, double at) {
   return nearest;
 }
 
-/// Sums over the triangles in the cells around a vertex: of their areas, and of area times (isovalue - mean field
+/// Sums over the isosurface triangles in the cells around a vertex: of areas, and of area times (isovalue - mean field
 /// value).
 struct Mean {
   double sum = 0, area = 0;

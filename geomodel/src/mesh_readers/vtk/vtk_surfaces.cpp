@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Rows of the cells of one file, by their kind.
+/// Rows of the cells in a VTK file, by the kind of cell.
 struct CellRows {
   std::vector<std::size_t> vertices, lines, faces;
 };
