@@ -11,7 +11,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the settings of the project that are needed to read a table of a well path.
 WellReading reading_of(const WellSpec& spec, const Project& project) {
   WellReading reading;
   reading.options = spec.source.reading;

@@ -183,7 +183,7 @@ class ZoneOpener {
   /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< rows of the two columns, in the order of their prism
+      std::size_t a, b;  ///< rows of two columns of nodes, in the order of their prism
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -207,7 +207,7 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      // Otherwise all tetrahedra around the edge are connected, and its nodes are not doubled.
+      // Without a boundary face, all tetrahedra around the edge would be connected, and its nodes not doubled.
       GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }

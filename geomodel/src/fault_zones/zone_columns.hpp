@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 /// A column of nodes across a fault zone, between two nodes on the sides of the fault; one node where the fault ends.
 struct ZoneColumn {
   VertexIndex minus, plus;
-  std::size_t zone;  ///< row of the first zone that contains the column
+  std::size_t zone;  ///< row of the first fault zone that contains the column of nodes
   /// Nodes of the column from the minus to the plus side, one more than layers; only one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }

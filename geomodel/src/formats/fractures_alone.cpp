@@ -48,7 +48,8 @@ class FractureMesh {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];
       if (set.empty()) continue;
-      // The face lies on a side of the box, which comes first, and on a fault.
+      // A face on a side of the box and on a fault belongs to the side, which comes first; here it becomes one of the
+      // fault.
       if (std::find(set.begin(), set.end(), face.surface) == set.end()) {
         face.surface = set.front();
         face.source_triangle = -1;

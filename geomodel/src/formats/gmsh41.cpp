@@ -22,7 +22,6 @@ struct Entity {
   std::vector<VertexIndex> owned;
 };
 
-/// Returns the Gmsh entities of a mesh in the order points, edges, faces, solids.
 std::vector<Entity> make_entities(const SolverMesh& mesh) {
   std::vector<Entity> entities;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

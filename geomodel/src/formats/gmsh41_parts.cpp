@@ -116,7 +116,6 @@ class PartWriter {
     numbers.size(groups_.of_block[block].size());
     for (const std::int32_t tag : groups_.of_block[block]) numbers.integer(tag);
   }
-  /// Writes the Gmsh entities of the whole mesh.
   void write_parents(GmshNumbers& numbers) const {
     std::array<std::vector<std::size_t>, 4> of_dimension;
     for (std::size_t b = 0; b < whole_.blocks.size(); ++b)

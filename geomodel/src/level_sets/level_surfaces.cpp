@@ -223,7 +223,6 @@ class GroupMaker {
   std::vector<double> values_;  ///< rising, each once
 };
 
-/// Concatenates the triangles of each surface from all of its fields.
 void assemble(const Project& project, const MadeParts& parts, LevelSurfaces& made) {
   for (const auto& [key, part] : parts) {
     FileContents& contents = made.contents[key.surface];

@@ -173,7 +173,6 @@ class ModelMeshBuilder {
                 edges.end());
   }
 
-  /// Adds the attributes of regions that the JSON file lists, and the other arrays of cells and points.
   void add_arrays() {
     std::map<std::string, RegionAttribute> attributes;
     for (const FullName& full : names_.regions)
@@ -200,7 +199,6 @@ class ModelMeshBuilder {
       mesh_.point_arrays.push_back(std::move(kept));
     }
   }
-  /// Adds groups of regions that are only in the JSON file, and not in the mesh file.
   void add_region_groups() {
     for (const auto& [name, ids] : names_.region_groups) {
       if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(),

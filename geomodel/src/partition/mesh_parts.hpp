@@ -65,7 +65,6 @@ class MeshParts {
   }
   std::size_t n_nodes_of_whole() const;
   std::size_t n_cells_of_whole() const;
-  /// Returns the number of cells of a region in the whole mesh.
   std::size_t n_cells_of_region(std::int32_t id) const;
   /// Returns the number of a tetrahedron within its region, from 0; equal to `row_in_block` if the whole mesh is
   /// available.

@@ -271,9 +271,10 @@ class EdgeCurver {
   double tolerance_;
   std::map<std::int32_t, SurfaceKind> kind_of_;
   std::map<std::int32_t, SurfaceDistance> nearest_;
-  std::map<std::int32_t, Plane> sides_;     // plane of each side of the model that is plane, by its id
-  std::vector<EdgeOnSurfaces> edges_;       // by ends, ascending
-  std::vector<std::array<int, 3>> proven_;  // for each face: the halvings of its edges when it was last proven
+  std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
+  std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
+  // for each face: how often its edges had been halved in curvature when it was last proven
+  std::vector<std::array<int, 3>> proven_;
 };
 
 }  // namespace

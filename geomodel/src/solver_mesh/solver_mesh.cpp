@@ -166,7 +166,6 @@ class SolverMeshBuilder {
       result_.labels[entry->second].blocks.push_back(b);
     }
   }
-  /// Returns the names of the surfaces or curves of a block, joined by `+`.
   std::string name_of(const CellBlock& block) const {
     if (block.shape != CellShape::triangle && block.shape != CellShape::edge) return block.full_name;
     std::string name;

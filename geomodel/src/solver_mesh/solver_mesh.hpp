@@ -38,7 +38,8 @@ struct CellBlock {
   std::size_t nodes_per_cell;
   std::vector<VertexIndex> nodes;              ///< in VTK's order
   std::vector<std::array<FaceSide, 2>> sides;  ///< for blocks of faces: minus side and plus side of each face
-  std::vector<VertexIndex> rows;  ///< for blocks of faces and tetrahedra: rows in the ModelMesh, which have 32 bits too
+  /// for blocks of faces and tetrahedra: their rows in the ModelMesh, as 32-bit numbers
+  std::vector<VertexIndex> rows;
   std::size_t n_cells() const {
     if (!rows.empty()) return rows.size();
     return nodes_per_cell == 0 ? 0 : nodes.size() / nodes_per_cell;

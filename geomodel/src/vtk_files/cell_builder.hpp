@@ -28,7 +28,6 @@ struct ImageLattice {
   std::array<std::size_t, 3> n{};  ///< of points
 };
 
-/// Adds cells to the data of one VTK file. Throws Error{invalid_input} if the cells are damaged.
 class CellBuilder {
  public:
   enum class Shape { verts, lines, polys, strips };

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::string_view head = "# vtk DataFile Version ";
 
-/// Reads point data, cell data and field data of a legacy VTK file into its tables.
 class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}

@@ -69,7 +69,6 @@ struct VtkTable {
   const VtkColumn* numbers(std::string_view name) const;
   /// Returns the array of texts with this name; null if there is none.
   const VtkColumn* texts(std::string_view name) const;
-  /// Adds an array, which replaces one with the same name.
   void put(VtkColumn column);
 };
 

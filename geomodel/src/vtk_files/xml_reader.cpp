@@ -136,7 +136,6 @@ class XmlReader {
     if (data_.points.size() >= no_vertex) file_.fail("it holds more points than 32 bits can count");
   }
 
-  /// Returns an array that describes a group of cells; throws if it is missing.
   std::vector<std::int64_t> cell_array(const pugi::xml_node& group, const char* name, std::size_t n) const {
     const pugi::xml_node element = group.find_child_by_attribute("DataArray", "Name", name);
     if (!element) file_.fail(std::string("its ") + group.name() + " have no array \"" + name + "\"");

@@ -45,10 +45,10 @@ struct CheckRequest {
 
 struct CheckFault {
   std::string id;    ///< stable identifier as listed in docs/checking.md, for example "inverted_tetrahedra"
-  std::string what;  ///< one sentence that describes the fault of the mesh, with counts
+  std::string what;  ///< one sentence that describes the defect of the mesh, with counts
   std::size_t count = 0;
-  std::vector<std::size_t> examples;  ///< rows of at most ten cells, faces or points that have the fault
-  Vec3 place;                         ///< place of the first example of the fault
+  std::vector<std::size_t> examples;  ///< rows of at most ten cells, faces or points with the defect
+  Vec3 place;                         ///< place of the first example of the defect
 };
 
 struct CheckResult {
@@ -63,7 +63,7 @@ struct CheckResult {
   std::vector<RegionVolume> regions;
   std::optional<SolverVerdict> solver;   ///< result of the check for solvers, if it was requested
   std::vector<std::string> checks_done;  ///< descriptions of what was checked, and of what was not checked and why
-  std::vector<CheckFault> faults;        ///< all faults of the mesh that were found; if empty, the mesh passes
+  std::vector<CheckFault> faults;        ///< all defects of the mesh that were found; if empty, the mesh passes
 };
 
 /// Checks a mesh and collects every fault. Throws Error{usage} if a file cannot be opened, and Error{invalid_input} if

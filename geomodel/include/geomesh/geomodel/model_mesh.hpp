@@ -175,7 +175,7 @@ struct ModelMesh {
   /// are no zones.
   std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};    ///< vector that was subtracted from the project's coordinates
-  std::string unit = "m";  ///< unit of all coordinates; volumes and areas are in its powers
+  std::string unit = "m";  ///< unit of coordinates and lengths; areas are in its square, volumes in its cube
 };
 
 }  // namespace geomesh::geomodel

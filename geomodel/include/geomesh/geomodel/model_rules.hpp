@@ -81,8 +81,8 @@ struct SurfaceRules {
   /// Whether find_ramps adds faults to throw_at of this horizon. If throw_at is still empty after that, the horizon is
   /// continued to the walls of its fault blocks.
   bool throw_auto = false;
-  /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, provided
-  /// that the project lists no faults there.
+  /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
+  /// project lists no faults for the horizon.
   bool throw_at_polygons = false;
   /// For surfaces that are level sets: the triangles of each scalar field. Those of fields that are valid only in
   /// certain blocks or on certain sides of faults are cut off at the faults in throw_at.

@@ -69,7 +69,7 @@ struct SurfaceSpec {
   std::optional<double> below_by;
   ExtrudeSpec extrude;
   SurfaceRules rules;  ///< rules in the keys `extend`, `fill_holes`, `extent` and `base` of a surface
-  int line = 0;        ///< line of the entry in the project file, from 1
+  int line = 0;        ///< line in the project file at which the surface or well begins, from 1
 
   /// Returns false if the surface is known to be of another kind. A surface whose kind was not recognised may be of any
   /// kind, so that one mistake causes only one message.
@@ -128,7 +128,7 @@ struct Project {
       /// `small_regions` of `rules`.
       naming;
   GivenColours colours;     ///< colours of units and surfaces in pictures
-  double merge_within = 0;  ///< points, edges and facets closer to each other than this are merged
+  double merge_within = 0;  ///< distance within which points, edges and facets are merged
   MeshSpec mesh;
   std::vector<std::string> notes;  ///< notes on keys of the project that are written with a former name
   OutputSpec output;

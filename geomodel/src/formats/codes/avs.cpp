@@ -16,7 +16,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes the header of an AVS file: numbers of nodes, cells, node attributes, cell attributes and model attributes.
 void write_counts(OutputText& out, std::size_t n_nodes, std::size_t n_cells, int node_attributes) {
   out << n_nodes << " " << n_cells << " " << node_attributes << " 0 0\n";
 }

@@ -16,7 +16,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes the grid points, zones and faces of a FLAC3D grid, numbered from 1.
 class GridWriter {
  public:
   GridWriter(OutputText& out, const SolverMesh& mesh) : out_(out), mesh_(mesh), first_of_(mesh.blocks.size(), 0) {}

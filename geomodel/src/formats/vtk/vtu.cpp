@@ -28,7 +28,6 @@ std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   return groups;
 }
 
-/// Writes the files of faces, curves and names, which all parts of a mesh share.
 void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std::filesystem::path& stem,
                   const std::filesystem::path& file, WrittenFiles& written) {
   if (!options.single_grid) {

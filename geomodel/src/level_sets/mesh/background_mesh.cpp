@@ -83,7 +83,6 @@ VertexIndex BackgroundMesh::midpoint(VertexIndex a, VertexIndex b) {
   return it->second;
 }
 
-/// Evaluates the field at all new points in one call.
 void BackgroundMesh::evaluate() {
   values_.resize(points_.size());
   if (n_evaluated_ == points_.size()) return;

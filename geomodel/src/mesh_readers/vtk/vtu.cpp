@@ -33,7 +33,6 @@ void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
   }
 }
 
-/// Adds the faces of a mesh and their sets. A face on several surfaces is in several sets.
 void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& row, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
   for (const auto& [id, name] : file.surface_names) sets[id] = {name, id, 2, {}};

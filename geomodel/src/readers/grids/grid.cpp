@@ -39,7 +39,6 @@ NodeLattice lattice_of(const Grid& grid) {
   return lattice;
 }
 
-/// Appends the triangles of one grid cell. Its corners are in counter-clockwise order in columns and rows.
 void split_cell(const std::vector<Vec3>& nodes, const std::array<std::size_t, 4>& corner, Diagonal diagonal,
                 std::vector<std::array<std::size_t, 3>>& out) {
   std::vector<std::size_t> present;
@@ -141,7 +140,6 @@ TriangulatedSurface triangulate_lattice(const NodeLattice& lattice, Diagonal dia
 
 namespace {
 
-/// Removes the heights that mean "no value" from the nodes of a grid, and reports unusual heights.
 void drop_no_data(const InputFile& file, const std::string& name, NodeLattice& lattice, FileContents& contents) {
   std::vector<double> heights;
   heights.reserve(lattice.nodes.size());

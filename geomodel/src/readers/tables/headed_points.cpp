@@ -83,7 +83,6 @@ EarthVisionHeader earth_vision_header(LineReader lines) {
   return header;
 }
 
-/// Adds a grid from a table whose rows give the column and row of each node.
 void add_grid(const InputFile& file, const Table& table, std::pair<std::size_t, std::size_t> size,
               FileContents& contents) {
   const auto [n_columns, n_rows] = size;

@@ -315,7 +315,6 @@ DuplicateCounts count_duplicates(std::vector<Vec3> points) {
   return n;
 }
 
-/// Removes the points of a table whose heights mean "no value", and reports unusual heights.
 void drop_no_data(const InputFile& file, const std::string& name, std::vector<Vec3>& points, FileContents& contents) {
   std::vector<double> heights;
   heights.reserve(points.size());
@@ -349,7 +348,6 @@ void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> p
   contents.point_sets.push_back({name, file.shown(), std::move(points)});
 }
 
-/// Adds the polylines of one group of rows, in the order in which they begin.
 void add_lines(const InputFile& file, const std::string& name, const std::vector<const TableRow*>& rows,
                FileContents& contents) {
   std::vector<Vec3> points;

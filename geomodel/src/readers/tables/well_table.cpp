@@ -39,7 +39,6 @@ Role role_of(std::string_view name) {
   return n_roles;
 }
 
-/// Meaning of the columns in a table of well paths.
 struct WellColumns {
   std::optional<std::size_t> of[n_roles];
   std::optional<Columns> xyz;
