@@ -183,7 +183,7 @@ class ZoneOpener {
   /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< rows of two columns of nodes, in the order of their prism
+      std::size_t a, b;  ///< rows of the columns of nodes at both ends, in the order of their prism
       std::size_t zone;
       unsigned uses = 0;
     };

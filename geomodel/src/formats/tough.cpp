@@ -45,8 +45,8 @@ class Ten {
  public:
   explicit Ten(double value) {
     std::fill_n(text_, columns, ' ');
-    // With nine digits, a negative sign or a leading "0." makes the number one or two characters too long, so fewer
-    // digits are tried first.
+    // With nine digits, a negative sign or a leading "0." makes the number too long for its column of ten characters,
+    // so fewer digits are tried first.
     for (int digits = 9 - (std::signbit(value) ? 1 : 0) - (std::abs(value) < 1 ? 1 : 0); digits > 0;) {
       char buffer[32];
       char* const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;

@@ -113,7 +113,7 @@ class AbaqusReader {
     return value;
   }
   std::size_t count(std::string_view text) const {
-    constexpr double largest = 9007199254740992;  // 2^53: the next integer is not a double
+    constexpr double largest = 9007199254740992;  // 2^53, the largest integer up to which all integers are doubles
     const double value = number(text);
     if (!(value >= 0 && value <= largest) || value != std::floor(value))
       in_.refuse("a node's number was expected: \"" + std::string(text) + "\"");

@@ -44,7 +44,7 @@ struct Sheet {
   std::vector<std::size_t> faces;
   bool two_sided = true;
   Vec3 area{0, 0, 0};  ///< sum of the area vectors of the faces after orienting them
-  double size = 0;     ///< sum of the lengths of the area vectors of the faces
+  double size = 0;     ///< sum of the lengths of the faces' area vectors, which measures the size of the part
 };
 
 class SheetTurner {

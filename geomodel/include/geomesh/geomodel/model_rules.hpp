@@ -163,7 +163,8 @@ struct BuiltRows {
       /// For each surface with throw_at, the number of the fault block of each triangle, from 0, or of_every_block or
       /// of_no_block. Empty for other surfaces.
       block_of_triangle;
-  /// For each surface, the rows of the faults that divide it into blocks: those of throw_at across which it ends.
+  /// For each surface, the rows of the faults that divide it into blocks: those of throw_at across which it is not
+  /// continued.
   std::vector<std::vector<Index>> parted_at;
   /// For each surface and block, whether the block is above each fault of parted_at. Empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;

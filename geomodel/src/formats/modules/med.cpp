@@ -108,7 +108,7 @@ class MedWriter {
       family_of_node_[node] =
           node_families_.try_emplace(sets, static_cast<med_int>(node_families_.size())).first->second;
   }
-  /// Returns the bytes of all numbers in the file, plus the most that HDF5 adds for each family and each of its groups.
+  /// Returns the number of bytes of all numbers in the file, plus the most that HDF5 adds for each family and group.
   std::size_t most_bytes() const {
     constexpr std::size_t of_file = 1 << 16, of_family = 1 << 12, of_group = 512;
     std::size_t bytes = of_file + mesh_.n_nodes() * (3 * sizeof(med_float) + sizeof(med_int));

@@ -33,7 +33,7 @@ bool NetcdfReader::has(const std::string& variable) const {
 }
 
 std::size_t NetcdfReader::dimension(const std::string& name) const {
-  // Largest ratio of deflate compression, by which the least size of a file follows from its count of numbers.
+  // Largest ratio of deflate compression. A file is too short for its count of numbers if it cannot hold them even so.
   constexpr std::size_t most_packed = 1032;
   int id = 0;
   std::size_t n = 0;

@@ -15,7 +15,7 @@ namespace geomesh::geomodel::checking {
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why);
 
-/// Whether a VTK file may be without points. A mesh must have some, but a model may have no curve or face.
+/// Whether a VTK file may have no points. A mesh must have some, but a file of curves or faces may be empty.
 enum class May { not_be_empty, be_empty };
 
 /// Reads a VTK file. Throws Error{usage} if it cannot be opened, and Error{invalid_input} if it is of another kind,

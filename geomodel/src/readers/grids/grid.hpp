@@ -41,7 +41,7 @@ void allocate_heights(const InputFile& file, Grid& grid, std::size_t bytes_left,
 /// "y") are equal or in the wrong order.
 double node_spacing(const InputFile& file, const char* axis, double low, double high, std::size_t n);
 
-/// Reads the next height of a text grid. NaN and infinite numbers become NaN; throws for other words.
+/// Reads the next height of a text grid. NaN and infinite numbers become NaN; throws if the word is no number.
 double read_height(TokenStream& tokens);
 /// Throws Error{invalid_input} if the file continues after the last value of the grid.
 void expect_end_of_grid(TokenStream& tokens, const Grid& grid);
