@@ -11,13 +11,12 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Names of arrays that are not properties: those of a single grid for all cells, and of parts.
+/// Names of arrays that are not properties: those of a single grid for all cells, and those of parts of a mesh.
 constexpr std::array<std::string_view, 8> arrays_of_cells{"surface_set",  "patch",           "region_minus",
                                                           "region_plus",  "source_triangle", "GlobalCellIds",
                                                           "vtkGhostType", "partition"};
 constexpr std::array<std::string_view, 4> arrays_of_points{"kind", "input_vertex", "GlobalPointIds", "vtkGhostType"};
 
-/// Adds sets of cells grouped by id.
 void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
                     const std::map<std::int32_t, std::string>& names, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
@@ -34,7 +33,6 @@ void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
   }
 }
 
-/// A face of several surfaces is in the set of each.
 void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& row, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
   for (const auto& [id, name] : file.surface_names) sets[id] = {name, id, 2, {}};
@@ -56,7 +54,8 @@ void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& 
   }
 }
 
-/// Returns the rows of a file's points in the mesh, by coordinates; the file's own numbers if it has them.
+/// Returns the row in the mesh of each point of another file, by the numbers in that file; no_vertex if the number is
+/// missing or the point in that row of the mesh is a different one.
 std::vector<VertexIndex> rows_of(const std::vector<Vec3>& points, const std::vector<std::int32_t>& numbers,
                                  const RawMesh& mesh) {
   std::vector<VertexIndex> rows;
