@@ -42,8 +42,8 @@ void check_shapes(const CheckedMesh& mesh, double ulp, FaultCollector& wrong) {
   }
 }
 
-/// Checks that sizes are lengths, and that within one region they grow by at most `most` per unit of distance; 0:
-/// growth is not checked.
+/// Checks that element sizes are lengths, and that within one region they grow by at most `most` per unit of distance.
+/// With `most` = 0 the growth is not checked.
 void check_sizes(const CheckedMesh& mesh, double most, FaultCollector& wrong) {
   const Values* const sizes = array_of(mesh.file, "size");
   if (!sizes) return;

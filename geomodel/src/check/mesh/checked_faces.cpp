@@ -30,7 +30,8 @@ CheckedFaces::CheckedFaces(const CheckedMesh& mesh, const Specification& specifi
                            const std::vector<Triangle>& set_faces)
     : mesh_(mesh), specification_(specification), faces_(faces) {
   if (faces_) {
-    candidates_ = set_faces;  // use all rows, so that faces can be distinguished
+    // Rows that are no mesh faces are kept, so that indices of candidates equal rows of the face set.
+    candidates_ = set_faces;
   } else {
     for (const FacePair& face : mesh_.faces) candidates_.push_back(face.key);
   }

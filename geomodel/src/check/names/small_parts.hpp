@@ -16,8 +16,9 @@ struct SmallSides {
 };
 
 /// Returns the result for each face of `checked.candidates()`. A part is small if it is smaller than
-/// SpecifiedNames::min_volume and not the largest of its region. Parts are joined across faces of no surface. Empty if
-/// small regions are not merged into others. Precondition: `checked.faces()`. O(n log n) in the tetrahedra.
+/// SpecifiedNames::min_volume and not the largest of its region. Cells form one part if they are joined across faces
+/// that are on no surface. Empty if small regions are not merged into others. Precondition: `checked.faces()`. O(n log
+/// n) in the tetrahedra.
 std::vector<SmallSides> sides_in_small_parts(const CheckedFaces& checked);
 
 }  // namespace geomesh::geomodel::checking
