@@ -13,18 +13,20 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;         ///< the vertex that stands out most
-  double height = 0;  ///< its vertical distance from the nearest neighbour; negative if it is below all neighbours
-  double around = 0;  ///< largest vertical step between adjacent neighbours of that vertex
+  Vec3 place;  ///< the vertex that deviates most
+  /// Vertical distance of the vertex `place` from its nearest neighbour; negative if it is below all neighbours.
+  double height = 0;
+  double around = 0;  ///< largest vertical step between adjacent neighbours of `place`
 };
 
-/// Returns inner vertices that lie above all of their neighbours, or below all. Their vertical distance to the nearest
-/// neighbour is at least ten times the steps between these neighbours, ten times the median step on the surface, and a
-/// quarter of the range of the surface's heights without the most extreme tenth. This excludes smeared faults, peaks
-/// among mountains, noise, and surfaces with fewer than 100 vertices. Linear in the triangles, up to sorting.
+/// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a
+/// vertex to the nearest neighbour is at least ten times the steps between these neighbours, ten times the median step
+/// on the surface, and a quarter of the range of the surface's heights without the most extreme tenth. This excludes
+/// smeared faults, peaks among mountains, noise, and surfaces with fewer than 100 vertices. Linear in the triangles, up
+/// to sorting.
 Spikes find_spikes(const TriangulatedSurface& surface);
 
-/// Formats the finding: "2 vertices stand far above or below all of their neighbours, ...", with the place moved by
+/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ...", with coordinates moved by
 /// `origin`.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 

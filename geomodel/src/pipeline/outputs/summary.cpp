@@ -18,7 +18,7 @@ constexpr const char* no_mesh_for_solvers =
 
 constexpr std::size_t most_units_listed = 6;
 
-/// The regions that have the same name before suffixes.
+/// A unit and its regions, which have the same name before suffixes.
 struct Unit {
   std::string name;
   std::vector<const Region*> regions;
@@ -40,7 +40,7 @@ std::vector<Unit> units_of(const ModelMesh& mesh) {
   return units;
 }
 
-/// Returns all units if they are few, else the largest ones in the same order.
+/// Returns all units if there are few of them, else the largest ones in the same order.
 std::vector<Unit> units_shown(std::vector<Unit> units) {
   if (units.size() <= most_units_listed) return units;
   std::vector<double> volumes;
@@ -86,7 +86,8 @@ void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
   }
 }
 
-/// Returns the surface that gridding, smoothing or resampling moved farthest from its data; null if none was moved.
+/// Returns the surface that gridding, smoothing or resampling moved farthest from its data; null if no surface was
+/// moved.
 const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   const ToleranceUse* farthest = nullptr;
   for (const ToleranceUse& use : ledger.uses()) {
@@ -96,7 +97,7 @@ const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   return farthest;
 }
 
-/// Describes the lengths of edges, and the settings of the mesh that the user did not choose.
+/// Describes the lengths of edges, and the mesh settings that the user did not choose.
 std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   const std::string& unit = mesh.unit;
   std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
@@ -111,7 +112,7 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   return text;
 }
 
-/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
+/// Formats the shapes of the elements: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
 std::string shapes(const QualityReport& quality) {
   char text[160];
   std::snprintf(text, sizeof text,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Stage intersect if surfaces may be off their input by a share of the size: places where they nearly coincide are
-/// merged within a part of it.
+/// Runs the stage intersect and merges surfaces where they nearly coincide, within a part of the tolerance that they
+/// are allowed to move.
 #pragma once
 
 #include <vector>

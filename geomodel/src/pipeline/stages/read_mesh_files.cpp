@@ -15,7 +15,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads the facets of a PLC file as one surface, by their first three corners, so that results can be named.
+/// Reads a PLC file. Its facets become the triangles of one surface, each represented by its first three corners, so
+/// that results can be named.
 void read_plc(const std::filesystem::path& path, Inputs& model, Journal& journal) {
   const StageScope stage(journal.context(), "read");
   PlcFile file = read_plc_file(path);
