@@ -13,8 +13,8 @@ constexpr std::size_t n_neighbours = 8;
 
 double squared(const Vec3& a, const Vec3& b) { return dot(a - b, a - b); }
 
-/// Returns the interval of ascending nodes that contains v, after clamping v to their range, and the relative position
-/// of v in it.
+/// Returns the interval between ascending nodes that contains v, and the relative position of v in the interval. Values
+/// outside the nodes are clamped first.
 std::pair<std::size_t, double> interval(const std::vector<double>& nodes, double v) {
   if (nodes.size() < 2 || v <= nodes.front()) return {0, 0.0};
   if (v >= nodes.back()) return {nodes.size() - 2, 1.0};
@@ -38,7 +38,7 @@ bool SizeGrid::make_lattice() {
     for (const Vec3& p : points_) axes_[k].push_back(p[k]);
     std::sort(axes_[k].begin(), axes_[k].end());
     axes_[k].erase(std::unique(axes_[k].begin(), axes_[k].end()), axes_[k].end());
-    if (axes_[k].size() > points_.size() / n) return false;  // there are more nodes than points
+    if (axes_[k].size() > points_.size() / n) return false;  // The axes have more lattice nodes than there are points.
     n *= axes_[k].size();
   }
   if (n != points_.size()) return false;
@@ -49,7 +49,7 @@ bool SizeGrid::make_lattice() {
       const auto at = std::lower_bound(axes_[k].begin(), axes_[k].end(), points_[row][k]) - axes_[k].begin();
       node = node * axes_[k].size() + static_cast<std::size_t>(at);
     }
-    if (at_node[node] != 0) return false;  // two points at one node, so another node has none
+    if (at_node[node] != 0) return false;  // two points are at one node, so another node has none
     at_node[node] = sizes_[row];
   }
   lattice_ = std::move(at_node);
@@ -66,7 +66,8 @@ void SizeGrid::sort_tree(Index begin, Index end, unsigned axis) {
   sort_tree(middle + 1, end, (axis + 1) % 3);
 }
 
-/// `heap` contains the nearest points so far, with the farthest of them on top.
+/// Searches the tree for the points nearest to p. `heap` contains the nearest points so far, with the farthest of them
+/// on top.
 void SizeGrid::find_nearest(const Vec3& p, Index begin, Index end, unsigned axis, std::vector<Near>& heap) const {
   if (begin >= end) return;
   const Index middle = begin + (end - begin) / 2, row = order_[middle];
@@ -90,7 +91,8 @@ double SizeGrid::weighted(const Vec3& p) const {
   if (nearest[0].squared_distance == 0) return sizes_[nearest[0].row];
   double sum = 0, weights = 0;
   for (const Near& n : nearest) {
-    const double w = nearest[0].squared_distance / n.squared_distance;  // relative weight, so that nothing overflows
+    // Weight relative to the nearest point, so that nothing overflows.
+    const double w = nearest[0].squared_distance / n.squared_distance;
     sum += w * sizes_[n.row];
     weights += w;
   }

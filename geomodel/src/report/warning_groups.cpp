@@ -9,7 +9,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::string_view left_out = "...";  ///< replaces names and numbers
+/// Text that replaces names and numbers when similar warnings are compared.
+constexpr std::string_view left_out = "...";
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {
@@ -28,7 +29,8 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Returns the text after the colon of prefixes such as "top.ts: the file says" and "polyline W2: a length".
+/// Returns the text of a message after the colon of prefixes such as "top.ts: the file says" and "polyline W2: a
+/// length".
 std::string_view without_prefix(std::string_view text) {
   const std::size_t colon = text.find(": ");
   const bool is_name = colon != std::string_view::npos && words_of(text.substr(0, colon)).size() <= 2;
@@ -53,7 +55,8 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  for (const std::string_view end : {" ", ", near"})  // the end of "..., near (x, y, z)"
+  // Possible ends of a message before its coordinates, as in "..., near (x, y, z)".
+  for (const std::string_view end : {" ", ", near"})
     while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }

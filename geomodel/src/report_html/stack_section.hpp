@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The settled stack on the page: thickness maps with pinch-out lines, and what was changed.
+/// Writes the section of the HTML report on the settled stack of horizons: thickness maps with pinch-out lines, and a
+/// list of changes.
 #pragma once
 
 #include <string>
