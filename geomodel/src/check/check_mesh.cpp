@@ -45,7 +45,6 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   return report;
 }
 
-/// Reads the list `open_borders` from the report beside the mesh.
 std::vector<ReportedGap> gaps_reported_beside(const std::filesystem::path& mesh) {
   std::vector<ReportedGap> told;
   const auto report = report_beside(mesh);
@@ -164,9 +163,9 @@ void check_contract(const CheckRequest& request, const CheckedFiles& files, cons
   if (const auto report = report_beside(request.mesh)) check_report_quality(files.mesh, *report, ulp, result);
 }
 
-/// Returns the length of the longest edge of a typical tetrahedron: tetrahedra with shorter longest edges fill nine
-/// tenths of the model's volume. If sizes are graded, few elements are as large as the target size, but they fill most
-/// of the model. Precondition: `mesh` has cells.
+/// Returns a length for which tetrahedra without longer edges fill nine tenths of the model's volume. If sizes are
+/// graded, few elements are as large as the target size, but they fill most of the model. Precondition: `mesh` has
+/// cells.
 double long_edge_by_volume(const CheckedMesh& mesh) {
   std::vector<std::pair<double, double>> edge_and_volume;
   edge_and_volume.reserve(mesh.cells.size());

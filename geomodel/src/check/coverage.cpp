@@ -80,7 +80,7 @@ class CoverageChecker : public CheckedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
-  std::map<Index, BoxTree> surface_trees_;  ///< Search trees over input surfaces, made when first needed.
+  std::map<Index, BoxTree> surface_trees_;                 ///< search trees over input surfaces, made when needed
   std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< border edges of each surface of the input
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< Edges of the faces of box sides and of bodies that cut, sorted.

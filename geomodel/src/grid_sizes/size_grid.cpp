@@ -91,8 +91,7 @@ double SizeGrid::weighted(const Vec3& p) const {
   if (nearest[0].squared_distance == 0) return sizes_[nearest[0].row];
   double sum = 0, weights = 0;
   for (const Near& n : nearest) {
-    // Weight relative to the nearest point, so that nothing overflows.
-    const double w = nearest[0].squared_distance / n.squared_distance;
+    const double w = nearest[0].squared_distance / n.squared_distance;  // relative weight, so that nothing overflows
     sum += w * sizes_[n.row];
     weights += w;
   }

@@ -41,8 +41,7 @@ class SizeGrid {
   std::vector<double> sizes_;
   std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes along each axis, ascending
   std::vector<double> lattice_;  ///< size at each node of the lattice, x fastest; empty if there is no lattice
-  /// Indices of points as a balanced k-d tree: the median of a range is in its middle, and axes alternate.
-  std::vector<Index> order_;
+  std::vector<Index> order_;     ///< k-d tree of points: the median of a range is in its middle, and axes alternate
 };
 
 /// Reads target sizes at points from a file:

@@ -28,8 +28,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   if (n <= 1) return s;
   TriangulatedSurface fine;
   fine.points = s.points;
-  // Points on edges, by the edge's ends in ascending order and the step between them.
-  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;
+  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // points by the edge's ends, ascending, and the step
   const auto add = [&](const Vec3& p) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
@@ -105,8 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    // Discarded, because the run itself repeats these messages when it continues the faults.
-    std::vector<std::string> notes, warnings;
+    std::vector<std::string> notes, warnings;  // ignored, because the run repeats them when it continues the faults
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -214,7 +212,7 @@ class BlockSurfaces {
   const FaultBlocks& blocks_;
   double step_;
   TriangulatedSurface surface_;
-  Box3 over_;  ///< of the common surface
+  Box3 over_;  ///< bounds of the surface made from the points of all blocks
   CompensatedSum squares_;
   std::size_t n_measured_ = 0;
 };

@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-// Default radius of influence of a well top, as a share of the horizon's extent.
-constexpr double share_of_bounds = 0.2;
+constexpr double share_of_bounds = 0.2;  // default reach of a well top, as a share of the horizon's extent
 
 /// Indices of the columns in the table of well tops.
 struct TopColumns {

@@ -42,24 +42,22 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 
 /// Returns the horizons directly above and below a point on its vertical line, as if they were in contact with it (area
 /// 1); used for components between faults that touch no horizon. If the line meets no remaining part of a horizon (all
-/// of it was above the topography), the surfaces before trimming by rules and bodies are used. Linear in both.
+/// of it was above the topography), the surfaces before trimming by rules and bodies are used. Linear in the facets and
+/// triangles.
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p);
 
 /// The unit of a component, as far as its contacts with horizons determine it.
 struct UnitVerdict {
   enum class Kind {
-    unknown,  ///< no horizon gives information about the component
-    /// The component touches no horizon. Its unit (first == last) follows from the horizons directly above and below on
-    /// a vertical line.
-    vertical,
-    unit,    ///< the component is exactly one unit: first == last
-    joined,  ///< units first .. last are connected through a gap in a horizon
+    unknown,   ///< no horizon gives information about the component
+    vertical,  ///< no horizon touches the component; a vertical line through it determines the unit
+    unit,      ///< the component is exactly one unit: first == last
+    joined,    ///< units first .. last are connected through a gap in a horizon
     /// A horizon is missing at the component: units first_possible .. last_possible agree with the contacts, and first
     /// == last is the nearest of them, used if nothing else decides.
     incomplete,
-    /// The component lies below an older and above a younger horizon; first == last is the unit above the younger one.
-    pocket,
+    pocket,  ///< the component lies below an older and above a younger horizon; its unit is the one above the younger
   } kind = Kind::unknown;
   Index first = no_index, last = no_index;
   Index first_possible = no_index, last_possible = no_index;

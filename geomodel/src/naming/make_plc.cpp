@@ -17,7 +17,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns the surfaces of all facets at an edge, ascending.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
   std::vector<Index> all;
   for (const EdgeUse& use : edge) {

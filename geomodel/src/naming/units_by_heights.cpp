@@ -12,8 +12,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_asked = 64;   // largest number of tetrahedra sampled in a component
-constexpr double least_majority = 0.75;  // share of the volume of those samples that give an answer
-constexpr double least_telling = 0.25;   // share of the volume of all samples
+constexpr double least_majority = 0.75;  // least share of conclusive samples, by volume, that must agree on a unit
+constexpr double least_telling = 0.25;   // least share of all samples, by volume, that must be conclusive
 
 /// The units that the horizons leave possible at one of the largest tetrahedra of a component, and the volume of this
 /// tetrahedron.
@@ -54,7 +54,7 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
 /// conclusive.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
-  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty range counts too
+  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // empty ranges, too
   const auto tells = [&](const UnitRange& units) { return units != possible; };
   const double of_one = volume_of(answers, tells_one), telling = volume_of(answers, tells);
   for (Index unit = possible.first; unit <= possible.last && of_one >= least_telling * all; ++unit)

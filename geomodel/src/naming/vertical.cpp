@@ -23,7 +23,6 @@ double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
 }
 
-/// Finds the horizons directly above and below a point along its vertical line.
 class Nearest {
  public:
   explicit Nearest(const Vec3& p) : p_(p) {}

@@ -27,9 +27,8 @@ struct Inputs {
   std::vector<NamedPoint> points;
   std::vector<FittedTop> tops;  ///< of wells
   std::optional<PlcFile> plc;   ///< For `geomesh mesh`: a PLC that the engine meshes unchanged, in place of surfaces.
-  /// For `geomesh mesh`: whether closed surfaces name regions, although they cut nothing.
-  bool closed_are_bodies = false;
-  bool has_rules = false;  ///< whether there is a project, whose rules stage build applies
+  bool closed_are_bodies = false;  ///< for `geomesh mesh`: closed surfaces name regions, although they cut nothing
+  bool has_rules = false;          ///< whether there is a project, whose rules stage build applies
   NamingRules naming;
   ModelRules rules;
   ModelVolume volume;
@@ -39,11 +38,9 @@ struct Inputs {
   Vec3 origin{0, 0, 0};
   std::string system = "local", unit = "m";  ///< coordinate system and unit of the mesh, as the report names them
   double z_scale = 1;                        ///< factor by which z is multiplied after `build` until the mesh is named
-  /// Whether the output has second order, so that corners of faces are kept on the surfaces.
-  bool curved_faces = false;
-  std::string description;  ///< description of the inputs for the report, as the text of a JSON object
-  /// Names of inputs that a warning already concerns, so that no second warning follows.
-  std::vector<std::string> doubted;
+  bool curved_faces = false;  ///< whether the output has second order; corners of faces are then kept on surfaces
+  std::string description;    ///< description of the inputs for the report, as the text of a JSON object
+  std::vector<std::string> doubted;  ///< names of inputs that a warning already concerns, so that no second one follows
 };
 
 /// The result of stage build: surfaces after the rules of geology were applied, with z scaled, and the settings,

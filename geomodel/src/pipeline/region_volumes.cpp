@@ -85,8 +85,7 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
 }
 
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance) {
-  // A change of this relative size matters for estimates of reserves, so the user is informed.
-  constexpr double worth_telling = 0.01;
+  constexpr double worth_telling = 0.01;  // a change of this share matters for estimates of reserves
   struct Volumes {
     CompensatedSum now, given;
   };

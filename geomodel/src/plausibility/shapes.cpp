@@ -75,8 +75,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  // Whether the program, not the user, chose the kind fault for this surface.
-  const bool is_fracture = s.file == "fractures";
+  const bool is_fracture = s.file == "fractures";  // the program chose the kind of a fracture, not the user
   if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",

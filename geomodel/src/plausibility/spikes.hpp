@@ -13,9 +13,8 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;  ///< the vertex that deviates most
-  /// Vertical distance of the vertex `place` from its nearest neighbour; negative if it is below all neighbours.
-  double height = 0;
+  Vec3 place;         ///< the vertex that deviates most
+  double height = 0;  ///< vertical distance of `place` from its nearest neighbour; negative if it is below all
   double around = 0;  ///< largest vertical step between adjacent neighbours of `place`
 };
 

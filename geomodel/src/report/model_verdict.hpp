@@ -14,8 +14,7 @@ namespace geomesh::geomodel {
 /// A unit of the column without a region of its own.
 struct MissingUnit {
   std::string name;
-  /// Reason for the missing region: "its top base_chalk is not in the model", "it is one region with bunter", ...
-  std::string reason;
+  std::string reason;  ///< reason for the missing region: "its top base_chalk is not in the model", ...
 };
 
 /// Returns the units of the column (unit, horizon, unit, ...) for which no region is named, in the column's order.

@@ -9,8 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Text that replaces names and numbers when similar warnings are compared.
-constexpr std::string_view left_out = "...";
+constexpr std::string_view left_out = "...";  ///< replaces names and numbers in grouped warnings
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {
@@ -55,8 +54,7 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  // Possible ends of a message before its coordinates, as in "..., near (x, y, z)".
-  for (const std::string_view end : {" ", ", near"})
+  for (const std::string_view end : {" ", ", near"})  // the end of a message such as "..., near (x, y, z)"
     while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }

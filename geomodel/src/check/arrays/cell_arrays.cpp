@@ -24,7 +24,7 @@ constexpr std::array<Measure, 5> measures{
 
 using Values = std::vector<double>;
 
-/// Returns nullptr if the file has no array of that name with a value for each cell.
+/// Returns the file's array with this name, or nullptr if it has none with a value for each cell.
 const Values* array_of(const MeshFile& file, const std::string& name) {
   const auto at = file.cell_values.find(name);
   return at != file.cell_values.end() && at->second.size() == file.tetrahedra.size() ? &at->second : nullptr;

@@ -29,7 +29,6 @@ struct Between {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Between above_all{infinity, infinity}, below_all{-infinity, -infinity};
 
-/// Returns whether the JSON value is an integer from `least` to `most`.
 bool is_count(const json& told, std::size_t least, std::size_t most) {
   return told.is_number_unsigned() && told.get<std::size_t>() >= least && told.get<std::size_t>() <= most;
 }

@@ -46,8 +46,7 @@ class TriangleSet {
 
  private:
   std::vector<Corners> triangles_;
-  /// Ids of the corners of each triangle; equal coordinates have equal ids.
-  std::vector<std::array<Index, 3>> corner_ids_;
+  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal ids for equal coordinates of corners
   Box3 box_;
   BoxTree tree_;
 };

@@ -46,7 +46,6 @@ class ExactVolume {
   ~ExactVolume();
   ExactVolume(ExactVolume&&) noexcept;
   ExactVolume& operator=(ExactVolume&&) noexcept;
-  /// Adds the signed volume of the tetrahedron a b c d.
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
   double value() const;
 

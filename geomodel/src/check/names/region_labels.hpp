@@ -40,8 +40,7 @@ class LabelFinder {
 
   const CheckedFaces& checked_;
   double reach_;
-  /// Least volume of a region that is compared with horizons, because rounding makes smaller ones.
-  double least_volume_;
+  double least_volume_;  ///< least volume of a region compared with horizons, because rounding makes smaller ones
   UnitFinder units_;
   std::map<std::int32_t, RegionPlace> places_;
 };

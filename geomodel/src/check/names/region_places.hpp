@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The location of each region of the mesh: its extreme points, its centroid, and places well inside it.
+/// The location of each region of the mesh: its extreme points, its centroid, and points well inside it.
 #pragma once
 
 #include <cstdint>

@@ -15,10 +15,10 @@ struct SmallSides {
   bool minus = false, plus = false;
 };
 
-/// Returns the result for each face of `checked.candidates()`. A part is small if it is smaller than
-/// SpecifiedNames::min_volume and not the largest of its region. Cells form one part if they are joined across faces
-/// that are on no surface. Empty if small regions are not merged into others. Precondition: `checked.faces()`. O(n log
-/// n) in the tetrahedra.
+/// Returns for each face of `checked.candidates()` on which of its sides the cell is in a small part of its region. A
+/// part is small if it is smaller than SpecifiedNames::min_volume and not the largest of its region. Cells form one
+/// part if they are joined across faces that are on no surface. Empty if small regions are not merged into others.
+/// Precondition: `checked.faces()`. O(n log n) in the tetrahedra.
 std::vector<SmallSides> sides_in_small_parts(const CheckedFaces& checked);
 
 }  // namespace geomesh::geomodel::checking

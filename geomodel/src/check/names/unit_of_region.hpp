@@ -21,8 +21,7 @@ struct UnitVerdict {
   Index first = no_index, last = no_index;  ///< range of units that are joined in the region; no_index if none
   /// Whether the region has nearly equal areas below and above one horizon, so that nothing is decided.
   bool close = false;
-  /// Whether the horizons at the region leave several units possible, of which the nearest was taken.
-  bool open = false;
+  bool open = false;  ///< whether the horizons at the region leave several units possible; the nearest was taken
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
@@ -39,7 +38,6 @@ class UnitFinder {
   /// horizon there.
   std::vector<UnitVerdict> verdicts_of(std::int32_t region, const RegionPlace& place) const;
   std::string name_of(const UnitVerdict& verdict) const;
-  /// Returns whether the surface is a horizon of the column.
   bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
 
  private:

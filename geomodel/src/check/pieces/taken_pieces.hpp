@@ -16,7 +16,7 @@ struct UncoveredTriangle {
   Index triangle;
   /// Uncovered area that lies beyond a cutting surface, and the remaining uncovered area.
   double beyond = 0, within = 0;
-  std::array<bool, 3> goes_on{};  ///< whether some place of side i (corner i to i + 1) is uncovered
+  std::array<bool, 3> goes_on{};  ///< whether some point of side i (corner i to i + 1) is uncovered
   /// Whether open edges of the mesh faces on this triangle run only along surfaces that cut, or along the surface's
   /// border.
   bool ends_at_cutters = true;

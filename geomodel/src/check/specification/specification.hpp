@@ -21,13 +21,10 @@ namespace geomesh::geomodel::checking {
 
 /// Specification of the names of regions, taken from the project.
 struct SpecifiedNames {
-  /// Alternating units and horizons of the stratigraphic column, youngest first; may be empty.
-  std::vector<std::string> column;
-  std::vector<NamedPoint> seeds;  ///< points that name their region, in the mesh's frame
-  /// Members (units, bodies or regions) of each group, by the group's name.
-  std::map<std::string, std::vector<std::string>> groups;
-  /// Attribute values by unit or region, then by attribute.
-  std::map<std::string, std::map<std::string, double>> attributes;
+  std::vector<std::string> column;  ///< alternating units and horizons of the column, youngest first; may be empty
+  std::vector<NamedPoint> seeds;    ///< points that name their region, in the mesh's frame
+  std::map<std::string, std::vector<std::string>> groups;           ///< members of each group, by the group's name
+  std::map<std::string, std::map<std::string, double>> attributes;  ///< values of attributes by unit or region
   bool fault_blocks = false;                ///< whether names of units include the number of their block
   bool merges_small = false;                ///< whether regions may consist of several pieces
   std::vector<std::string> unconformities;  ///< names of the horizons that are unconformities, which cut older horizons
@@ -39,8 +36,7 @@ struct SpecifiedNames {
 
 /// Describes which parts of one surface the rules of the model may remove. Indices refer to `Specification::surfaces`.
 struct TrimRules {
-  /// Surfaces above (below) which parts of this one may be removed, compared along vertical lines.
-  std::vector<Index> above, below;
+  std::vector<Index> above, below;    ///< surfaces above (below) which parts may be removed, along vertical lines
   double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed
   double near_faults = 0;             ///< like `near_others`, but beyond faults only, for a fault that ends on others
   std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after them were made by rules
@@ -62,12 +58,10 @@ struct Specification {
   /// Surfaces in the mesh's frame, after applying the rules that act on single surfaces.
   std::vector<TriangulatedSurface> surfaces;
   std::optional<ModelVolume> volume;
-  /// Whether the model ends at a topography or base, so that it fills only a part of the volume.
-  bool ends_inside = false;
+  bool ends_inside = false;  ///< whether the model ends at a topography or base and fills only a part of the volume
   /// The parts of each surface that rules may remove; empty if rules remove nothing from any surface.
   std::vector<TrimRules> trims;
-  /// Largest allowed distance between surfaces and their input, in both directions, beyond rounding.
-  double within = 0;
+  double within = 0;  ///< largest distance between surfaces and their input, in both directions, beyond rounding
   bool within_by_count = false;  ///< whether `within` follows from sizes that were derived from a number of elements
   double merging = 0;            ///< distance within which features were merged (the project's `tolerance`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }

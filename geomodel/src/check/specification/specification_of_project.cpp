@@ -123,7 +123,6 @@ double size_growth(const NamedSizes& sizes) {
   return std::max(most_of_searches, sizes.base.gradation);
 }
 
-/// Volume of a regular tetrahedron with this edge length.
 double volume_of_element(double edge) { return edge * edge * edge / (6 * std::sqrt(2.0)); }
 
 }  // namespace

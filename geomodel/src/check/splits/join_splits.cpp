@@ -231,10 +231,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   CheckedMesh as_split_;
-  std::vector<VertexIndex> row_;  // merged point of each node
-  std::set<Triangle> split_;      // faces, by places
-  // Nodes of the minus and the plus face of each pair in which they differ.
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;
+  std::vector<VertexIndex> row_;                           // merged point of each node
+  std::set<Triangle> split_;                               // faces, by places
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // nodes of minus and plus faces, if they differ
   JoinedFiles joined_;
 };
 

@@ -14,7 +14,6 @@ namespace {
 
 double distance(const Vec3& p, const Vec3& q) { return std::sqrt(dot(q - p, q - p)); }
 
-/// Returns the distance between the segments a b and c d.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   // The segments as degenerate triangles, so that the nearest point of a segment can be queried.
   const Corners first{a, b, b}, second{c, d, d};

@@ -25,7 +25,6 @@ Edge edge_of(const Triangle& t, std::size_t i) {
 /// Relative positions along a segment at which it is sampled.
 constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
 
-/// Returns the edges of the triangles, with the indices of the triangles at each edge.
 std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
   std::map<Edge, std::vector<Index>> edges;
   for (Index t = 0; t < triangles.size(); ++t)
@@ -105,7 +104,6 @@ class TopologyChecker {
     return specification_.may_be_trimmed(row) || (specification_.volume && !specification_.volume->box);
   }
   bool is_in_box(const Vec3& p, double room) const;
-  /// Returns whether a body may remove parts of the surface.
   bool may_be_cut(Index row) const;
   bool is_whole(Index row) const;
   std::vector<Triangle> faces_of(Index row) const;
@@ -140,8 +138,7 @@ class TopologyChecker {
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
   std::vector<InputBorder> borders_;          ///< borders of the input's surfaces
-  /// The input's surfaces, prepared for `passes_through` when curves are checked.
-  std::vector<FollowedSurface> followed_;
+  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, prepared when curves are checked
 };
 
 bool TopologyChecker::is_in_box(const Vec3& p, double room) const {
@@ -217,8 +214,7 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
-    // A surface that meets itself is divided there, so its topology differs.
-    if (!input.manifold || !now.manifold) continue;
+    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there
     ++n_checked;
     if (input == now) continue;
     changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);

@@ -23,9 +23,7 @@ constexpr double most_by_face = 2, most_in_all = 0.125;
 /// Measurements of one fault zone of the mesh.
 struct Seen {
   std::set<VertexIndex> minus, plus;  ///< nodes of the fault zone's two walls
-  /// Volume of the zone, and the required volume: area of the minus wall after closing, times thickness, less at the
-  /// zone's ends.
-  CompensatedSum volume, due;
+  CompensatedSum volume, due;  ///< actual and required volume (area of the minus wall times thickness, less at ends)
   std::map<VertexIndex, std::set<VertexIndex>> edges;  ///< of its elements
 };
 

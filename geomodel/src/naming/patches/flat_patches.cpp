@@ -27,11 +27,9 @@ bool is_axis_aligned(const PolygonSoup& soup, const std::vector<Index>& facets) 
   return false;
 }
 
-/// The border of a patch, collected from its edges.
 struct Border {
-  /// Next vertex along the border, which is directed with the patch on its left.
-  std::map<VertexIndex, VertexIndex> next;
-  bool simple = true;  ///< whether no point occurs twice and all facets have the same orientation
+  std::map<VertexIndex, VertexIndex> next;  ///< next vertex along the border, with the patch on its left
+  bool simple = true;                       ///< whether no point occurs twice and all facets have the same orientation
   std::vector<std::pair<VertexIndex, VertexIndex>> segments;
 };
 

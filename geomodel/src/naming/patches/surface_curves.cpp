@@ -23,7 +23,6 @@ std::string joined_names(const std::vector<Index>& rows, const std::vector<Trian
   return joined;
 }
 
-/// Returns the surfaces of the faces at an edge, as ascending indices.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& model) {
   std::vector<Index> rows;
   for (const EdgeUse& use : edge)

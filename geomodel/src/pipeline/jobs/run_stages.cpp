@@ -97,7 +97,6 @@ ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& z
   return mesh;
 }
 
-/// Runs the stages from delaunay to write, which make the mesh and its files.
 JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const OutputPlan& plan,
                          StageRecorder& recorder, Journal& journal) {
   const Inputs& inputs = *records.inputs;

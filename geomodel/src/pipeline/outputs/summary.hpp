@@ -12,10 +12,8 @@
 namespace geomesh::geomodel {
 
 struct Summary {
-  /// Number of elements, units with their volumes, the size and tolerance used, and the verdict.
-  std::vector<std::string> lines;
-  /// All regions, shapes of the elements, and properties of the mesh that would make solvers fail.
-  std::vector<std::string> details;
+  std::vector<std::string> lines;    ///< number of elements, volumes of units, size and tolerance used, verdict
+  std::vector<std::string> details;  ///< all regions, shapes of elements, properties that would make solvers fail
 };
 
 /// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` contains the requested mesh

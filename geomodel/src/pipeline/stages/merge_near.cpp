@@ -14,13 +14,12 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr double most_of_tolerance = 0.5;  ///< share of the remaining tolerance that merging may use
-/// Largest movement by merging, as a multiple of the project's own `tolerance`.
-constexpr double most_moved_of_tolerance = 2;
-constexpr double next_distance = 0.5;  ///< factor from one merging distance to the next smaller one
+constexpr double most_of_tolerance = 0.5;      ///< share of the remaining tolerance that merging may use
+constexpr double most_moved_of_tolerance = 2;  ///< largest movement, as a multiple of the project's `tolerance`
+constexpr double next_distance = 0.5;          ///< factor from one merging distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
-/// Largest number of rounding rounds in one attempt to merge. An attempt that needs more rounds rarely succeeds, and
-/// each round takes as long as the first.
+/// Largest number of rounding rounds in one attempt to merge. An attempt that has not succeeded by then would not
+/// succeed later either, and each round takes as long as the first.
 constexpr unsigned most_rounds = 4;
 
 /// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding.

@@ -43,7 +43,6 @@ ConstrainedTetrahedralization cut_at_ends(ConstrainedTetrahedralization core, co
   return core;
 }
 
-/// Refines one mesh according to the mesh settings.
 class Refiner {
  public:
   Refiner(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal)

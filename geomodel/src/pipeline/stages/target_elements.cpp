@@ -64,7 +64,6 @@ class CountSearch {
   /// `most` contains the largest factors that are tried.
   CountSearch(double target, const Scale& most) : target_(target), most_(most) {}
 
-  /// Returns whether the number of elements in a trial is within this factor of the target.
   bool is_near(const Try& t, double factor) const { return t.count <= factor * target_ && t.count * factor >= target_; }
   bool is_nearer(const Try& t, const Try& than) const {
     return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));

@@ -22,8 +22,7 @@ struct CountedOptions {
   RefineOptions options;
   ElementEstimate estimate;
   RefinementSettings used;
-  /// Whether gaps between surfaces were left out of the sizes, because they would require too many elements.
-  bool gaps_dropped = false;
+  bool gaps_dropped = false;   ///< whether gaps between surfaces are ignored, because they require too many elements
   double gradation_scale = 1;  ///< factor by which sizes grow faster than usual with the distance from small ones
 };
 

@@ -85,8 +85,7 @@ std::vector<Quantity> quantities_of(const ModelMesh& mesh) {
     if (array.values.size() == mesh.tetrahedra.size()) all.push_back(quantity_of(array.name, array.unit, array.values));
   for (const PointArray& array : mesh.point_arrays) {
     std::vector<double> values = array.values;
-    // Values at midpoint nodes are dropped, because these are not drawn.
-    values.resize(mesh.points.size(), not_a_number);
+    values.resize(mesh.points.size(), not_a_number);  // midpoint nodes are not drawn
     all.push_back(quantity_of(array.name, array.unit, values, true));
   }
   if (all.size() > most_quantities) all.resize(most_quantities);
