@@ -2,8 +2,7 @@
 // Proves that no tetrahedra overlap anywhere. Let tetrahedra be positive and their faces pair up from opposite sides.
 // Then the number of tetrahedra over a point equals the winding number of the boundary about it. So it is enough that
 // the boundary is closed and embedded (its faces meet in shared vertices and edges only: a hanging face is caught here,
-// as two boundary faces that overlap) and that the winding number just outside of each connected sheet of the boundary
-// is zero.
+// as two boundary faces that overlap) and that the winding number just outside each connected sheet is zero.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,8 +24,7 @@ std::vector<Triangle> outward_boundary(const CheckedMesh& mesh) {
   return faces;
 }
 
-/// A directed edge of a boundary face: its ends in ascending order, and whether the face traverses it from the lower to
-/// the higher vertex.
+/// A directed edge of a boundary face: its sorted ends, and whether the face traverses it from the lower to the higher.
 struct HalfEdge {
   VertexIndex a, b;
   Index face;

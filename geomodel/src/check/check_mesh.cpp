@@ -69,8 +69,7 @@ double unit_in_last_place(const MeshFile& mesh) {
 }
 
 /// Returns the largest distance by which rounding may have moved a point: the requested value, else the distance within
-/// which rounding of intersections may merge points plus twice the project's own `tolerance`. Reports of the run are
-/// not used.
+/// which rounding of intersections may merge points plus twice the project's own `tolerance`.
 double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Specification& specification) {
   constexpr double ulps_of_crossings = 1024, ulps_of_other_tools = 8;
   if (request.tolerance >= 0) return request.tolerance;
@@ -164,8 +163,7 @@ void check_contract(const CheckRequest& request, const CheckedFiles& files, cons
 }
 
 /// Returns a length for which tetrahedra without longer edges fill nine tenths of the model's volume. If sizes are
-/// graded, few elements are as large as the target size, but they fill most of the model. Precondition: `mesh` has
-/// cells.
+/// graded, few elements are as large as the target size, but they fill most of the model.
 double long_edge_by_volume(const CheckedMesh& mesh) {
   std::vector<std::pair<double, double>> edge_and_volume;
   edge_and_volume.reserve(mesh.cells.size());
@@ -329,8 +327,7 @@ void check_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
-/// Checks the elements of a solver's file itself, and everything else through the .vtu beside it, which must have the
-/// same contents.
+/// Checks the elements of a solver's file itself, and all else through the .vtu beside it, which must be equal.
 void check_by_vtu(const CheckRequest& request, const MeshFile& file, Specification specification, CheckResult& result) {
   CheckResult own;
   CheckedMesh mesh{file, file.tetrahedra, {}, true};

@@ -3,8 +3,7 @@
 // corners lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
 // covered if the areas that such faces share with it add up to the required area: all of it, or its part inside the
 // box. Any missing area must be inside a body that cuts: there the faces' open edges must run along that body (or the
-// box or the triangle's sides). Points of the triangle that no face covers must lie in the body, which is decided
-// exactly.
+// box or the triangle's sides). Whether uncovered points lie in the body is decided exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -218,8 +217,7 @@ bool CoverageChecker::runs_along_border(Index surface, const Vec3& a, const Vec3
   });
 }
 
-/// Height of a very thin triangle, approximated by four areas over the perimeter. For a regular triangle this is two
-/// thirds of its height.
+/// Height of a very thin triangle, as four areas over the perimeter. For a regular triangle, two thirds of its height.
 double CoverageChecker::height_of(const Triangle& t) const {
   const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
   return 4 * triangle.area() / triangle.perimeter();
@@ -254,8 +252,7 @@ bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, 
   return true;
 }
 
-/// Tests a lattice of points of the input triangle: points in the box that no mesh face covers must have been removed
-/// by a rule.
+/// Tests a lattice of points of the input triangle: points in the box without a mesh face must be removed by a rule.
 bool CoverageChecker::uncovered_is_removed(const PlaneTriangle& triangle, Source source,
                                            const std::vector<Index>& pieces, Vec3& place) const {
   bool removed = true;
@@ -275,8 +272,7 @@ std::function<bool(VertexIndex, VertexIndex)> CoverageChecker::runs_along_clip_o
   };
 }
 
-/// Returns whether rules may have removed the uncovered part of an input triangle; if not, `place` is set to an
-/// uncovered point.
+/// Returns whether rules may have removed the uncovered part of an input triangle; if not, sets `place` in that part.
 bool CoverageChecker::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                      Vec3& place) const {
   if (specification_.may_be_trimmed(source.surface) || (specification_.volume && !specification_.volume->box))

@@ -17,8 +17,7 @@ bool less(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::
 
 std::int32_t region_of(const CheckedMesh& mesh, Index cell) { return cell == no_index ? 0 : mesh.file.region[cell]; }
 
-/// Checks that each triangle of the face set is a mesh face and occurs once. Returns the mesh face of each triangle,
-/// nullptr if there is none.
+/// Checks that each triangle of the face set is a mesh face and occurs once. Returns these faces, nullptr for none.
 std::vector<const FacePair*> check_triangles(const CheckedMesh& mesh, const FacesFile& faces,
                                              const std::vector<Triangle>& triangles, CheckResult& result) {
   FaultCollector unknown_point("face_points_not_in_mesh"), no_face("faces_not_in_mesh"), repeated("repeated_faces");
@@ -45,8 +44,7 @@ std::vector<const FacePair*> check_triangles(const CheckedMesh& mesh, const Face
   return found;
 }
 
-/// Checks that the region_minus and region_plus of each face are the regions of its two tetrahedra, and that the normal
-/// points from minus to plus.
+/// Checks that region_minus and region_plus are the regions at the face, and that its normal points from minus to plus.
 void check_sides(const CheckedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                  const std::vector<const FacePair*>& found, CheckResult& result) {
   FaultCollector wrong("wrong_face_regions"), inward("boundary_faces_turned");
@@ -62,8 +60,7 @@ void check_sides(const CheckedMesh& mesh, const FacesFile& faces, const std::vec
   inward.report(result, "boundary faces have their normal pointing inwards");
 }
 
-/// Returns whether the region is the hull that `--hull` adds around the model, whose outer border belongs to no
-/// surface.
+/// Returns whether the region is the hull that `--hull` adds around the model. Its outer border belongs to no surface.
 bool is_hull(const CheckedMesh& mesh, std::int32_t region) {
   const auto name = mesh.file.region_names.find(region);
   return name != mesh.file.region_names.end() && (name->second == "hull" || name->second.starts_with("hull__"));

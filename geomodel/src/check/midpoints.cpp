@@ -43,8 +43,7 @@ std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckRes
   return of_edge;
 }
 
-/// Bezier control points of a second-order tetrahedron's map at its corners and edges, multiplied by two so that no
-/// division is needed.
+/// Bezier control points of a second-order tetrahedron's map, multiplied by two so that no division is needed.
 template <class Number>
 struct Controls {
   std::array<std::array<std::array<Number, 3>, 4>, 4> at;

@@ -73,8 +73,8 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return static_cast<double>(std::hypot(px - t * dx, py - t * dy));
 }
 
-/// Returns whether p, projected to the map, is inside the polygon of the volume's vertical sides, or closer than `room`
-/// to one of them.
+/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to a
+/// side.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
   const std::size_t n = volume.sides.size() - 2;  // the last two sides are zmin and zmax
   bool inside = false, near = false;
@@ -92,8 +92,8 @@ void check_volume(const CheckedMesh& mesh, const Specification& specification, C
   const ModelVolume& volume = *specification.volume;
   const Box3& box = volume.bounds;
   // Largest distance in ulps of mesh points from a side of the volume. Sides that are not along the axes are rounded,
-  // and surfaces that lie on them up to rounding are joined to them, within 32 ulps. Points between joined surfaces are
-  // rounded again.
+  // and surfaces that lie on them up to rounding are joined to them, within 32 ulps. Points in between are rounded
+  // again.
   constexpr double ulps_off_a_side = 40;
   double ulp = 0, side_area = 0;  // of such sides
   for (const TriangulatedSurface& side : volume.sides)

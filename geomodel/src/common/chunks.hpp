@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Divides a range of indices into chunks of fixed length, for loops on several threads whose results are joined in the
-/// order of the indices.
+/// Divides a range of indices into chunks of fixed length, for parallel loops whose results are joined in order.
 #pragma once
 
 #include <tbb/task_arena.h>

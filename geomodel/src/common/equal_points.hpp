@@ -17,8 +17,7 @@ std::vector<VertexIndex> merge_equal_points(const std::vector<Vec3>& points);
 /// become equal, its neighbours across the other two edges meet directly. Then all three corners are set to the same
 /// point, so that the triangle has no edge between different points. O(n log n).
 std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface);
-/// Merges equal points in the triangles in linear time; `merged` is the result of merge_equal_points for the surface's
-/// points.
+/// Merges equal points of triangles in linear time; `merged` is the result of merge_equal_points for the points.
 std::vector<Triangle> merged_triangles(const TriangulatedSurface& surface, const std::vector<VertexIndex>& merged);
 
 }  // namespace geomesh::geomodel

@@ -10,8 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the memory of the machine in bytes, or of the container around this process if that is less; 0 if the system
-/// does not report it.
+/// Returns the memory in bytes of the machine, or of the container around this process if that is less; 0 if unknown.
 std::size_t memory_of_machine();
 
 struct ProcessUse {
@@ -27,8 +26,7 @@ bool may_be_running(long process);
 /// Returns an empty text if files can be created in the folder, else the system's reason for refusing.
 std::string why_not_writable(const std::filesystem::path& folder);
 
-/// Makes a file with the given number of bytes and reserves its space on the disk. Returns false if there is no space
-/// or no access.
+/// Makes a file of the given size in bytes and reserves its disk space. Returns false without space or access.
 bool make_file_of(const std::filesystem::path& file, std::size_t bytes);
 
 /// Removes a file if it exists. Uses a call that is safe in a signal handler.

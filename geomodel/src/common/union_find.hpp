@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Disjoint sets of indices with union and find by path halving. The representative of a set is always its smallest
-/// member.
+/// Disjoint sets of indices, with path halving. The representative of a set is always its smallest member.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }

@@ -66,8 +66,7 @@ void SizeGrid::sort_tree(Index begin, Index end, unsigned axis) {
   sort_tree(middle + 1, end, (axis + 1) % 3);
 }
 
-/// Searches the tree for the points nearest to p. `heap` contains the nearest points so far, with the farthest of them
-/// on top.
+/// Searches the tree for the points nearest to p. `heap` has the nearest points so far, with the farthest on top.
 void SizeGrid::find_nearest(const Vec3& p, Index begin, Index end, unsigned axis, std::vector<Near>& heap) const {
   if (begin >= end) return;
   const Index middle = begin + (end - begin) / 2, row = order_[middle];

@@ -14,8 +14,7 @@ namespace geomesh::geomodel {
 
 /// Interpolates target sizes that are given at points. Points at all nodes of an axis-parallel lattice (with any
 /// spacings) are interpolated linearly along each axis. For other points the size is the mean at the eight nearest
-/// ones, weighted by the inverse squared distance (Shepard 1968). Outside the lattice the size is that of its nearest
-/// point.
+/// ones, weighted by the inverse squared distance (Shepard 1968). Outside the lattice the nearest size counts.
 class SizeGrid {
  public:
   /// Precondition: there are as many sizes as points, and at least one. If points coincide, the first one counts.
@@ -52,8 +51,7 @@ class SizeGrid {
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
-/// Reads any finite numbers at points, from the same formats as read_size_grid: lines of x y z value, or the given
-/// array.
+/// Reads any finite numbers at points, in the formats of read_size_grid: lines of x y z value, or the given array.
 SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
 
 /// If the settings name a background file of target sizes, reads it into base.background. `origin` was subtracted from

@@ -20,8 +20,7 @@ Frame graph_frame(const std::vector<Vec3>& points, GraphOver over);
 class TriangleFinder {
  public:
   TriangleFinder(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
-  /// Returns the height w of the first triangle that contains the point (u, v), borders included; empty if there is
-  /// none.
+  /// Returns the height w of the first triangle that contains the point (u, v), borders included; empty if none does.
   std::optional<double> height(double u, double v) const;
 
  private:

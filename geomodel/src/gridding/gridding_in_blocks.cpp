@@ -82,8 +82,7 @@ class FaultBlocks {
   FaultBlocks(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
       : built_(faults_of(surfaces, rules)), framework_(built_, rules) {}
   Index n_blocks() const { return framework_.n_blocks(); }
-  /// Returns whether faults end at the horizon. If so, blocks end there too, and the horizon's own points lie in no
-  /// block.
+  /// Returns whether faults end at the horizon. If so, blocks end there too, and the horizon's points lie in no block.
   bool end_at(Index horizon) const {
     return std::ranges::any_of(built_.rows.truncations, [&](const auto& t) { return t.second == horizon; });
   }

@@ -18,8 +18,7 @@ struct Stick {
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Returns the direction of largest extent of points from the sum of their outer products. Its largest component is
-/// positive.
+/// Returns the direction of largest extent from a sum of outer products of points. Its largest component is positive.
 Eigen::Vector3d main_direction(const Eigen::Matrix3d& sum) {
   Eigen::Vector3d d = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(2);
   Eigen::Index largest = 0;

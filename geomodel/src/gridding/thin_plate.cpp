@@ -31,8 +31,7 @@ class NormalEquations {
     }
   }
 
-  /// Solves the equations. One step of iterative refinement compensates for the poor condition of a plate far from its
-  /// points.
+  /// Solves the equations. Iterative refinement (one step) compensates for the poor condition far from data points.
   Eigen::VectorXd solve() const {
     Matrix matrix(right_side_.size(), right_side_.size());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
@@ -48,8 +47,7 @@ class NormalEquations {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// Adds the bending energy in second differences. Spacings are in units of the smoothing length, so that the plate's
-/// stiffness is one.
+/// Adds the bending energy in second differences. Spacings are in smoothing lengths, so that the stiffness is one.
 void add_bending(const PlateGrid& g, double du, double dv, NormalEquations& equations) {
   const double area = du * dv;
   const auto node = [&](std::size_t i, std::size_t j) { return j * g.n_u + i; };

@@ -93,8 +93,7 @@ double wendland(double r) {
 
 double distance_in_map(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Returns the connected part of the horizon to which each point belongs. Parts are connected by triangles, after
-/// merging equal points.
+/// Returns the connected part of the horizon to which each point belongs, after merging equal points.
 std::vector<Index> sheet_of_points(const TriangulatedSurface& horizon) {
   const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
   UnionFind joined(horizon.points.size());

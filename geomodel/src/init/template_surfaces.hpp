@@ -23,8 +23,7 @@ TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
 /// Returns a plane surface of points origin + s*u + t*v, with s and t in [0, 1] and n x n cells.
 TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, const Vec3& u, const Vec3& v, int n);
 
-/// The vertical axis of a surface of revolution through (x, y) from bottom to top, with the numbers of rings and
-/// sectors.
+/// The vertical axis of a surface of revolution from bottom to top, with the numbers of rings and sectors.
 struct Axis {
   double x, y, bottom, top;
   int rings, sectors;

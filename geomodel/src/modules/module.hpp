@@ -17,8 +17,7 @@ struct ModuleName {
   const char* headers;   ///< Debian package that is needed to build the module: "libnetcdf-dev"
 };
 
-/// Returns the version of the program and its compiler. A module whose table contains C++ types must come from the same
-/// build.
+/// Returns the version of program and compiler. A module whose table contains C++ types must come from the same build.
 const char* module_version();
 
 /// Returns the table of a module, which is loaded at the first call. `fits` returns whether this program can use the

@@ -11,8 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Least cosine of the angle between a face and its input triangle. Below it, the face does not show on which side of
-/// the horizon it lies.
+/// Least cosine of the angle between a face and its input triangle for which the face shows its side of the horizon.
 constexpr double least_cosine = 0.1;
 
 std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which unit of the stratigraphic column each component of the mesh is, from the horizons that bound it
-/// above and below.
+/// Determines which unit of the stratigraphic column each component is, from the horizons that bound it.
 #pragma once
 
 #include <map>
@@ -13,8 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// The stratigraphic column: alternating units and horizons, youngest first. Unit u lies below horizon u - 1 and above
-/// horizon u.
+/// The stratigraphic column: alternating units and horizons, youngest first. Unit u is between horizons u - 1 and u.
 struct Column {
   std::vector<std::string> units;
   std::vector<Index> horizons;     ///< surface index of each horizon; one fewer than units, none if there is no column
@@ -42,8 +40,7 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 
 /// Returns the horizons directly above and below a point on its vertical line, as if they were in contact with it (area
 /// 1); used for components between faults that touch no horizon. If the line meets no remaining part of a horizon (all
-/// of it was above the topography), the surfaces before trimming by rules and bodies are used. Linear in the facets and
-/// triangles.
+/// of it was above the topography), the surfaces before trimming by rules and bodies are used.
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p);
 
@@ -64,8 +61,8 @@ struct UnitVerdict {
   bool by_heights = false;  ///< whether the unit was determined from the order of deposition of the horizons
 };
 /// Determines the unit of a component. Below horizon h lies unit h + 1 or an older one, above it unit h or a younger
-/// one; where horizons converge (pinch-outs, erosion, onlap) the tightest of these bounds are used. A horizon that has
-/// the component on both sides joins two units only if the bounds leave both possible; otherwise it is a dangling face
+/// one; where horizons converge (pinch-outs, erosion, onlap) the tightest bounds are used. A horizon that has the
+/// component on both sides joins two units only if the bounds leave both possible; otherwise it is a dangling face
 /// inside one unit. A horizon bounds nothing if it, or a horizon beyond it, has the component on both sides over a
 /// larger area.
 UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the places where horizons have holes, end inside a region or are absent, and the units that are connected
-// there.
+// Finds where horizons have holes, end inside a region or are absent, and the units that are connected there.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -103,8 +102,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// Describes an open border of a horizon by the component there. The caller adds the number of such borders and their
-/// position.
+/// Describes an open border of a horizon by the component there. The caller adds the number and position of borders.
 OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
   OpenBorders open;
   open.horizon = name;

@@ -40,8 +40,7 @@ void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t
     if (at.size() == 1) kinds[v] = on_facet;
 }
 
-/// Orders mesh points so that input points come first, and otherwise as in the core's mesh. Returns the new index of
-/// each point of the core.
+/// Orders mesh points with input points first, else as in the core's mesh. Returns the new index of each core point.
 std::vector<VertexIndex> fill_points(const MeshedModel& meshed, unsigned threads, ModelMesh& model) {
   const ConstrainedTetrahedralization& mesh = meshed.mesh;
   const PolygonSoup& soup = meshed.soup;
@@ -142,8 +141,7 @@ void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, c
         curves.edges.push_back({row[edge.a], row[edge.b], at->second});
 }
 
-/// Adds to the model those curves of `given` that have at least one edge in the mesh, in the same order. Returns the
-/// next free id.
+/// Adds the curves of `given` that have at least one edge in the mesh, in the same order. Returns the next free id.
 std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMesh& model) {
   std::vector<CompensatedSum> lengths(given.curves.size());
   std::vector<std::size_t> n_edges(given.curves.size(), 0);
@@ -173,8 +171,7 @@ void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>
       model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
 }
 
-/// Assigns groups and attributes to regions by the name of their unit or of the region; an entry for the region takes
-/// precedence.
+/// Assigns groups and attributes to regions by the name of the region or unit; the region's own takes precedence.
 void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
   std::set<std::string> known;
   for (const Region& r : model.regions) known.insert({r.name, r.unit});

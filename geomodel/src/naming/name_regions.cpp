@@ -241,16 +241,14 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// Data about all components before they have names: measurements, the bodies around each component and its unit of the
-/// column.
+/// Data about all components before they have names: measurements, bodies around each component, and its unit.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;
   const std::vector<UnitVerdict>& verdicts;
 };
 
-/// Returns the labels of all components by the naming rules; warns of components whose unit the column does not
-/// determine.
+/// Returns the labels of all components by the naming rules; warns where the column does not determine the unit.
 std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& known, const NamingRules& rules,
                                const Column& column, std::vector<std::string>& warnings) {
   const ConstrainedTetrahedralization& mesh = model.mesh;
@@ -324,8 +322,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
-/// Returns the unit's name with its fault block for each component that is a unit of the column; empty for other
-/// components.
+/// Returns the name of the unit with its fault block for components that are units of the column, else an empty name.
 std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
   std::vector<std::string> names;
   for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");

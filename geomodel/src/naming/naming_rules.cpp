@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Applies rules that change components before they are named: air above the topography, seed points, fault blocks,
-// small regions.
+// Changes components before they are named: air above the topography, seed points, fault blocks, small regions.
 #include <algorithm>
 #include <map>
 #include <numeric>

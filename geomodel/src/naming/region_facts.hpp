@@ -19,14 +19,13 @@ struct ComponentFacts {
   Vec3 centroid;
   Vec3 inside_point;          ///< centroid of the component's largest tetrahedron
   Vec3 min_point, max_point;  ///< Least and greatest point of the component, ordered by x, then y, then z.
-  /// Least (surface, triangle, side) of the component's faces; side is 0 if the component lies below the triangle as
-  /// stored.
+  /// Least (surface, triangle, side) of the component's faces; side is 0 if the component lies below the stored
+  /// triangle.
   std::array<Index, 3> first_triangle{no_index, no_index, no_index};
   bool enclosed = true;  ///< whether surfaces other than that of the convex hull enclose the component
 };
 
-/// Returns the origins of facet f of the PLC (those of its first soup facet; all its soup facets have the same
-/// surfaces).
+/// Returns the origins of facet f of the PLC, from the first of its soup facets, which all have the same surfaces.
 inline std::span<const PolygonSoup::Origin> origins_of(const PolygonSoup& soup, const ModelPlc& plc, Index f) {
   const Index s = plc.facet_soup[plc.facet_soup_offsets[f]];
   return {soup.origins.data() + soup.origin_offsets[s], soup.origins.data() + soup.origin_offsets[s + 1]};

@@ -12,8 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A directed edge of a triangle after merging equal points; `forward` if it runs from the smaller index a to the
-/// larger b.
+/// A directed edge of a triangle after merging equal points; `forward` if it runs from the smaller index to the larger.
 struct DirectedEdge {
   VertexIndex a, b;
   Index triangle;

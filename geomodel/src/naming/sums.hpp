@@ -9,8 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// Compensated sum (Neumaier 1974, the improved Kahan-Babuska algorithm): the error does not grow with the number of
-/// terms.
+/// Compensated sum (Neumaier 1974, improved Kahan-Babuska algorithm): the error does not grow with the number of terms.
 class CompensatedSum {
  public:
   void add(double term) {

@@ -15,8 +15,7 @@ constexpr std::size_t most_asked = 64;   // largest number of tetrahedra sampled
 constexpr double least_majority = 0.75;  // least share of conclusive samples, by volume, that must agree on a unit
 constexpr double least_telling = 0.25;   // least share of all samples, by volume, that must be conclusive
 
-/// The units that the horizons leave possible at one of the largest tetrahedra of a component, and the volume of this
-/// tetrahedron.
+/// The units that the horizons leave possible at one of the component's largest tetrahedra, and its volume.
 struct Answer {
   UnitRange units{};
   double volume = 0;
@@ -50,7 +49,7 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
 }
 
 /// Returns the units on which most answers agree: one unit, if most answers that leave one unit agree on it; else the
-/// narrowest range that most of the answers narrower than `possible` support. Returns `possible` if too few answers are
+/// narrowest range that most of the answers narrower than `possible` support. Returns `possible` if too few are
 /// conclusive.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });

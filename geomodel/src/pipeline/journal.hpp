@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Collects notes and warnings for the report, in the order in which stages give them, and passes them to the log
-/// immediately.
+/// Collects notes and warnings for the report, in the order in which stages give them, and logs them immediately.
 class Journal {
  public:
   /// Precondition: the context outlives the journal.

@@ -30,9 +30,8 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance);
 /// tolerance a text for the user, in the order of the units' names.
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance);
 
-/// Throws Error{cannot_mesh} if the regions do not fill the model volume up to rounding (1e-9 of the volume), because
-/// one of its sides has a crack or a fold. If the model ends inside the volume, at a topography or floor, the regions
-/// may fill less.
+/// Throws Error{cannot_mesh} if the regions do not fill the model volume up to 1e-9, because a side has a crack or a
+/// fold. If the model ends inside the volume, at a topography or floor, the regions may fill less.
 void require_volume_filled(const ModelMesh& mesh, double volume, bool ends_inside);
 
 }  // namespace geomesh::geomodel

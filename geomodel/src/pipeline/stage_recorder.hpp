@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Measures time and memory of the stages of a job for the report, and passes their messages on to the caller's
-/// context.
+/// Measures time and memory of the stages of a job for the report, and passes messages on to the caller's context.
 #pragma once
 
 #include <chrono>
@@ -25,8 +24,7 @@ class StageRecorder {
   StageRecorder& operator=(const StageRecorder&) = delete;
 
   const RunContext& context() const { return inner_; }
-  /// Returns one record for each stage name, in the order in which stages first started; the times of a stage that ran
-  /// twice are summed.
+  /// Returns one record for each stage name, in the order of first starts; the times of a repeated stage are summed.
   const std::vector<StageRecord>& records() const { return records_; }
   const std::string& stop_after() const { return stop_after_; }
 

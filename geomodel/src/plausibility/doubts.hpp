@@ -24,8 +24,7 @@ void doubt_places(const Inspected& model, std::vector<Finding>& findings);
 /// times as long as all others together, unless one of them says how it is extended.
 void doubt_box_extent(const Inspected& model, std::vector<Finding>& findings);
 
-/// Finds horizons that are lower and flatter than all others by the same factor, as if their heights were in another
-/// unit.
+/// Finds horizons that are lower and flatter than all others by the same factor, as if their heights had another unit.
 void doubt_heights(const Inspected& model, std::vector<Finding>& findings);
 
 /// Finds horizons that are vertical, faults that cover the map, bodies that are open inside the model or enclose

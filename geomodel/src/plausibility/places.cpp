@@ -172,8 +172,7 @@ void add_outside(const Placed& input, const Box3& model, std::vector<Outside>& g
   group->bounds.add(input.bounds.max);
 }
 
-/// Returns whether the box has a thousandth of the size of the surfaces, and would contain them if its limits were in
-/// kilometres.
+/// Returns whether the box is a thousandth of the surfaces in size, and would contain them with limits in kilometres.
 bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
   Box3 all;
   bool any = false, every = true;

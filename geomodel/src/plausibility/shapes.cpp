@@ -25,8 +25,7 @@ constexpr double steep = 0.6, most_of_height = 0.5, little_of_map = 0.35;
 /// A fault counts as horizontal if its mean dip is below 5 degrees over nearly all of the map.
 constexpr double level = 0.996, all_of_map = 0.95;
 /// Tolerances within which an open end of a body counts as leaving the box: its distance from the box side may be some
-/// edge lengths of the end, limited by these shares of the box's diagonal. Coarse bodies have edges as long as the
-/// body.
+/// edge lengths of the end, limited by these shares of the box's diagonal. Coarse bodies have long edges.
 constexpr double most_edges_inside = 3, least_share_inside = 0.01, most_share_inside = 0.03;
 /// A closed surface with a smaller volume than this, relative to the cube of its diagonal, encloses nothing.
 constexpr double least_volume = 1e-12;
@@ -153,8 +152,8 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
         std::clamp(most_edges_inside * mean_edge, least_share_inside * diagonal, most_share_inside * diagonal);
     if (inside <= allowed) continue;
     const Vec3 middle = 0.5 * (end.bounds.min + end.bounds.max);
-    // Salt whose roots were not interpreted ends inside the model in the same way, so this is a warning: the body is
-    // extruded to the box.
+    // Salt whose roots were not interpreted ends in the model, too, so this is a warning: the body is extruded to the
+    // box.
     findings.push_back({Finding::Sureness::probable,
                         "open body",
                         {s.name},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds single vertices of a horizon far above or below all of their neighbours, caused by a wrong digit or a bad
-/// pick.
+/// Finds single vertices of a horizon far above or below all neighbours, caused by a wrong digit or a bad pick.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +20,10 @@ struct Spikes {
 /// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a
 /// vertex to the nearest neighbour is at least ten times the steps between these neighbours, ten times the median step
 /// on the surface, and a quarter of the range of the surface's heights without the most extreme tenth. This excludes
-/// smeared faults, peaks among mountains, noise, and surfaces with fewer than 100 vertices. Linear in the triangles, up
-/// to sorting.
+/// smeared faults, peaks among mountains, noise, and surfaces with fewer than 100 vertices. Linear up to sorting.
 Spikes find_spikes(const TriangulatedSurface& surface);
 
-/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ...", with coordinates moved by
-/// `origin`.
+/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` moves coordinates.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
 /// Advice that follows a message about spikes.

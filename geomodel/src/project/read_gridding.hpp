@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads keys that make surfaces from fields (`field`, `value`, `array`, `origin`, `spacing`, `domain`), and the key
-/// `fractures` of a project.
+/// Reads keys that make surfaces from fields (`field`, `value`, `domain`, ...), and the key `fractures` of a project.
 #pragma once
 
 #include <filesystem>
@@ -31,8 +30,8 @@ void refuse_keys_of_first_entry(const YamlMap& map, const SurfaceSpec& first);
 void finish_domains(const YamlValue& root, Project& project);
 
 /// Reads the fractures in the file that the value names, and generates those of the value's families. Mistakes are
-/// reported with the position of the value. `box` is the project's, if it has corners. Throws the same errors as the
-/// reader of fracture files.
+/// reported at the value. `box` is the project's, if it has corners. Throws the same errors as the reader of fracture
+/// files.
 std::vector<Fracture> read_fractures(const YamlValue& value, const std::filesystem::path& folder,
                                      const std::optional<Box3>& box);
 

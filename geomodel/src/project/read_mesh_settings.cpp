@@ -29,8 +29,7 @@ AskedSize read_asked(const YamlValue& value) {
   return asked;
 }
 
-/// Reads target sizes by name: NAME: size, or NAME: {size, radius}. If `known` is empty, names can only be checked
-/// later.
+/// Reads target sizes by name: NAME: size, or NAME: {size, radius}. If `known` is empty, names are checked later.
 void read_named(const YamlValue& value, const std::vector<std::string_view>& known, const char* what,
                 std::map<std::string, AskedSize>& sizes) {
   for (const auto& [name, entry] : named_entries(value, "NAME: size")) {
@@ -226,8 +225,7 @@ const std::vector<std::string_view>& refinement_keys() {
 
 namespace {
 
-/// Returns whether the project requests something that is incompatible with a refinement that moves surfaces within a
-/// tolerance.
+/// Returns whether the project requests something incompatible with moving surfaces within a tolerance.
 bool excludes_default(const Project& project) {
   const RecoverOptions& recover = project.mesh.options.recover;
   return recover.mode == MeshMode::conforming || recover.preserve_boundary || project.crs.z_scale != 1;

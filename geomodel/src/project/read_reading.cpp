@@ -12,8 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads the key `columns`. A list gives the meaning of each column of the file in order ("-": none); a map gives the
-/// column of each meaning.
+/// Reads the key `columns`: a list of the meaning of each column ("-": none), or a map with the column of each meaning.
 void read_columns(const YamlValue& value, ReadOptions& options) {
   if (value.is_list()) {
     const std::vector<YamlValue> items = value.items();

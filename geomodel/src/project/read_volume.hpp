@@ -12,8 +12,7 @@ namespace geomesh::geomodel {
 /// Reads the key `box`. Returns nothing if it has errors, which are reported.
 std::optional<VolumeSpec> read_volume(const YamlValue& value);
 
-/// Resolves the names of surfaces in the key `box`, after the surfaces are known. Surfaces that close the volume are
-/// stored in project.naming.
+/// Resolves the surfaces named in the key `box`. Surfaces that close the volume are stored in project.naming.
 void finish_volume(const YamlValue& root, Project& project);
 
 }  // namespace geomesh::geomodel

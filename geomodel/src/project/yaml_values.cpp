@@ -19,8 +19,7 @@ Place place_of(const YAML::Node& node, Place fallback) {
   return mark.is_null() || mark.line < 0 ? fallback : Place{mark.line + 1, mark.column + 1};
 }
 
-/// Keys with the map in which each one belongs, for the message about a misplaced key: users write keys of rules in
-/// surfaces and vice versa.
+/// Keys and the map to which they belong, for messages: users write keys of rules in surfaces and vice versa.
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
     {"rules",
      {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",
@@ -44,8 +43,7 @@ std::string home_of(std::string_view key) {
   return {};
 }
 
-/// Returns whether a number has a leading zero. Numbers such as 010 are refused, because some YAML readers take them as
-/// 8 and others as 10.
+/// Returns whether a number has a leading zero. Some YAML readers take 010 as 8 and others as 10, so it is refused.
 bool has_leading_zero(std::string_view s) {
   if (!s.empty() && (s.front() == '-' || s.front() == '+')) s.remove_prefix(1);
   return s.size() > 1 && s[0] == '0' && std::isdigit(static_cast<unsigned char>(s[1]));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Typed reading of YAML values that keep their line and column for error messages. Only the few files that read
-/// projects include it.
+/// Typed reading of YAML values, which keep their line and column for error messages.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -16,8 +15,8 @@
 
 namespace geomesh::geomodel {
 
-/// A YAML node with its path in the project ("surfaces[2].file"). Each reading function reports mistakes and then
-/// returns nothing.
+/// A YAML node with its path in the project ("surfaces[2].file"). Its functions report mistakes and return nothing
+/// then.
 class YamlValue {
  public:
   YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback);
@@ -78,8 +77,8 @@ class YamlMap {
 std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
                                       std::vector<std::string>& notes);
 
-/// Returns the entries of a map whose keys are names chosen by the user. If the value is not a map, reports that
-/// `expected` was expected.
+/// Returns the entries of a map whose keys are user-chosen names; if it is no map, reports that `expected` was
+/// expected.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
@@ -87,8 +86,7 @@ struct YamlDocuments {
   bool has_more = false;
 };
 
-/// Reads at most two YAML documents, because yaml-cpp (0.7) finds empty documents without end if a comma begins one.
-/// Throws YAML::Exception.
+/// Reads at most two YAML documents: yaml-cpp (0.7) finds endless empty ones after a comma. Throws YAML::Exception.
 YamlDocuments read_yaml_documents(const std::string& text);
 
 }  // namespace geomesh::geomodel

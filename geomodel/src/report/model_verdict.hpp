@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Checks whether the model has all units of its column. This is the second verdict of a run, beside that on the
-/// elements.
+/// Checks whether the model has all units of its column, which is the second verdict of a run beside element quality.
 #pragma once
 
 #include <string>
@@ -21,8 +20,7 @@ struct MissingUnit {
 /// Units that share a region (named "a+b") count as missing, with this reason.
 std::vector<MissingUnit> missing_units(const std::vector<std::string>& column, const ModelMesh& mesh);
 
-/// Returns a text such as "2 of 5 units of the column have no region: zechstein (...), bunter (...)"; empty if none is
-/// missing.
+/// Returns "2 of 5 units of the column have no region: zechstein (...), bunter (...)"; empty if none is missing.
 std::string describe_missing(const std::vector<MissingUnit>& missing, std::size_t n_units);
 
 /// Returns a summary such as "all 5 units of the column have regions; 2 warnings about the model".

@@ -9,8 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the members `regions`, `surfaces` and `curves` (including named points) of a report, with ids, kinds and
-/// measures.
+/// Returns the report's members `regions`, `surfaces` and `curves` (including named points), with ids and measures.
 nlohmann::ordered_json named_parts_json(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

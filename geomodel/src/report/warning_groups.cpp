@@ -28,8 +28,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Returns the text of a message after the colon of prefixes such as "top.ts: the file says" and "polyline W2: a
-/// length".
+/// Returns a message without a prefix that ends with a colon, such as "top.ts: the file says" or "polyline W2:".
 std::string_view without_prefix(std::string_view text) {
   const std::size_t colon = text.find(": ");
   const bool is_name = colon != std::string_view::npos && words_of(text.substr(0, colon)).size() <= 2;

@@ -91,8 +91,7 @@ std::string sections(const ModelMesh& mesh, const Box3& bounds, const MeshColour
   return out;
 }
 
-/// Lists the warnings. If there are several, they are collapsed under a line with their number, so that the reader sees
-/// the model first.
+/// Lists the warnings. Several are collapsed under a line with their number, so that the reader sees the model first.
 std::string warnings(const Report& report) {
   std::string out;
   for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes the section of the HTML report on the settled stack of horizons: thickness maps with pinch-out lines, and a
-/// list of changes.
+/// Writes the report's section on the settled stack of horizons: thickness maps with pinch-outs, and changes.
 #pragma once
 
 #include <string>

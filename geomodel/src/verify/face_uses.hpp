@@ -12,8 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// A face of a tetrahedron, or a listed face. It is packed into two words, because sorting these faces takes most of
-/// the time of verification.
+/// A face of a tetrahedron, or a listed face, in two words, because sorting faces takes most of the verification time.
 class FaceUse {
  public:
   /// Upper limit on the numbers of points, tetrahedra and listed faces.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects faults of one kind that several threads find chunk by chunk, and reports them in the order of their
-/// indices.
+/// Collects faults of one kind that several threads find chunk by chunk, and reports them in order.
 #pragma once
 
 #include <algorithm>

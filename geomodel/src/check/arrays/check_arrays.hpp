@@ -16,8 +16,7 @@ void check_mesh_points(const CheckedMesh& mesh, const std::vector<Vec3>& points,
                        const std::string& file, CheckResult& result);
 
 /// Checks the point arrays `kind` and `input_vertex` of the mesh (`wrong_kinds`, `wrong_input_vertices`). `rounding` is
-/// the largest distance between a mesh point and the input point that `input_vertex` names. `curves` is nullptr if the
-/// mesh has none.
+/// the largest distance between a point and the input point that it names. `curves` is nullptr if the mesh has none.
 void check_point_values(const CheckedFaces& checked, const CheckedCurves* curves, double rounding, CheckResult& result);
 
 /// Checks that surfaces are listed in the project's order with their names, kinds and ids (`wrong_surface_list`), that
@@ -25,7 +24,7 @@ void check_point_values(const CheckedFaces& checked, const CheckedCurves* curves
 /// its set (`faces_off_their_surface`).
 void check_surface_lists(const CheckedFaces& checked, double rounding, CheckResult& result);
 
-/// Checks that patches are sets of faces joined across edges at which exactly two faces of the same surfaces meet
+/// Checks that patches are the sets of faces joined across edges with exactly two faces of the same surfaces
 /// (`wrong_patches`).
 void check_patches(const CheckedFaces& checked, CheckResult& result);
 

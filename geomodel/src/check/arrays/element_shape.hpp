@@ -26,8 +26,7 @@ struct ElementShape {
   double slack_of_lengths() const;
 };
 
-/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. Precondition: the tetrahedron
-/// has a positive volume.
+/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. Precondition: positive volume.
 ElementShape element_shape(const std::array<Vec3, 4>& corners, double ulp);
 ElementShape element_shape(const CheckedMesh& mesh, const Tetrahedron& cell, double ulp);
 

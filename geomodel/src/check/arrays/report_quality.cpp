@@ -33,8 +33,7 @@ bool is_count(const json& told, std::size_t least, std::size_t most) {
   return told.is_number_unsigned() && told.get<std::size_t>() >= least && told.get<std::size_t>() <= most;
 }
 
-/// A histogram of uncertain values: counts for each bin the values that are certainly in it, and those that may be in
-/// it.
+/// A histogram of uncertain values, which counts for each bin the values certainly in it, and those that may be.
 class Bins {
  public:
   Bins(std::size_t n, double width) : certain_(n, 0), possible_(n, 0), width_(width) {}
@@ -144,8 +143,7 @@ bool agree(const json& told, const Shapes& due) {
          histograms_agree(told, due);
 }
 
-/// Returns whether the report's statistics of the whole mesh agree with the measured ones: extremes, histograms and the
-/// number of sharp elements.
+/// Returns whether the report's extremes, histograms and number of sharp elements agree with the measured ones.
 bool agree_on_whole(const json& quality, const Shapes& due) {
   return agree(at(quality, "/whole"), due) && is_in(at(quality, "/min_dihedral"), due.min_dihedral) &&
          is_in(at(quality, "/max_dihedral"), due.max_dihedral) &&

@@ -16,8 +16,7 @@ struct Listed {
   std::string name, kind;
 };
 
-/// Returns the list of surfaces that the files must contain: the project's surfaces in its order, then the sides of the
-/// volume.
+/// Returns the surfaces that the files must list: the project's surfaces in its order, then the sides of the volume.
 std::vector<Listed> due_surfaces(const Specification& specification) {
   std::vector<Listed> due;
   for (const TriangulatedSurface& s : specification.surfaces) due.push_back({s.name, to_string(s.kind)});

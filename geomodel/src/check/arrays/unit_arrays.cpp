@@ -14,8 +14,7 @@ namespace {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// Returns the unit and the name of each region. An attribute given for the region's name takes precedence over one
-/// given for its unit.
+/// Returns the unit and name of each region. An attribute of the region's name takes precedence over one of its unit.
 std::map<std::int32_t, std::array<std::string, 2>> unit_and_name(const CheckedFaces& checked) {
   const std::set<std::string> known = names_of_specification(checked.specification());
   std::map<std::int32_t, std::array<std::string, 2>> names;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* fault_id = "not_as_in_vtu";
 
-/// Numbers the distinct points of both meshes in ascending order of their coordinates, so that equal points get equal
+/// Numbers the distinct points of both meshes in the order of their coordinates, so that equal points get equal
 /// numbers.
 class Places {
  public:
@@ -45,8 +45,7 @@ class Places {
   std::vector<Vec3> points_;
 };
 
-/// Point numbers of the corners of a part, ascending. Faces, edges and nodes have fewer than four corners; no_index
-/// fills the rest.
+/// Ascending point numbers of a part's corners. Faces, edges and nodes have fewer than four; no_index fills the rest.
 using Corners = std::array<Index, 4>;
 constexpr Corners nowhere{no_index, no_index, no_index, no_index};
 /// For each name, its elements, faces, edges or nodes in ascending order.
@@ -184,8 +183,8 @@ class Comparison {
   CheckResult& result_;
 };
 
-/// Returns the number in `places` of each mesh point. If a point does not exist in the .vtu, reports a fault and
-/// returns nothing.
+/// Returns the number in `places` of each mesh point. If a point is missing in the .vtu, reports it and returns
+/// nothing.
 std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places& places, const std::string& file,
                                             CheckResult& result) {
   FaultCollector elsewhere(fault_id);

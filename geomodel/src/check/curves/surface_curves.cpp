@@ -26,8 +26,7 @@ std::map<MeshEdge, std::vector<Index>> faces_at_edges(const CheckedFaces& checke
   return at;
 }
 
-/// Returns the name and kind of curve that docs/output-files.md defines for an edge with these faces; nothing if the
-/// edge is inside a patch.
+/// Returns the name and kind of the curve (docs/output-files.md) at an edge with these faces; nothing inside a patch.
 std::optional<Named> curve_at(const CheckedFaces& checked, const std::vector<Index>& faces) {
   if (faces.size() == 2 && checked.set_of(faces[0]) == checked.set_of(faces[1])) return std::nullopt;
   std::set<std::int32_t> ids;

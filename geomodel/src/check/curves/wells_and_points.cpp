@@ -95,8 +95,7 @@ void WellChecker::check_covered(const Polyline& well, const std::vector<MeshEdge
     for (const MeshEdge& e : edges) {
       const auto [t, d] = along(checked_.mesh().point(e[0]), a, b);
       const auto [u, f] = along(checked_.mesh().point(e[1]), a, b);
-      // If points may move, an edge may cut a corner of the well's path: each end of the edge is then near one of the
-      // two segments.
+      // If points may move, an edge may cut a corner of the well's path, with each end near one of the two segments.
       if (d <= 2 * room_ || f <= 2 * room_) covered.push_back({std::min(t, u), std::max(t, u)});
     }
     std::sort(covered.begin(), covered.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
@@ -141,8 +140,7 @@ void WellChecker::report(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Checks that each named point inside the model exists under its name, at exactly the requested position, or near it
-/// if features were merged.
+/// Checks that each named point inside the model exists, at exactly its position, or near it if features were merged.
 void check_points(const CheckedFaces& checked, const CheckedCurves& curves, double room, CheckResult& result) {
   FaultCollector wrong("wrong_named_points");
   std::set<std::string> asked;

@@ -66,9 +66,8 @@ Shared sort_shared(Triangle s, Triangle t) {
   return shared;
 }
 
-/// Returns +1 or -1 if the ray from the centroid of c crosses the triangle p q r from its back or its front, 0 if it
-/// does not cross it. The ray points along +axis, or along -axis if `up` is false. Sets `on` if the centroid lies on
-/// the triangle p q r.
+/// Returns +1 or -1 if the ray from the centroid of c crosses the triangle p q r from its back or its front, else 0.
+/// The ray points along +axis, or along -axis if `up` is false. Sets `on` if the centroid lies on the triangle p q r.
 int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int axis, bool up, bool& on) {
   const Sign s0 = centroid_side(c[0], c[1], c[2], t[0], t[1], axis),
              s1 = centroid_side(c[0], c[1], c[2], t[1], t[2], axis),

@@ -16,8 +16,8 @@ enum class Meeting {
   overlap,   ///< The triangles are coplanar and share an area or a part of an edge.
   crossing,  ///< The triangles have any other point in common.
 };
-/// Classifies how two triangles meet. Points are identified by index. A triangle of zero area counts as `proper` with
-/// every other one.
+/// Classifies how two triangles meet. Points are identified by index. A triangle of zero area is `proper` with all
+/// others.
 Meeting meeting(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t);
 
 /// Returns the winding number of the closed oriented surface `triangles` at a point just outside face f, on the side to

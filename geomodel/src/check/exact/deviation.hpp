@@ -63,13 +63,12 @@ struct Deviation {
 /// Decides whether triangles lie within a tolerance of a triangle set.
 class DeviationChecker {
  public:
-  /// `is_due` returns whether a point beyond the tolerance counts as a fault; without this function every such point
-  /// does.
+  /// `is_due` returns whether a point beyond the tolerance counts as a fault; without it every such point does.
   DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
   /// Measures one triangle and adds the results to `so_far`. Returns a point that is beyond the tolerance and counts as
-  /// a fault, if there is one. At most `most_pieces` pieces are examined; pieces that are undecided then are only
-  /// sampled at their corners.
+  /// a fault, if there is one. At most `most_pieces` pieces are examined; undecided ones are then only sampled at their
+  /// corners.
   std::optional<Vec3> check(const Corners& triangle, Deviation& so_far) const;
 
  private:

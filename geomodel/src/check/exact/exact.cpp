@@ -41,8 +41,7 @@ Estimate estimate(const Vec3& u, const Vec3& v, const Vec3& w) {
                                                              std::abs(u.z) * (std::abs(e) + std::abs(f))};
 }
 
-/// Returns true if a column of the determinant is zero. These coordinate differences are then exact zeros, and so is
-/// the determinant.
+/// Returns true if a column is zero. These coordinate differences are then exact zeros, and so is the determinant.
 bool has_zero_column(const Vec3& u, const Vec3& v, const Vec3& w) {
   return (u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0);
 }
@@ -78,8 +77,8 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
   const std::array<Vec3, 4> r{a - e, b - e, c - e, d - e};
   std::array<double, 4> lift{};
   for (int i = 0; i < 4; ++i) lift[i] = dot(r[i], r[i]);
-  // The in-sphere determinant is expanded along the lifted column. For a positive tetrahedron it is negative if e is
-  // inside the sphere.
+  // The in-sphere determinant is expanded along the lifted column; it is negative if e is inside a positive
+  // tetrahedron's sphere.
   constexpr std::array<std::array<int, 3>, 4> minor{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   double value = 0, magnitude = 0;
   for (int i = 0; i < 4; ++i) {

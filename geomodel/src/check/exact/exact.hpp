@@ -33,8 +33,7 @@ Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, c
 /// Returns the sign of det[q-p, r-p, m-p] for the centroid m of (a,b,c).
 Sign centroid_orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Returns the determinant det[b-a, c-a, d-a], six times the volume of the tetrahedron, with a relative error of 1e-12
-/// despite cancellation.
+/// Returns det[b-a, c-a, d-a], six times the tetrahedron's volume, with a relative error of 1e-12 despite cancellation.
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Returns cross(b-a, c-a), each component computed exactly and rounded once.
 Vec3 exact_normal(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -25,7 +25,7 @@ class PlaneTriangle {
 
   /// Returns the distance of p from the triangle's plane.
   double distance(const Vec3& p) const;
-  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its
+  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of the
   /// sides.
   double outside(const Vec3& p) const;
   /// Returns whether, for one side of the triangle, both points projected into the plane lie beyond the line of that

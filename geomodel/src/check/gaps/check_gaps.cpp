@@ -74,8 +74,8 @@ class GapChecker {
     walls_ = TriangleSet(std::move(walls));
   }
 
-  /// Returns a point in a gap of the horizon whose whole border has a wall (another surface) in front of it; nothing if
-  /// there is none.
+  /// Returns a point in a gap of the horizon whose whole border faces a wall (another surface); nothing if there is
+  /// none.
   std::optional<Vec3> narrow_gap(const std::vector<InnerFace>& inner, double distance) {
     spread(inner);
     const std::vector<Index> between = faces_between();

@@ -10,8 +10,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// An entry of `open_borders` in the report of a run: a horizon that ends before it reaches another surface, or has
-/// holes.
+/// An entry of `open_borders` in a run's report: a horizon that ends before it reaches another surface, or has holes.
 struct ReportedGap {
   std::string horizon, region;
   bool joins_units;

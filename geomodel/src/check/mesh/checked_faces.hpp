@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mesh faces that represent surfaces, and the parts of surfaces that rules remove; shared by all checks against
-/// the input.
+/// The mesh faces that represent surfaces, and the parts of surfaces that rules remove, for all checks against the
+/// input.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ bool is_near(const Body& body, const Vec3& p, double reach);
 
 class CheckedFaces {
  public:
-  /// `set_faces` are the triangles of the face set as mesh vertices. Without a face set, every mesh face may represent
-  /// a surface.
+  /// `set_faces` are the triangles of the face set as mesh vertices. Without them, every mesh face may represent a
+  /// surface.
   CheckedFaces(const CheckedMesh& mesh, const Specification& specification, const FacesFile* faces,
                const std::vector<Triangle>& set_faces);
 

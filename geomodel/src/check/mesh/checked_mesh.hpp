@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mesh to be checked with its faces paired, and the checks of it, one function per property. Every check appends
-/// its faults to `result`.
+/// The mesh to be checked, with paired faces, and the checks of each property, which append their faults to `result`.
 #pragma once
 
 #include <map>
@@ -14,8 +13,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Corners of the faces of a positive tetrahedron. Face i is opposite vertex i and counter-clockwise as seen from
-/// outside.
+/// Corners of a positive tetrahedron's faces. Face i is opposite vertex i, counter-clockwise as seen from outside.
 inline constexpr std::array<std::array<int, 3>, 4> outward_face{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// A mesh face with the tetrahedra on its two sides. `key` holds its sorted vertices; `even` is the tetrahedron for

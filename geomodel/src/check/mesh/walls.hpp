@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The two sides of a surface along which a mesh was opened: NAME.minus and NAME.plus, as documented in
-/// docs/outputs.md.
+/// The two sides, NAME.minus and NAME.plus, of a surface along which a mesh was opened (docs/outputs.md).
 #pragma once
 
 #include <algorithm>

@@ -15,8 +15,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Returns the cosine of the angle between the normals of a mesh face and of its source triangle; 1 if the face has
-/// none.
+/// Returns the cosine of the angle between the normals of a mesh face and its source triangle; 1 if the face has none.
 double agreement_with_source(const CheckedFaces& checked, Index face) {
   const Index row = checked.surface_of(checked.faces()->surface[face]);
   const auto source = static_cast<std::size_t>(checked.faces()->source_triangle[face]);
@@ -75,8 +74,7 @@ void NameChecker::check_same_everywhere(CheckResult& result) const {
   differ.report(result, "regions bear one name in the mesh and another one, or none, in the face set");
 }
 
-/// Checks the name of each region against the names that the project allows. Returns false if suffixes and ids cannot
-/// be checked.
+/// Checks region names against those that the project allows. Returns false if suffixes and ids cannot be checked.
 bool NameChecker::read_rows(CheckResult& result) {
   FaultCollector wrong("wrong_region_names");
   const std::set<std::string> known = names_of_specification(checked_.specification());
@@ -156,8 +154,7 @@ bool NameChecker::comes_first(const Row& a, const Row& b) const {
   return comes_before(p.centroid, q.centroid);
 }
 
-/// Checks the suffixes of region names: a unique name has none; regions that share a name have `__1`, `__2` ... in the
-/// order of their positions.
+/// Checks the suffixes of region names: a unique name has none; equal names have `__1`, `__2` ... by position.
 void NameChecker::check_suffixes(CheckResult& result) const {
   FaultCollector wrong("wrong_name_suffixes");
   std::map<std::pair<std::string, std::size_t>, std::vector<const Row*>> named;

@@ -19,8 +19,7 @@ struct NameParts {
 /// Splits a region's name so that `base` is one of the known names, if possible.
 NameParts parts_of(const std::string& name, const std::set<std::string>& known);
 
-/// Returns all base names that a specification allows: units of the column, neighbouring units joined by `+`, bodies
-/// and seeds.
+/// Returns all base names that a specification allows: units, neighbouring units joined by `+`, bodies and seeds.
 std::set<std::string> names_of_specification(const Specification& specification);
 
 }  // namespace geomesh::geomodel::checking

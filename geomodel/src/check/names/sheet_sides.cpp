@@ -14,8 +14,7 @@ struct Use {
   bool forward;  ///< whether the triangle traverses the edge from the smaller end to the larger
 };
 
-/// Returns the triangles at each edge of a surface. Edges are identified by coordinates, so that duplicate points count
-/// as one.
+/// Returns the triangles at each edge of a surface. Edges are identified by coordinates: duplicate points count as one.
 std::map<std::array<Place, 2>, std::vector<Use>> edge_uses(const TriangulatedSurface& s) {
   std::map<std::array<Place, 2>, std::vector<Use>> uses;
   const auto place = [&](VertexIndex v) { return Place{s.points[v].x, s.points[v].y, s.points[v].z}; };

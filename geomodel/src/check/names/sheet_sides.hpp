@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which side of a horizon is up: one answer for each connected part, taken from most of its area in the
-/// map.
+/// Determines which side of a horizon is up: one answer for each connected part, from most of its area in the map.
 #pragma once
 
 #include <vector>
@@ -16,8 +15,8 @@ namespace geomesh::geomodel::checking {
 inline constexpr double least_cosine = 0.1;
 
 /// For each triangle, returns +1 if its stored normal points to the upper side of the horizon, else -1. Triangles are
-/// joined to connected parts across edges with exactly two triangles. In a part that is not orientable, each triangle
-/// is decided alone.
+/// joined to connected parts across edges with exactly two triangles. In a non-orientable part each triangle is decided
+/// alone.
 std::vector<int> upper_sides(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel::checking

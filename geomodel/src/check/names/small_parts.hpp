@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds parts of regions that a horizon separates from the rest of their region, and that were small enough to be
-/// merged into it.
+/// Finds parts of regions that a horizon cuts off, and that were small enough to be merged into their region.
 #pragma once
 
 #include <vector>

@@ -42,8 +42,7 @@ UnitFinder::UnitFinder(const CheckedFaces& checked, double reach) : checked_(che
 }
 
 /// Adds up for each region the areas of horizons that bound it, by the side of the horizon on which it lies. The side
-/// follows from the input triangle nearest to a mesh face. A small part that was merged into a region of another unit
-/// is ignored.
+/// follows from the input triangle nearest to a mesh face. Small parts merged into another unit are ignored.
 void UnitFinder::add_faces(double reach) {
   const FacesFile& faces = *checked_.faces();
   const std::vector<SmallSides> in_small_part = sides_in_small_parts(checked_);
@@ -92,8 +91,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // The region is not bounded by this horizon if it lies on both sides of it, or of a horizon beyond it, over a
-    // larger area.
+    // The region is not bounded by this horizon if it lies on both sides of it, or of one beyond it, over a larger
+    // area.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
     };
@@ -107,8 +106,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  // Only one unit is possible; or the region lies below an older and above a younger horizon, and gets the unit above
-  // the younger one.
+  // Only one unit is possible; or the unit above the younger horizon is taken, because the region lies below an older
+  // one.
   if (first >= last) {
     verdict.first = verdict.last = last;
     return verdict;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which unit of the column a region is, by the rules of docs/output-files.md ("Column"). The checker
-/// decides this from the mesh faces that bound the region and from the input surfaces, independently of the program's
-/// naming.
+/// Determines which unit of the column a region is, by the rules of docs/output-files.md ("Column"). The checker uses
+/// the mesh faces that bound the region and the input surfaces, independently of the program's naming.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +42,7 @@ class UnitFinder {
  private:
   /// Areas of the horizons that bound one region.
   struct Contacts {
-    /// For each horizon, the area of its faces that have the region only below them, only above them, and on both
-    /// sides.
+    /// For each horizon, the area of its faces with the region only below them, only above them, and on both sides.
     std::map<Index, double> below, above, both;
   };
   struct Horizon {

@@ -24,7 +24,7 @@ class PiecesWithoutFaces {
   /// Adds an input triangle of the surface that `faces`, the mesh faces in its plane, do not cover.
   void add(const PlaneTriangle& triangle, Index row, const std::vector<Index>& faces);
   std::size_t size() const { return uncovered_.size(); }
-  /// Returns the uncovered triangles that must not be missing: those outside of all pieces that a horizon may have cut
+  /// Returns the uncovered triangles that must not be missing: those outside all pieces that a horizon may have cut
   /// off.
   std::vector<UncoveredTriangle> not_taken() const;
 

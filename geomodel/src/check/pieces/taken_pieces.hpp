@@ -17,8 +17,7 @@ struct UncoveredTriangle {
   /// Uncovered area that lies beyond a cutting surface, and the remaining uncovered area.
   double beyond = 0, within = 0;
   std::array<bool, 3> goes_on{};  ///< whether some point of side i (corner i to i + 1) is uncovered
-  /// Whether open edges of the mesh faces on this triangle run only along surfaces that cut, or along the surface's
-  /// border.
+  /// Whether open edges of the mesh faces on this triangle run only along cutting surfaces or the surface's own border.
   bool ends_at_cutters = true;
   Vec3 place{};  ///< of the rest
 };

@@ -29,8 +29,7 @@ inline bool is_covered(const Vec3& p, const std::vector<PlaneTriangle>& flat, do
                              [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance; });
 }
 
-/// Calls visit(point) for the lattice points inside an input triangle that none of the mesh faces covers; visit returns
-/// whether to continue.
+/// Calls visit(point) for lattice points of an input triangle that no mesh face covers, until visit returns false.
 template <class Visit>
 void for_each_uncovered(const PlaneTriangle& triangle, const std::vector<PlaneTriangle>& flat, double tolerance,
                         Visit visit) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The specification against which a mesh is checked: surfaces, volume, and what the project says about names, wells
-/// and points.
+/// The specification against which a mesh is checked: surfaces, volume, and the project's names, wells and points.
 #pragma once
 
 #include <array>
@@ -43,8 +42,7 @@ struct TrimRules {
   bool continuation = false;          ///< whether rules may remove any part of the triangles that rules made
   /// Whether any part of a horizon with throw may be removed because it continues beyond its fault.
   bool given_beyond_faults = false;
-  /// The fields of the surface, one per fault block. Each may be absent outside its domain, which the horizon's faults
-  /// bound.
+  /// The fields of the surface, one per fault block. Each may be absent outside its domain, which faults bound.
   std::vector<FieldPart> fields;
   /// Triangles that extend faults only to separate blocks of this horizon, and that the mesher removed again.
   std::vector<std::array<Vec3, 3>> partings;
@@ -81,8 +79,7 @@ struct Specification {
 };
 
 /// Reads a project, transforms it to the mesh's frame and builds its surfaces. This shares code with the mesher:
-/// reading of files, change of coordinates, gridding, and the rules that act on single surfaces (listed in
-/// docs/checking.md).
+/// reading of files, change of coordinates, gridding, and the rules that act on single surfaces (docs/checking.md).
 Specification specification_of_project(const std::filesystem::path& file);
 /// Surface files alone.
 Specification specification_of_surfaces(const std::vector<std::filesystem::path>& files);

@@ -43,8 +43,7 @@ class FollowedSurface {
 
  private:
   using Edge = std::array<VertexIndex, 2>;
-  /// Returns the edge, other than `entered`, by which the intersection with the plane leaves the triangle; nothing if
-  /// there is none.
+  /// Returns the edge, other than `entered`, by which the plane's cut leaves the triangle; nothing if there is none.
   std::optional<Edge> exit(Index triangle, const CurvePlane& plane, const Edge& entered) const;
   Vec3 cut(const Edge& edge, const CurvePlane& plane) const;
   double height(VertexIndex v, const CurvePlane& plane) const { return dot(points_[v] - plane.place, plane.along); }
@@ -57,8 +56,7 @@ class FollowedSurface {
   TriangleSet set_;
 };
 
-/// Functions that are evaluated at the points of a followed line until it is farther from the other surface than the
-/// depth.
+/// Functions called at the points of a followed line until it is farther from the other surface than the depth.
 struct AlongLine {
   std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended at a point
   /// Called with every examined point. Neighbouring points are at most a quarter of the depth apart.

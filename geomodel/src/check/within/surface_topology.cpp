@@ -118,8 +118,7 @@ class TopologyChecker {
     return {a, b, b};
   }
   struct Places {
-    /// Numbers of sampled points of intersection curves, and of those farther than allowed from where the surfaces meet
-    /// in the mesh.
+    /// Numbers of sampled points of intersection curves, and of those too far from where the surfaces meet in the mesh.
     std::size_t looked_at = 0, farther = 0;
   };
   /// A point at which triangle s of surface i and triangle t of surface j pass through each other, and the direction of
@@ -228,8 +227,7 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
       "characteristic were held against the input's");
 }
 
-/// Returns whether a surface may end at the mesh edge e: at the box, at a body that cuts it, and, if rules trim it, at
-/// any other surface.
+/// Returns whether a surface may end at the mesh edge e: at the box, a cutting body or, if rules trim it, any surface.
 bool TopologyChecker::is_excused(const Edge& e, Index row) const {
   for (const Index f : edges_.at(e))
     for (const std::int32_t id : checked_.set_of(f)) {
@@ -259,8 +257,7 @@ std::vector<Corners> TopologyChecker::free_edges(Index row, bool but_excused) co
   return free;
 }
 
-/// Returns the triangles that rules made to continue a surface. Any part of them may be absent, so the surface may end
-/// anywhere on them.
+/// Returns the triangles that rules made to continue a surface. They may be absent, so the surface may end on them.
 std::vector<Corners> TopologyChecker::continuation_of(Index row) const {
   std::vector<Corners> made;
   if (row >= specification_.trims.size() || !specification_.trims[row].continuation) return made;
@@ -322,8 +319,7 @@ TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
 
 /// Returns whether an intersection of two input surfaces is missing in the mesh: the surfaces pass through each other
 /// at the given point, each deeper than the allowed distance, but do not meet nearby in the mesh. Both may have been
-/// moved: where they are closer to each other than the allowed distance, their intersection curve may be anywhere in
-/// between.
+/// moved: where they are closer than the allowed distance, their curve may be anywhere in between.
 bool TopologyChecker::is_lost(const Passage& passage, const TriangleSet& meeting) const {
   const Vec3 &place = passage.place, &along = passage.along;
   bool is_met = false;

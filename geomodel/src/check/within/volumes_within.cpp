@@ -19,8 +19,7 @@ double face_area(const Corners& c) {
   return 0.5 * std::sqrt(dot(n, n));
 }
 
-/// Returns for each region the floating-point area of its boundary faces that can have moved, without those that are
-/// only on box sides.
+/// Returns for each region the area of its boundary faces that can have moved, without those only on box sides.
 std::map<std::int32_t, double> movable_areas(const CheckedFaces& checked) {
   std::map<std::int32_t, double> areas;
   const FacesFile& faces = *checked.faces();
@@ -33,8 +32,7 @@ std::map<std::int32_t, double> movable_areas(const CheckedFaces& checked) {
   return areas;
 }
 
-/// Returns the exactly summed volume of the closed, oriented surface; nothing if the surface is open or inconsistently
-/// oriented.
+/// Returns the exactly summed volume of the closed surface; nothing if it is open or inconsistently oriented.
 std::optional<double> enclosed_volume(const TriangulatedSurface& s) {
   std::map<std::array<std::array<double, 3>, 2>, int> edges;
   const auto key = [&](VertexIndex v) { return std::array{s.points[v].x, s.points[v].y, s.points[v].z}; };
@@ -138,8 +136,7 @@ bool lies_in(const Vec3& p, const Body& body) {
 }
 
 /// Returns whether an edge of the body has another number of faces than two. Then the box cuts the body, or the body
-/// crosses itself and encloses parts of space twice. A body without faces lies outside, or is reported missing by other
-/// checks.
+/// crosses itself and encloses parts of space twice. A body without faces is left to other checks.
 bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
   std::map<std::array<VertexIndex, 2>, int> uses;
   const auto row = static_cast<Index>(body.surface - checked_.specification().surfaces.data());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Checks meshes whose surfaces were remeshed within a distance of the input (`honour: tolerance`), in place of the
-/// exact check of coverage.
+/// Checks meshes whose surfaces were remeshed within a tolerance of the input, in place of the exact coverage check.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,8 +25,7 @@ struct SurfacePair {
   std::vector<Index> rows;   ///< of `specification.surfaces`
   std::vector<Index> faces;  ///< indices of the mesh faces that may represent the surface
 };
-/// Pairs surfaces with the mesh faces that may represent them. A face on a side of the volume, up to `rounding`,
-/// represents no surface.
+/// Pairs surfaces with the mesh faces that may represent them, which excludes faces on the volume's sides.
 std::vector<SurfacePair> pair_surfaces(const CheckedFaces& checked, double rounding);
 Corners corners_of(const CheckedFaces& checked, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
@@ -38,8 +36,7 @@ std::vector<Corners> triangles_of(const TriangulatedSurface& surface);
 /// that cuts (`faces_inside_bodies`). `checks_done` lists what was proven and what was sampled.
 void check_surfaces_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
-/// Checks that midpoint nodes of second-order elements lie within the allowed distance of their surfaces
-/// (`midpoints_off`).
+/// Checks that midpoint nodes lie within the allowed distance of their surfaces (`midpoints_off`).
 void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed, CheckResult& result);
 
 /// Checks that each mesh face names a triangle of its surface (`wrong_source_triangles`) and lies within twice the

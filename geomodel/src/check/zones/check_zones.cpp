@@ -100,8 +100,7 @@ class ZoneChecker {
     seen_text_ += text;
     if (!(std::abs(ratio - 1) <= most_in_all)) wrong_.add(z, mesh_.point(*seen_[z].minus.begin()));
   }
-  /// Counts the edges on the shortest path from the minus wall to each node of the plus wall, which must not pass
-  /// through ends of the zone.
+  /// Counts the edges on the shortest path from the minus wall to each plus node, which must not pass through the ends.
   void check_layers(std::size_t z) {
     const Seen& seen = seen_[z];
     std::map<VertexIndex, unsigned> steps;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Checks fault zones as they are in the mesh, then closes (collapses) them, so that the result is checked against the
-/// project like any mesh.
+/// Checks fault zones in the mesh, then closes (collapses) them, so that the result is checked like any mesh.
 #pragma once
 
 #include <optional>
@@ -21,8 +20,7 @@ struct ClosedFiles {
   std::optional<CurvesFile> curves;
 };
 
-/// Removes the fault zones from a mesh. Returns nothing if the files lack data, which is reported as
-/// `wrong_fault_zones`.
+/// Removes a mesh's fault zones. Returns nothing if the files lack data, which is reported as `wrong_fault_zones`.
 std::optional<ClosedFiles> close_zones(const CheckedMesh& mesh, const FacesFile& faces, const CurvesFile* curves,
                                        const std::vector<FaultZone>& zones, CheckResult& result);
 

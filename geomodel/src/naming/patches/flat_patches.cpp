@@ -45,8 +45,7 @@ void add_edge(const PolygonSoup& soup, const std::vector<EdgeUse>& in_patch, boo
   }
 }
 
-/// Returns the loops of a patch's border. The loop with the least point (x, y, z) is the first: in a plane, this is the
-/// outer loop.
+/// Returns the loops of a patch's border. The first one has the least point (x, y, z): in a plane, the outer loop.
 std::vector<std::vector<VertexIndex>> trace_loops(const PolygonSoup& soup, const Border& border) {
   std::vector<std::vector<VertexIndex>> loops;
   std::set<VertexIndex> seen;

@@ -33,8 +33,7 @@ std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& m
   return rows;
 }
 
-/// Groups edges into curves by what determines the curve's name: the surfaces at the edge, and whether the edge has
-/// only one face.
+/// Groups edges into curves by what determines the name: the surfaces at the edge, and whether it has only one face.
 class CurveTable {
  public:
   explicit CurveTable(const std::vector<TriangulatedSurface>& surfaces) : surfaces_(surfaces) {}

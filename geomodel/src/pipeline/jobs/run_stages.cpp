@@ -51,8 +51,7 @@ Report begin_report(const RecordsSoFar& records) {
   return report;
 }
 
-/// Returns the description of the inputs with the target size that was used, because sizes may be derived from a number
-/// of elements.
+/// Returns the description of the inputs with the size that was used, which may be derived from a number of elements.
 std::string described_with_size(const Inputs& inputs, const RefinementSettings& used) {
   const double size = used.size.base.global;
   if (!(size > 0) || size == inputs.refinement.size.base.global) return inputs.description;

@@ -86,8 +86,7 @@ void add_regions(const ModelMesh& mesh, std::vector<std::string>& lines) {
   }
 }
 
-/// Returns the surface that gridding, smoothing or resampling moved farthest from its data; null if no surface was
-/// moved.
+/// Returns the surface that gridding, smoothing or resampling moved farthest from its data; null if none was moved.
 const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   const ToleranceUse* farthest = nullptr;
   for (const ToleranceUse& use : ledger.uses()) {

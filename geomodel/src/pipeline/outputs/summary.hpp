@@ -16,8 +16,7 @@ struct Summary {
   std::vector<std::string> details;  ///< all regions, shapes of elements, properties that would make solvers fail
 };
 
-/// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` contains the requested mesh
-/// settings.
+/// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` has the requested settings.
 Summary summarise(const Report& report, const RefinementSettings& refinement);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Adds the convex hull of all surfaces as a surface of its own (`--hull`), which is intersected, named and verified
-/// like any other.
+/// Adds the convex hull of all surfaces as a surface of its own (`--hull`), which is meshed like any other.
 #pragma once
 
 #include <vector>

@@ -21,8 +21,7 @@ bool looks_geographic(const Box3& extent) {
   return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
 }
 
-/// Returns advice for a surface that is not near the model: the coordinates or the unit may be wrong, or depths were
-/// given as heights.
+/// Returns advice for a surface far from the model: coordinates or unit may be wrong, or depths were given as heights.
 const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   if (!model) return "";
   if (looks_geographic(extent) && !looks_geographic(*model))
@@ -201,8 +200,8 @@ bool is_closed(const TriangulatedSurface& surface) {
   return !edges.empty();
 }
 
-/// Returns the arrangement for a PLC, which is passed to the engine unchanged. Its facets replace soup facets so that
-/// results can be named.
+/// Returns the arrangement for a PLC that is meshed unchanged. Its facets replace soup facets, so that results have
+/// names.
 Arranged as_given(const Inputs& inputs, const Built& built) {
   Arranged arranged;
   arranged.surfaces = built.surfaces;

@@ -105,8 +105,7 @@ class NearMerging {
                   short_words(merging.displacement.largest) + " " + unit_);
   }
 
-  /// Records how far merging moved surfaces as allowed by `merge_within`, or how far a repair moved them without any
-  /// tolerance.
+  /// Records how far `merge_within` moved surfaces, or how far a repair moved them without any tolerance.
   ArrangementResult booked_apart(ArrangementResult found) {
     ToleranceUse use = use_of(found.merging);
     use.by_own_key = true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Runs the stage intersect and merges surfaces where they nearly coincide, within a part of the tolerance that they
-/// are allowed to move.
+/// Runs the stage intersect and merges surfaces where they nearly coincide, within a part of the tolerance.
 #pragma once
 
 #include <vector>

@@ -10,8 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the mesh with its regions, surfaces and curves named, but not verified. Appends the warnings of
-/// name_model().
+/// Returns the mesh with named regions, surfaces and curves, not verified. Appends the warnings of name_model().
 ModelMesh named_mesh(const ModelRecords& model, const Meshed& meshed, std::vector<std::string>& warnings,
                      unsigned threads);
 

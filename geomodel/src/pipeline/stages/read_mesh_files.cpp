@@ -15,8 +15,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads a PLC file. Its facets become the triangles of one surface, each represented by its first three corners, so
-/// that results can be named.
+/// Reads a PLC. The first three corners of each facet make a triangle of one surface, so that results can be named.
 void read_plc(const std::filesystem::path& path, Inputs& model, Journal& journal) {
   const StageScope stage(journal.context(), "read");
   PlcFile file = read_plc_file(path);

@@ -60,8 +60,7 @@ void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_countable(estimate_crossings(fractures, bounds), fractures.size(), model.refinement);
 }
 
-/// Takes from the tolerance the share by which the triangulation of a level set differs from its field; the rest is
-/// left to the mesh.
+/// Takes from the tolerance the share by which triangulated level sets differ from their fields.
 void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
   if (has_level_sets(project) && r.tolerance.left() > 0)
     r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});

@@ -34,8 +34,7 @@ void ask(AskedSize& at, const AskedSize& asked) {
                                     (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
-/// Returns the region of each component. Throws if a name in `words`, taken from the settings, is neither that of a
-/// region nor of a unit.
+/// Returns the region of each component. Throws if a name in `words` is neither that of a region nor of a unit.
 std::vector<const Region*> regions_of_components(const NamedRegions& named, const std::set<std::string>& words) {
   std::set<std::string> known;
   for (const Region& r : named.regions) known.insert({r.name, r.unit});
@@ -284,8 +283,7 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.segment_curve = segment_curves(model.arranged.plc);
   if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
-    // Only the fixed points are kept in their place. Other points inside a box side belong to pieces that were cut off,
-    // and may move.
+    // Other points inside a box side belong to pieces that were cut off, and may move.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)

@@ -14,8 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// Runs the stage read for a project: reads its files into the project's frame. If inputs are certainly wrong, throws
-/// before anything is built.
+/// Runs the stage read for a project: reads files into the project's frame. Throws if inputs are certainly wrong.
 Inputs read_project_model(const Project& project, Journal& journal);
 
 /// Runs the stage read for `geomesh mesh`; a single PLC file (.poly, .smesh) is passed to the engine unchanged.
@@ -26,8 +25,7 @@ Built build_model(const Inputs& inputs, Journal& journal);
 /// Replaces the stage build for `geomesh mesh`, which has no rules.
 Built built_as_given(const Inputs& inputs);
 
-/// Runs the stage intersect. Rules on crossings (erosion, onlap, ends of continuations) are applied to the polygon
-/// soup.
+/// Runs the stage intersect. Rules on crossings (erosion, onlap, ends of continuations) apply to the polygon soup.
 Arranged intersect(const Inputs& inputs, const Built& built, Journal& journal);
 
 /// Options that make the initial mesh for MPI ranks coarser: RefineOptions::sparse_growth, sparse_ratio,
@@ -53,8 +51,7 @@ ModelMesh name_and_verify(const ModelRecords& model, const Meshed& meshed, std::
 /// Throws InternalError listing each fault of the finished mesh.
 void require_valid(const ModelMesh& mesh, const ZScale& scale, unsigned threads);
 
-/// Measures shapes, sizes and causes of poor elements. The tetrahedra of `mesh` are those of `meshed`, in the same
-/// order.
+/// Measures shapes, sizes and causes of poor elements. `mesh` has the tetrahedra of `meshed`, in the same order.
 QualityReport judge_quality(const ModelRecords& model, const Meshed& meshed, const ModelMesh& mesh, unsigned threads);
 /// Checks which solvers can use the elements. Precondition: tetrahedra of fault zones come last in `mesh`.
 SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigned threads);

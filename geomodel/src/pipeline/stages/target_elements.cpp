@@ -71,8 +71,7 @@ class CountSearch {
 
   /// Returns the factors for the next trial. If a larger size gives hardly fewer elements, most of them are near
   /// surfaces that require short edges; sizes are then allowed to grow as fast as possible away from these. Between
-  /// trials with too many and too few elements, the factors are interpolated as if the number of elements followed a
-  /// power law.
+  /// trials with too many and too few elements, factors are interpolated as in a power law.
   Scale after(const std::vector<Try>& tries) const {
     const Try& now = tries.back();
     const auto [many, few] = nearest_on_both_sides(tries);
@@ -202,8 +201,7 @@ CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTet
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);
   if (!may_derive(settings)) return {options, by_cause(estimator, stack, options), settings};
   const double target = settings.derived_elements;
-  // Surfaces that nearly coincide everywhere require the same number of elements at every size, so a larger tolerance
-  // would be useless.
+  // Surfaces that nearly coincide everywhere need the same number of elements at every size and tolerance.
   Scale most = greatest_scale(model.arranged, options, target);
   if (!settings.gradation_by_default) most.gradation = 1;
   const bool drops_gaps = gaps_ask_for_too_many(settings, estimator, options, most);

@@ -13,8 +13,7 @@ namespace geomesh::geomodel {
 /// Returns the options with all target sizes multiplied by `factor`, and the tolerance too if it follows the sizes.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
 
-/// Returns the settings with the sizes and the tolerance of the options, so that the reported values are those that
-/// were used.
+/// Returns the settings with the sizes and tolerance of the options, so that the values used are reported.
 RefinementSettings settings_used(RefinementSettings settings, const RefineOptions& options);
 
 /// Refinement options with the number of elements that they require.
@@ -30,8 +29,7 @@ struct CountedOptions {
 /// to many more or fewer elements, sizes are chosen so that the estimated number is about settings.derived_elements. If
 /// larger sizes give hardly fewer elements, sizes also grow faster away from small ones, unless the project sets the
 /// gradation. Gaps between surfaces are ignored if the estimate is above twice that number with gaps and below it
-/// without them, unless the project sets sizes for gaps. Otherwise, and if the project requests any size, the options
-/// are returned unchanged.
+/// without them, unless the project sets sizes for gaps. The options are unchanged if the project requests any size.
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 

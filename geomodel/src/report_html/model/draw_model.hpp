@@ -10,8 +10,7 @@
 namespace geomesh::geomodel::page {
 
 /// Draws the initial view of the model: from the south-west, without the vertical quarter in front of `corner`, lit
-/// from above. Units have `colours` (indexed by region id - 1), heights are multiplied by `stretch`. Time is linear in
-/// faces and pixels.
+/// from above. Units have `colours` (indexed by region id - 1), heights are multiplied by `stretch`.
 Picture draw_model(const ModelMesh& mesh, const Vec2& corner, double stretch, const std::vector<Colour>& colours);
 
 }  // namespace geomesh::geomodel::page

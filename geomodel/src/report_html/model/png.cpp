@@ -33,8 +33,7 @@ std::string deflated(const std::string& text) {
   return packed;
 }
 
-/// Replaces each row of the picture by its differences from the row above (PNG filter Up), so that flat areas become
-/// zeros.
+/// Replaces each row of the picture by its differences from the row above (PNG filter Up): flat areas become zeros.
 std::string filtered_rows(const Picture& picture) {
   constexpr char up = 2;
   const std::size_t stride = 3 * picture.width;

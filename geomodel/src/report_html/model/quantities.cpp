@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t most_quantities = 12;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the range of the values without the outermost hundredth at both ends; the whole range if nothing would be
-/// left.
+/// Returns the range of the values without the outermost hundredth at both ends; the whole range if nothing is left.
 std::pair<double, double> plain_range(const std::vector<double>& values) {
   std::vector<double> known;
   std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Provides the rotatable picture of the model in the HTML report: the model as JSON data, and the script that draws
-/// it.
+/// Provides the rotatable picture of the model in the HTML report: the model as JSON, and the script that draws it.
 #pragma once
 
 #include <string>
@@ -20,8 +19,7 @@ struct MeshColours {
 };
 MeshColours colours_of(const ModelMesh& mesh, const GivenColours& given);
 
-/// A quantity by which the viewer can colour the mesh. Values are stored in 255 steps from `low` to `high`, or as
-/// not_known.
+/// A quantity by which the viewer can colour the mesh, in 255 steps from `low` to `high`; not_known without a value.
 struct Quantity {
   static constexpr std::uint8_t not_known = 255;
   std::string name, unit;
