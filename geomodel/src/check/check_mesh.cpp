@@ -114,7 +114,7 @@ struct CheckedFiles {
   const CheckedMesh& mesh;
   const FacesFile& faces;
   const std::vector<Triangle>& set_faces;
-  const CurvesFile* curves;  ///< null if there is no curves file
+  const CurvesFile* curves;
 };
 
 bool can_check_contract(const CheckedFiles& files) {

@@ -79,8 +79,8 @@ class CoverageChecker : public CheckedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
-  std::map<Index, BoxTree> surface_trees_;                 ///< search trees over input surfaces, made when needed
-  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< border edges of each surface of the input
+  std::map<Index, BoxTree> surface_trees_;
+  std::vector<std::vector<std::array<Vec3, 2>>> borders_;
   std::vector<std::pair<VertexIndex, VertexIndex>>
       clip_edges_;  ///< Edges of the faces of box sides and of bodies that cut, sorted.
 };

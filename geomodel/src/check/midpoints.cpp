@@ -134,7 +134,7 @@ void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed,
   for (Index f = 0; f < checked.candidates().size(); ++f)
     for (const std::int32_t id : checked.set_of(f)) {
       const Index row = checked.surface_of(id);
-      if (row == no_index) continue;  // a side of the model has no row
+      if (row == no_index) continue;  // the surface is a side of the model, which has no specification
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
       const Triangle& t = checked.candidates()[f];

@@ -30,7 +30,7 @@ class TriangleFinder {
   const std::vector<Triangle>& triangles_;
   double u0_ = 0, v0_ = 0, size_ = 1;
   std::size_t n_u_ = 1, n_v_ = 1;
-  std::vector<std::size_t> first_;  ///< first entry of each bucket in rows_
+  std::vector<std::size_t> first_;
   std::vector<Index> rows_;
 };
 

@@ -28,12 +28,13 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   if (n <= 1) return s;
   TriangulatedSurface fine;
   fine.points = s.points;
-  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // points by the edge's ends, ascending, and the step
+  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // points on each edge, by its ends (ascending) and step
   const auto add = [&](const Vec3& p) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
   };
-  const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {  // the point k of n steps from a to b
+  // Returns the point after k of n steps from a to b.
+  const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {
     if (k == 0) return a;
     if (k == n) return b;
     if (a > b) std::swap(a, b), k = n - k;
@@ -103,7 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    std::vector<std::string> notes, warnings;  // ignored, because the run repeats them when it continues the faults
+    std::vector<std::string> notes, warnings;  // ignored, because the run reports them when it continues the faults
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -166,7 +167,7 @@ class BlockSurfaces {
     spec.to_box = true;
     try {
       return grid_points(points, spec, GraphOver::map, &over_).surface;
-    } catch (const Error&) {  // The points lie on one line.
+    } catch (const Error&) {  // All points lie on one line.
       return std::nullopt;
     }
   }

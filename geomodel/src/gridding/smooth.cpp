@@ -14,7 +14,7 @@ namespace {
 /// A surface with equal vertices merged, so that both sides of a seam move together.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;  ///< merged vertex for each vertex of the original surface
+  std::vector<VertexIndex> row;  ///< merged vertex of each vertex of the original surface
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
   std::vector<bool> fixed;                           ///< whether the point is on a border, or in no triangle

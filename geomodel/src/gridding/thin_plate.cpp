@@ -19,7 +19,7 @@ class NormalEquations {
  public:
   explicit NormalEquations(std::size_t n) : right_side_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n))) {}
 
-  /// Adds the term weight * (sum coefficient_k * x_k - value)^2 to the functional.
+  /// Adds the term weight * (sum coefficient_k * x_k - value)^2 to the least-squares functional.
   template <std::size_t N>
   void add(const std::array<std::size_t, N>& nodes, const std::array<double, N>& coefficients, double value,
            double weight) {

@@ -13,8 +13,8 @@ namespace {
 
 struct ProjectTemplate {
   std::string project;
-  std::vector<TriangulatedSurface> surfaces;                 ///< surfaces, each written to a file surfaces/NAME.ts
-  std::vector<std::pair<std::string, std::string>> files{};  ///< further files of the template: path and text
+  std::vector<TriangulatedSurface> surfaces;  ///< surfaces of the template, each written to surfaces/NAME.ts
+  std::vector<std::pair<std::string, std::string>> files{};  ///< further files of the template: path and content
 };
 
 const char* const head = R"(# yaml-language-server: $schema=project.schema.json

@@ -21,7 +21,7 @@ void anchor() {}
 fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
 
 #ifdef _WIN32
-constexpr char between_folders = ';';  // semicolon, because a colon follows the letter of a drive
+constexpr char between_folders = ';';  // not a colon, which follows the letter of a drive on Windows
 #else
 constexpr char between_folders = ':';
 #endif

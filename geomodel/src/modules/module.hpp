@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 struct ModuleName {
   const char* file;      ///< "geomesh-exodus.so"
   const char* function;  ///< name of the function in the module that returns its table and has no arguments
-  const char* purpose;   ///< beginning of the message: "Exodus files are written and read by"
+  const char* purpose;   ///< beginning of messages: "Exodus files are written and read by"
   const char* package;   ///< name of the package that contains the module: "geomesh-exodus"
   const char* headers;   ///< Debian package that is needed to build the module: "libnetcdf-dev"
 };

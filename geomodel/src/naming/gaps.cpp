@@ -25,7 +25,7 @@ struct FreeBorder {
 
 struct HorizonEdges {
   std::vector<EdgeUse> free;               ///< edges with one facet of the horizon and no facet of another surface
-  std::vector<EdgeUse> within;             ///< uses of edges with several facets of the horizon
+  std::vector<EdgeUse> within;             ///< edges with several facets of the horizon, once for each facet
   std::vector<EdgeUse> ends_on_something;  ///< edges at which one facet of the horizon ends on other surfaces
 };
 
@@ -187,7 +187,8 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
                          column.units[h + 1] + " are not divided by it");
       continue;
     }
-    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // open borders: holes first, then by component
+    // Open borders of the horizon: holes first, then by component.
+    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;
     for (const FreeBorder& border : find_borders(soup, edges[h], component_at))
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
     for (const auto& [key, borders] : by_kind) {

@@ -129,7 +129,7 @@ void sum_areas(ModelMesh& model) {
 /// Adds the curves of wells, which follow the curves of surfaces.
 void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, const std::vector<VertexIndex>& row,
                MeshCurves& curves) {
-  std::map<Index, Index> well;  // index in `curves` of each well in plc.curves
+  std::map<Index, Index> well;  // for each well of `plc.curves`, its index in `curves`
   for (Index c = 0; c < plc.curves.size(); ++c)
     if (plc.curves[c].kind == "well") {
       well[c] = static_cast<Index>(curves.curves.size());

@@ -206,7 +206,7 @@ bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vec
 
 /// Regions in their final order, with the data that determine their numbers and warnings.
 struct NumberedRegions {
-  const std::vector<std::size_t>& order;  ///< component of each region
+  const std::vector<std::size_t>& order;  ///< component of each region, in the order of the regions
   const std::vector<Label>& labels;
   const std::vector<ComponentFacts>& facts;
   const std::vector<Index>& block;  ///< by component
@@ -216,7 +216,7 @@ struct NumberedRegions {
 /// than faults divides a unit.
 void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
   const auto& [order, labels, facts, block] = numbered;
-  std::map<std::string, std::vector<std::size_t>> rows;  // regions that have the same name
+  std::map<std::string, std::vector<std::size_t>> rows;  // indices of the regions that have the same name
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
   for (const auto& [name, members] : rows)
@@ -309,7 +309,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) {  // only units of the column are merged then; bodies are kept
+  if (rules.join_pieces) {  // only units of the column are merged into others; bodies are kept
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }

@@ -19,7 +19,7 @@ struct ComponentFacts {
   Vec3 centroid;
   Vec3 inside_point;          ///< centroid of the component's largest tetrahedron
   Vec3 min_point, max_point;  ///< Least and greatest point of the component, ordered by x, then y, then z.
-  /// Least (surface, triangle, side) of the component's faces; side is 0 if the component lies below the stored
+  /// Least triple (surface, triangle, side) among the component's faces; side is 0 if the component is below the
   /// triangle.
   std::array<Index, 3> first_triangle{no_index, no_index, no_index};
   bool enclosed = true;  ///< whether surfaces other than that of the convex hull enclose the component

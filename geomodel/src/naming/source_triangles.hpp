@@ -32,7 +32,7 @@ class SourceTriangles {
 
   const MeshedModel& meshed_;
   std::map<Index, std::vector<Index>> candidates_;  ///< by facet
-  std::map<Index, SurfaceDistance> searches_;       ///< Search structure of each surface, made at its first use.
+  std::map<Index, SurfaceDistance> searches_;       ///< search structure of each surface, made when first needed
 };
 
 }  // namespace geomesh::geomodel

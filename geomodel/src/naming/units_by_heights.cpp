@@ -48,9 +48,8 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   return volume;
 }
 
-/// Returns the units on which most answers agree: one unit, if most answers that leave one unit agree on it; else the
-/// narrowest range that most of the answers narrower than `possible` support. Returns `possible` if too few are
-/// conclusive.
+/// Returns the unit on which most conclusive answers agree. If there is none, returns the range within `possible` that
+/// most of the narrower answers support; `possible` itself if too few answers are conclusive.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
   const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // empty ranges, too

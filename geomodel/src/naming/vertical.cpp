@@ -50,7 +50,7 @@ class Nearest {
 
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p) {
-  std::map<Index, Index> row;  // index in the column for each surface
+  std::map<Index, Index> row;  // for each horizon's surface, its index in the column
   for (Index h = 0; h < column.horizons.size(); ++h) row[column.horizons[h]] = h;
   Nearest nearest(p);
   for (Index f = 0; f < soup.facets.size(); ++f)

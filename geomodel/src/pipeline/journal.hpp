@@ -14,7 +14,6 @@ namespace geomesh::geomodel {
 /// Collects notes and warnings for the report, in the order in which stages give them, and logs them immediately.
 class Journal {
  public:
-  /// Precondition: the context outlives the journal.
   explicit Journal(const RunContext& context) : context_(context) {}
 
   /// Returns the caller's context, which provides log, progress, cancellation and threads.

@@ -28,7 +28,7 @@ struct Inputs {
   std::vector<FittedTop> tops;  ///< of wells
   std::optional<PlcFile> plc;   ///< For `geomesh mesh`: a PLC that the engine meshes unchanged, in place of surfaces.
   bool closed_are_bodies = false;  ///< for `geomesh mesh`: closed surfaces name regions, although they cut nothing
-  bool has_rules = false;          ///< whether there is a project, whose rules stage build applies
+  bool has_rules = false;          ///< for a project: stage build applies its rules
   NamingRules naming;
   ModelRules rules;
   ModelVolume volume;
@@ -62,7 +62,7 @@ struct Built {
 
 /// The result of stage intersect: the polygon soup and the piecewise linear complex that is meshed.
 struct Arranged {
-  std::vector<TriangulatedSurface> surfaces;  ///< surfaces as built, followed by the sides of the volume
+  std::vector<TriangulatedSurface> surfaces;  ///< surfaces after stage build, followed by the sides of the volume
   ArrangementResult arrangement;
   ModelPlc plc;
   RefinementSettings refinement;  ///< mesh settings; the tolerance that merging used has been subtracted

@@ -85,7 +85,7 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
 }
 
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance) {
-  constexpr double worth_telling = 0.01;  // a change of this share matters for estimates of reserves
+  constexpr double worth_telling = 0.01;  // change of a unit's volume that matters for estimates of reserves
   struct Volumes {
     CompensatedSum now, given;
   };

@@ -26,8 +26,8 @@ void set_volumes_of_input(ModelMesh& mesh, const ConstrainedTetrahedralization& 
 /// cannot change the volume by more than that. `tolerance` is in the mesh's unit.
 void require_volumes_within(const ModelMesh& mesh, double tolerance);
 
-/// Returns for each unit whose volume changed by more than a hundredth while surfaces were remeshed within the
-/// tolerance a text for the user, in the order of the units' names.
+/// Describes each unit whose volume changed by more than a hundredth while surfaces were remeshed within the tolerance,
+/// as messages for the user in the order of the units' names.
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance);
 
 /// Throws Error{cannot_mesh} if the regions do not fill the model volume up to 1e-9, because a side has a crack or a

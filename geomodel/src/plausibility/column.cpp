@@ -102,7 +102,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // the nearest horizons of the column above and below this horizon
+    std::string above, below;  // names of the nearest column horizons above and below
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);

@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 inline constexpr double foot = 0.3048;  // metres
 
-/// The inputs that the functions examine.
+/// The inputs of a project that are examined for implausible data.
 struct Inspected {
   const Project& project;
   const ProjectInputs& inputs;

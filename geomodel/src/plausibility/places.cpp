@@ -28,7 +28,7 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
 
 struct Factor {
   double factor;
-  const char* words;  ///< text that names the mistaken unit
+  const char* words;  ///< text that names the mistaken unit of length
 };
 constexpr Factor factors[] = {{foot, "feet where metres were understood"},
                               {1 / foot, "metres where feet were understood"},

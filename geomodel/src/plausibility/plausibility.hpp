@@ -18,7 +18,7 @@ struct Finding {
   enum class Sureness {
     certain,   ///< no model is possible, so the run ends
     probable,  ///< a warning
-    possible,  ///< a note, because it may be intended
+    possible,  ///< reported as a note, because it may be intended
   };
   Sureness sureness = Sureness::probable;
   std::string cause;                ///< cause in one or two words for programs: "outside", "open body", ...

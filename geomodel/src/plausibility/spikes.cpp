@@ -22,7 +22,7 @@ constexpr std::size_t least_vertices = 100;  ///< smaller surfaces are left out,
 struct Around {
   double above = std::numeric_limits<double>::infinity();  ///< least height of the vertex above a neighbour
   double below = std::numeric_limits<double>::infinity();  ///< least depth of the vertex below a neighbour
-  double step = 0;                                         ///< largest height difference between two neighbours
+  double step = 0;  ///< largest height difference between two neighbours of the vertex
   std::size_t n_triangles = 0;
 };
 

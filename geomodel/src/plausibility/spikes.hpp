@@ -12,9 +12,9 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;         ///< the vertex that deviates most
-  double height = 0;  ///< vertical distance of `place` from its nearest neighbour; negative if it is below all
-  double around = 0;  ///< largest vertical step between adjacent neighbours of `place`
+  Vec3 place;         ///< the spike that stands out most
+  double height = 0;  ///< its vertical distance from the nearest neighbour; negative if it is below all neighbours
+  double around = 0;  ///< largest vertical step between adjacent neighbours of the spike
 };
 
 /// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a

@@ -164,7 +164,7 @@ class ProjectReader {
                     " holds a quote, a comma, a slash, a control character or a blank at its end");
       return false;
     }
-    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added
+    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added to names
     if (text->size() > longest_name) {
       value.problem("the name " + in_quotes(*text) + " has " + std::to_string(text->size()) + " bytes; at most " +
                     std::to_string(longest_name) + " are taken, as files are named by it");
@@ -275,7 +275,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // Keys cannot be checked against the kind until it is known.
+    spec.kind = SurfaceKind::surface;  // Keys are only checked against the kind once it is known.
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)

@@ -37,7 +37,6 @@ class YamlValue {
   std::optional<std::string> choice(const std::vector<std::string_view>& words) const;
   /// [x, y, z].
   std::optional<Vec3> point() const;
-  /// Returns the items of a list.
   std::vector<YamlValue> items() const;
 
   const YAML::Node& node() const { return node_; }

@@ -165,7 +165,8 @@ json tolerance_json(const ToleranceLedger& ledger) {
           {"uses", std::move(uses)}};
 }
 
-/// Adds the uses of the tolerance. The largest distance that was requested is also listed in the report's input.
+/// Adds to the report the part of the tolerance that each stage used. The requested tolerance is also listed in
+/// `input`.
 void add_tolerance(const ToleranceLedger& ledger, json& root) {
   if (root.contains("input") && root["input"].contains("mesh") && ledger.requested() > 0)
     root["input"]["mesh"]["tolerance"] = ledger.requested();

@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::string_view left_out = "...";  ///< replaces names and numbers in grouped warnings
+constexpr std::string_view left_out = "...";  ///< replaces names and numbers when warnings are grouped
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {

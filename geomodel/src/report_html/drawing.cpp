@@ -109,7 +109,7 @@ std::string number(double value) {
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
   }
-  std::snprintf(text, sizeof text, "%.3e", value);  // the number rounded to four digits
+  std::snprintf(text, sizeof text, "%.3e", value);  // text of the number rounded to four digits
   const double rounded = std::strtod(text, nullptr);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(rounded))));
   std::snprintf(text, sizeof text, "%.*f", std::max(0, 3 - power), rounded);

@@ -37,7 +37,7 @@ std::string cell(const std::string& text, bool is_number = false) {
 }
 
 std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
-  std::vector<std::string> bodies(mesh.regions.size());  // other bodies that contain each region
+  std::vector<std::string> bodies(mesh.regions.size());  // names of other bodies that contain each region
   for (std::size_t i = 0; i < mesh.regions.size(); ++i)
     for (const std::string& body : mesh.regions[i].inside)
       if (body != mesh.regions[i].name) bodies[i] += (bodies[i].empty() ? "" : ", ") + body;

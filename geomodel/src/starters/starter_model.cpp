@@ -79,7 +79,7 @@ void find_outer_surfaces(const ModelMesh& mesh, StarterModel& model) {
 void read_groups(const std::filesystem::path& mesh_file, StarterModel& model) {
   std::ifstream in(mesh_file.string() + ".json");
   const nlohmann::json root = nlohmann::json::parse(in);
-  std::map<std::string, std::vector<std::string>> wholes;  // complete surfaces of each group in the file
+  std::map<std::string, std::vector<std::string>> wholes;  // names of the surfaces that belong to each group
   for (const auto& surface : root.at("surfaces"))
     for (const auto& name : surface.at("groups")) wholes[name].push_back(surface.at("name"));
   for (const auto& group : root.at("groups")) {

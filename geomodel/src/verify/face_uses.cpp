@@ -44,7 +44,7 @@ void sort_block(std::span<FaceUse> uses) {
   const auto [least, greatest] = std::minmax_element(uses.begin(), uses.end(), by_vertex);
   const VertexIndex first = least->least_vertex();
   std::vector<std::uint32_t> end(greatest->least_vertex() - first + std::size_t{2},
-                                 0);  // number of faces with a smaller first vertex
+                                 0);  // for each vertex, the number of faces with a smaller first vertex
   for (const FaceUse& use : uses) ++end[use.least_vertex() - first + 1];
   for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
   std::vector<FaceUse> sorted(uses.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of units, declared in check/arrays/check_arrays.hpp.
+// Checks the arrays of groups and attributes of regions, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -46,7 +46,7 @@ class TriangleSet {
 
  private:
   std::vector<Corners> triangles_;
-  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal ids for equal coordinates of corners
+  std::vector<std::array<Index, 3>> corner_ids_;  ///< ids of the triangles' corners; equal coordinates have equal ids
   Box3 box_;
   BoxTree tree_;
 };

@@ -50,7 +50,7 @@ class UnitFinder {
     bool is_unconformity;
     std::vector<int> upper_side;
     TriangleSet triangles;
-    BoxTree tree;  ///< search tree over the horizon's triangles
+    BoxTree tree;
   };
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
@@ -70,7 +70,7 @@ class UnitFinder {
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;
   std::map<std::int32_t, Contacts> contacts_;
-  std::vector<TriangulatedSurface> left_;  ///< the parts of each horizon that exist in the mesh
+  std::vector<TriangulatedSurface> left_;  ///< remaining triangles of each horizon in the mesh
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -14,7 +14,6 @@ namespace geomesh::geomodel::checking {
 /// Number of lattice intervals along each side of a triangle.
 inline constexpr int lattice_parts = 14;
 
-/// Returns the mesh faces, each with its plane.
 inline std::vector<PlaneTriangle> flat_faces(const CheckedFaces& checked, const std::vector<Index>& faces) {
   std::vector<PlaneTriangle> flat;
   for (const Index f : faces) {

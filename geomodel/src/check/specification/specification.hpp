@@ -25,7 +25,7 @@ struct SpecifiedNames {
   std::map<std::string, std::vector<std::string>> groups;           ///< members of each group, by the group's name
   std::map<std::string, std::map<std::string, double>> attributes;  ///< values of attributes by unit or region
   bool fault_blocks = false;                ///< whether names of units include the number of their block
-  bool merges_small = false;                ///< whether regions may consist of several pieces
+  bool merges_small = false;                ///< whether regions may consist of several separate pieces
   std::vector<std::string> unconformities;  ///< names of the horizons that are unconformities, which cut older horizons
   std::vector<Index> continued;  ///< indices of the column's horizons that are continued to other surfaces by default
   double continued_within = 0;   ///< m; how far
@@ -35,16 +35,16 @@ struct SpecifiedNames {
 
 /// Describes which parts of one surface the rules of the model may remove. Indices refer to `Specification::surfaces`.
 struct TrimRules {
-  std::vector<Index> above, below;    ///< surfaces above (below) which parts may be removed, along vertical lines
+  std::vector<Index> above, below;    ///< surfaces above (below) which rules may remove parts, along vertical lines
   double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed
   double near_faults = 0;             ///< like `near_others`, but beyond faults only, for a fault that ends on others
-  std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after them were made by rules
+  std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after these were made by rules
   bool continuation = false;          ///< whether rules may remove any part of the triangles that rules made
   /// Whether any part of a horizon with throw may be removed because it continues beyond its fault.
   bool given_beyond_faults = false;
   /// The fields of the surface, one per fault block. Each may be absent outside its domain, which faults bound.
   std::vector<FieldPart> fields;
-  /// Triangles that extend faults only to separate blocks of this horizon, and that the mesher removed again.
+  /// Triangles that extend faults only to separate the blocks of one horizon, and that the mesher removed again.
   std::vector<std::array<Vec3, 3>> partings;
   bool any() const {
     return !above.empty() || !below.empty() || near_others > 0 || near_faults > 0 || continuation ||
@@ -71,7 +71,7 @@ struct Specification {
 
   WriteOptions output;  ///< contents and forms of the files that the project requests; only for projects
 
-  // Specification of names, for projects only.
+  // Names of regions, wells and points, which only projects specify.
   SpecifiedNames names;
   std::vector<Polyline> wells;
   std::vector<NamedPoint> points;

@@ -118,7 +118,7 @@ SpecifiedNames names_of(const Project& project, const ProjectInputs& inputs) {
 /// Returns the largest growth of target sizes within one region per unit of distance; 0 if sizes follow a grid or
 /// depth, so that the growth is unknown.
 double size_growth(const NamedSizes& sizes) {
-  constexpr double most_of_searches = 1;  // steepest gradation used when searching sizes for a number of elements
+  constexpr double most_of_searches = 1;  // steepest gradation used when sizes are derived from a number of elements
   if (!sizes.background.empty() || !sizes.by_depth.empty()) return 0;
   return std::max(most_of_searches, sizes.base.gradation);
 }
@@ -193,7 +193,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   specification.cell_arrays = refinement.cell_arrays;
   specification.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    specification.within = refinement.tolerance.requested();  // the project cannot combine this with crs.z_scale
+    specification.within = refinement.tolerance.requested();  // tolerances are never combined with crs.z_scale
   specification.within_by_count = specification.within > 0 && refinement.tolerance.follows_sizes() &&
                                   (refinement.derive_size || refinement.target_elements > 0);
   return specification;

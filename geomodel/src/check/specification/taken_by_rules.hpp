@@ -45,8 +45,8 @@ class TakenByRules {
 
   const Specification& specification_;
   double room_;
-  std::vector<BoxTree> trees_;  ///< search tree over the triangles of each surface
-  std::vector<Vec3> upward_;    ///< sum of the normals of each surface, each turned upwards
+  std::vector<BoxTree> trees_;
+  std::vector<Vec3> upward_;  ///< sum of the normals of each surface, each turned upwards
 };
 
 }  // namespace geomesh::geomodel::checking

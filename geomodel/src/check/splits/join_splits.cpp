@@ -231,9 +231,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   CheckedMesh as_split_;
-  std::vector<VertexIndex> row_;                           // merged point of each node
+  std::vector<VertexIndex> row_;                           // for each node of the split mesh, the point after merging
   std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // nodes of minus and plus faces, if they differ
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // minus and plus face of each pair that differs in a node
   JoinedFiles joined_;
 };
 

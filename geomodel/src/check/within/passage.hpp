@@ -51,14 +51,14 @@ class FollowedSurface {
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
   std::vector<Corners> corners_;
-  std::map<Edge, std::vector<Index>> at_;  ///< triangles at each edge
+  std::map<Edge, std::vector<Index>> at_;
   BoxTree tree_;
   TriangleSet set_;
 };
 
 /// Functions called at the points of a followed line until it is farther from the other surface than the depth.
 struct AlongLine {
-  std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended at a point
+  std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended at a point of the line
   /// Called with every examined point. Neighbouring points are at most a quarter of the depth apart.
   std::function<void(const Vec3&)> visit;
 };

@@ -36,7 +36,7 @@ double distance_at_plane(const Vec3& a, const Vec3& b, const Corners& t) {
   return distance(p, nearest_on_triangle(p, t));
 }
 
-/// Returns the distance between two triangles: at a corner, between two sides, or where a side crosses a triangle.
+/// Returns the distance of two triangles, attained at a corner, between two sides, or where a side crosses the other.
 double gap_between(const Corners& a, const Corners& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})

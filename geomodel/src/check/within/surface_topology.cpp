@@ -136,8 +136,8 @@ class TopologyChecker {
   Allowed allowed_;
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
-  std::vector<InputBorder> borders_;          ///< borders of the input's surfaces
-  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, prepared when curves are checked
+  std::vector<InputBorder> borders_;
+  std::vector<FollowedSurface> followed_;
 };
 
 bool TopologyChecker::is_in_box(const Vec3& p, double room) const {
@@ -213,7 +213,7 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
-    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there
+    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there in the mesh
     ++n_checked;
     if (input == now) continue;
     changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);
@@ -346,7 +346,7 @@ void TopologyChecker::check_crossings(Index i, Index j, FaultCollector& off, Pla
       const auto crossing = crossing_of(s, b.triangles()[row]);
       if (!crossing) return;
       const auto& [from, to] = *crossing;
-      // The triangles meet in a single point, up to rounding.
+      // The two triangles meet in a single point, up to rounding.
       if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;
       for (const double at : between) {
         const Vec3 p = from + at * (to - from);

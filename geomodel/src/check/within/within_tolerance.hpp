@@ -14,8 +14,8 @@ namespace geomesh::geomodel::checking {
 
 /// The allowed distances, in the mesh's unit.
 struct Allowed {
-  double surfaces = 0;  ///< distance between a surface and its input, in both directions
-  double rounding = 0;  ///< rounding of coordinates, as in the check of coverage
+  double surfaces = 0;  ///< allowed distance between a surface and its input, in both directions
+  double rounding = 0;  ///< allowance for rounding of coordinates, as in the exact check of coverage
   double both() const { return surfaces + rounding; }
 };
 

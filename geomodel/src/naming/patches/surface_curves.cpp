@@ -59,7 +59,7 @@ class CurveTable {
   }
 
  private:
-  using Curves = std::map<std::pair<std::string, std::string>, Index>;  // index of each curve by its kind and name
+  using Curves = std::map<std::pair<std::string, std::string>, Index>;
   struct Edge {
     VertexIndex a, b;
     Curves::const_iterator curve;

@@ -17,7 +17,7 @@ std::filesystem::path write(const VtkDocument& document, const std::filesystem::
   return file;
 }
 
-/// Returns `value(origin)` for all origins of the soup's facets.
+/// Returns `value(origin)` for the origins of all facets of the polygon soup, as a list.
 template <class F>
 VtkField field_of_origins(const char* name, const PolygonSoup& soup, F value) {
   VtkField field{name, {}};

@@ -26,7 +26,7 @@ struct Unit {
   double volume = 0;
 };
 
-/// Returns the units in the order of their first regions.
+/// Groups the regions of a mesh into units, in the order of the units' first regions.
 std::vector<Unit> units_of(const ModelMesh& mesh) {
   std::vector<Unit> units;
   for (const Region& region : mesh.regions) {

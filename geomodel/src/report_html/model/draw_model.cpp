@@ -60,7 +60,7 @@ class Camera {
   double distance_ = 0, scale_ = 1;
 };
 
-/// Returns whether a point of the map is drawn.
+/// A function that returns whether a point of the map is drawn.
 using Kept = std::function<bool(double x, double y)>;
 
 class Canvas {
@@ -107,7 +107,7 @@ class Canvas {
     const std::array<Vec3, 3> s{camera_.seen(p[0]), camera_.seen(p[1]), camera_.seen(p[2])};
     const double area = (s[1].x - s[0].x) * (s[2].y - s[0].y) - (s[1].y - s[0].y) * (s[2].x - s[0].x);
     if (!(std::abs(area) > 1e-9)) return;
-    std::array<double, 3> height{};  // height of each corner above the opposite side, in pixels
+    std::array<double, 3> height{};  // height of each corner of the triangle above the opposite side, in pixels
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = s[(k + 1) % 3], &b = s[(k + 2) % 3];
       height[k] = std::abs(area) / std::max(std::hypot(b.x - a.x, b.y - a.y), 1e-9);

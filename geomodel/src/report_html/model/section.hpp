@@ -20,7 +20,7 @@ struct Section {
     std::int32_t region;
     std::vector<Vec2> polygon;  ///< the three or four corners of a cut through a tetrahedron, in order around it
   };
-  std::vector<Cut> cuts;  ///< cuts in the order of the tetrahedra
+  std::vector<Cut> cuts;  ///< cuts through tetrahedra, in the order of the tetrahedra
   struct Trace {
     std::int32_t surface;
     Vec2 a, b;
