@@ -49,7 +49,7 @@ struct UnitVerdict {
   enum class Kind {
     unknown,   ///< no horizon gives information about the component
     vertical,  ///< no horizon touches the component; a vertical line through it determines the unit
-    unit,      ///< the component is exactly one unit: first == last
+    unit,      ///< the component is exactly one unit, so that first and last are equal
     joined,    ///< units first .. last are connected through a gap in a horizon
     /// A horizon is missing at the component: units first_possible .. last_possible agree with the contacts, and first
     /// == last is the nearest of them, used if nothing else decides.

@@ -90,7 +90,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   std::map<Index, bool> anchored;
   for (const EdgeUse& e : edges.ends_on_something) anchored[sheets.find(e.facet)] = true;
   std::vector<FreeBorder> borders;
-  std::map<Index, std::size_t> outer;  // longest closed border of each part that touches no other surface
+  std::map<Index, std::size_t> outer;  // longest closed border of each horizon part that touches no other surface
   for (const auto& [vertex, group] : groups) {
     borders.push_back(measure_border(soup, group, component_at));
     const Index sheet = sheets.find(borders.back().facet);

@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-// Largest number of regions with one name without a warning that explains the remedy.
+// A warning explains the remedy if more than this number of regions share a name.
 constexpr std::size_t most_of_one_name = 10;
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "

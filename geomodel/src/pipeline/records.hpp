@@ -28,7 +28,7 @@ struct Inputs {
   std::vector<FittedTop> tops;  ///< of wells
   std::optional<PlcFile> plc;   ///< For `geomesh mesh`: a PLC that the engine meshes unchanged, in place of surfaces.
   bool closed_are_bodies = false;  ///< for `geomesh mesh`: closed surfaces name regions, although they cut nothing
-  bool has_rules = false;          ///< for a project: stage build applies its rules
+  bool has_rules = false;          ///< whether the stage build applies rules of a project
   NamingRules naming;
   ModelRules rules;
   ModelVolume volume;

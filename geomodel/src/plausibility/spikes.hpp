@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 struct Spikes {
   std::size_t n = 0;
   Vec3 place;         ///< the spike that stands out most
-  double height = 0;  ///< its vertical distance from the nearest neighbour; negative if it is below all neighbours
+  double height = 0;  ///< vertical distance of the spike from its nearest neighbour; negative if below all
   double around = 0;  ///< largest vertical step between adjacent neighbours of the spike
 };
 

@@ -35,9 +35,9 @@ struct SpecifiedNames {
 
 /// Describes which parts of one surface the rules of the model may remove. Indices refer to `Specification::surfaces`.
 struct TrimRules {
-  std::vector<Index> above, below;    ///< surfaces above (below) which rules may remove parts, along vertical lines
+  std::vector<Index> above, below;    ///< rules may remove parts of the surface vertically above (below) these ones
   double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed
-  double near_faults = 0;             ///< like `near_others`, but beyond faults only, for a fault that ends on others
+  double near_faults = 0;             ///< largest distance by which a fault may overshoot other faults on which it ends
   std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after these were made by rules
   bool continuation = false;          ///< whether rules may remove any part of the triangles that rules made
   /// Whether any part of a horizon with throw may be removed because it continues beyond its fault.

@@ -233,7 +233,7 @@ class SplitJoiner {
   CheckedMesh as_split_;
   std::vector<VertexIndex> row_;                           // for each node of the split mesh, the point after merging
   std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // minus and plus face of each pair that differs in a node
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces that differ in a node
   JoinedFiles joined_;
 };
 

@@ -25,7 +25,7 @@ struct SurfacePair {
   std::vector<Index> rows;   ///< of `specification.surfaces`
   std::vector<Index> faces;  ///< indices of the mesh faces that may represent the surface
 };
-/// Pairs surfaces with the mesh faces that may represent them, which excludes faces on the volume's sides.
+/// Pairs surfaces with the mesh faces that may represent them. Faces on the volume's sides are excluded.
 std::vector<SurfacePair> pair_surfaces(const CheckedFaces& checked, double rounding);
 Corners corners_of(const CheckedFaces& checked, Index face);
 std::vector<Corners> triangles_of(const TriangulatedSurface& surface);

@@ -114,7 +114,7 @@ void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
     const Index s = spot.surface_a;
     const bool of_blocks = s == spot.surface_b && ((s < blocks.size() && !blocks[s].empty()) ||
                                                    (s < continued.size() && !continued[s].empty()));
-    // The free border belongs to the part of a continuation beyond its wall, which is cut off later.
+    // Free borders of continued surfaces lie beyond the wall at which these end, and are cut off later.
     const bool of_overshoot = spot.what == "free border" && s < continued.size() && !continued[s].empty();
     if (of_blocks || of_overshoot) std::erase(found.warnings, describe(spot, built.surfaces));
     return of_blocks || of_overshoot;

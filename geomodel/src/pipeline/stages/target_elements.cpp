@@ -195,7 +195,7 @@ RefinementSettings settings_used(RefinementSettings settings, const RefineOption
 
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double near = 1.4;  // an estimate wrong by another such factor is still between 50,000 and 200,000
+  constexpr double near = 1.4;  // estimates wrong by another such factor give 50,000 to 200,000 elements
   const RefinementSettings& settings = model.arranged.refinement;
   const SettledStack& stack = model.built.stack;
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);
