@@ -50,7 +50,7 @@ bool SizeGrid::make_lattice() {
       const auto at = std::lower_bound(axes_[k].begin(), axes_[k].end(), points_[row][k]) - axes_[k].begin();
       node = node * axes_[k].size() + static_cast<std::size_t>(at);
     }
-    if (!std::isnan(at_node[node])) return false;  // two points at one node, so another node has none
+    if (!std::isnan(at_node[node])) return false;  // two points are at one node, so another node has none
     at_node[node] = sizes_[row];
   }
   lattice_ = std::move(at_node);

@@ -7,8 +7,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the mean length of the edges of all tetrahedra; an edge counts once for each tetrahedron that has it. Empty
-/// mesh: 0. Linear.
+/// Returns the mean length of the edges of all tetrahedra; an edge counts once for each tetrahedron that has it. An
+/// empty mesh has the mean 0. Linear time.
 double mean_edge(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

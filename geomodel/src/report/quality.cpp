@@ -40,7 +40,7 @@ std::string degrees(double angle) {
   return text;
 }
 
-/// Names of the two things that meet or face each other.
+/// Names of the surfaces or curves that cause a poor element, because they meet or face each other.
 class CauseNames {
  public:
   CauseNames(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
@@ -54,7 +54,7 @@ class CauseNames {
     const auto& curves = plc_.segment_curves[s];
     return curves.empty() ? "segment " + std::to_string(s) : "curve " + plc_.curves[curves.front()].name;
   }
-  /// Returns "between A and B", or "between two facets of A" if both are the same.
+  /// Returns a text such as "between A and B", or "between two facets of A" if both are the same.
   std::string between(const WorstElement& w) const {
     const std::string a = w.segment_a != no_index ? segment(w.segment_a)
                           : w.facet_a != no_index ? facet(w.facet_a)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Element quality in words and in JSON.
+/// Formats element quality as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -50,7 +50,7 @@ json voronoi_json(const VoronoiDual& d) {
           {"least_relative_area", d.least}};
 }
 
-/// Returns the names of the input surfaces and box sides by row.
+/// Returns the names of the input surfaces and box sides, by surface index.
 std::vector<std::string> surface_names(const Report& report) {
   if (!report.surface_names.empty() || !report.mesh) return report.surface_names;
   std::vector<std::string> names;
@@ -81,7 +81,7 @@ json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& 
   return list;
 }
 
-/// Returns what each surface lost to bodies, to the box and to rules; surfaces that lost nothing are left out.
+/// Returns the area that each surface lost to bodies, to the box and to rules; surfaces that lost nothing are left out.
 json clipping_json(const ArrangementResult& a, const std::vector<std::string>& names) {
   json list = json::array();
   CompensatedSum by_bodies, by_box, by_rules;
@@ -121,7 +121,7 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
                           {"spots", spots_json(a.spots, names)}};
 }
 
-/// Returns the surfaces that were continued to what bounds them, and gaps that were filled.
+/// Returns the surfaces that were continued to the surfaces that bound them, and the gaps that were filled.
 json continued_json(std::span<const ContinuedSurface> continued) {
   json list = json::array();
   for (const ContinuedSurface& c : continued) {
@@ -165,7 +165,8 @@ json tolerance_json(const ToleranceLedger& ledger) {
           {"uses", std::move(uses)}};
 }
 
-/// The tolerance is also listed in the input, as the largest distance that was requested.
+/// Adds to the report the part of the tolerance that each stage used. The requested tolerance is also listed in
+/// `input`.
 void add_tolerance(const ToleranceLedger& ledger, json& root) {
   if (root.contains("input") && root["input"].contains("mesh") && ledger.requested() > 0)
     root["input"]["mesh"]["tolerance"] = ledger.requested();

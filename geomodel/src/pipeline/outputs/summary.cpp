@@ -18,7 +18,7 @@ constexpr const char* no_mesh_for_solvers =
 
 constexpr std::size_t most_units_listed = 6;
 
-/// The regions that have the same name before suffixes.
+/// A unit and its regions, which have the same name before suffixes.
 struct Unit {
   std::string name;
   std::vector<const Region*> regions;
@@ -26,7 +26,7 @@ struct Unit {
   double volume = 0;
 };
 
-/// Returns the units in the order of their first regions.
+/// Groups the regions of a mesh into units, in the order of the units' first regions.
 std::vector<Unit> units_of(const ModelMesh& mesh) {
   std::vector<Unit> units;
   for (const Region& region : mesh.regions) {
@@ -40,7 +40,7 @@ std::vector<Unit> units_of(const ModelMesh& mesh) {
   return units;
 }
 
-/// Returns all units if they are few, else the largest ones in the same order.
+/// Returns all units if there are few of them, else the largest ones in the same order.
 std::vector<Unit> units_shown(std::vector<Unit> units) {
   if (units.size() <= most_units_listed) return units;
   std::vector<double> volumes;
@@ -96,7 +96,7 @@ const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   return farthest;
 }
 
-/// Describes the lengths of edges, and the settings of the mesh that the user did not choose.
+/// Describes the lengths of edges, and the mesh settings that the user did not choose.
 std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   const std::string& unit = mesh.unit;
   std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
@@ -111,7 +111,7 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   return text;
 }
 
-/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
+/// Formats the shapes of the elements: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
 std::string shapes(const QualityReport& quality) {
   char text[160];
   std::snprintf(text, sizeof text,
