@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 class NearestPoint {
  public:
   explicit NearestPoint(std::vector<Vec3> points);
-  /// Returns the row of the point nearest to p, the first of equally near ones; no_index if there are no points.
+  /// Returns the index of the point nearest to p, the first of equally near ones; no_index if there are no points.
   Index find(const Vec3& p) const;
 
  private:

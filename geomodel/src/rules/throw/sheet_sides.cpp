@@ -10,11 +10,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Least share of a sheet's area on each side of a fault across which it is considered to continue.
+// Least fraction of the area of a sheet (connected part of a horizon) on each side of a fault for the sheet to continue
+// across it.
 constexpr double least_of_sides = 0.1;
-constexpr double least_beside_another = 0.25;  // the same share if another sheet lies on the smaller side
-constexpr double least_of_corner = 0.02;       // the same share if other faults separate its sheets
-constexpr double least_sheet = 0.005;          // smallest sheet that counts, as a share of the horizon's area
+// Least fraction of a sheet's area on each side if another sheet lies on the smaller side.
+constexpr double least_beside_another = 0.25;
+// Least fraction of a sheet's area on each side if other faults separate the sheets on the two sides.
+constexpr double least_of_corner = 0.02;
+constexpr double least_sheet = 0.005;  // smallest sheet that counts, as a share of the horizon's area
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   std::vector<Vec3> centres;
@@ -154,7 +157,7 @@ std::vector<bool> SheetSides::run_across() const {
   std::vector<bool> counts(n_faults_);
   for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = !runs_across(f);
   const auto corner = [this](std::size_t f) { return largest_corner(f); };
-  for (;;) {  // remove one fault at a time, because the remaining ones may then be needed to separate the sheets
+  for (;;) {  // remove one fault at a time, because the others may then be needed to separate the sheets
     const std::size_t next = least_needed(counts, least_of_corner, corner);
     if (next == n_faults_) break;
     counts[next] = false;

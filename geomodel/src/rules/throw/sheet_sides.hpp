@@ -21,7 +21,8 @@ namespace geomesh::geomodel {
 /// Returns pairs of triangles with a common edge (equal coordinates are merged).
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& surface);
 
-/// Returns sheets connected across the pairs that `joins` accepts; each is identified by its smallest triangle row.
+/// Returns for each triangle its sheet (set of triangles connected across the pairs that `joins` accepts), identified
+/// by the sheet's smallest triangle index.
 template <class F>
 std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pair<Index, Index>>& neighbours,
                              F&& joins) {
@@ -112,7 +113,8 @@ class SheetSides {
   double area_ = 0;
 };
 
-/// Returns SheetSides::parting. A horizon that is one sheet is separated by no fault, so its sides are not computed.
+/// Returns SheetSides::parting(). No fault separates a horizon that is one connected sheet, so the sides are not
+/// computed in that case.
 std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel
