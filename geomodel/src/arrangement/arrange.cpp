@@ -53,8 +53,7 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   merging.facets_merged += closed.n_facets_removed;
 }
 
-/// Repairs the cracks and dangling faces that vanished needles have left in surfaces. `rounding` is the distance over
-/// which rounding may move a point.
+/// Repairs cracks and dangling faces that vanished needles have left. Rounding moves a point by at most `rounding`.
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
@@ -187,8 +186,7 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
   return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
 }
 
-/// Limits on the number of facets and contacts: if they grow beyond these while the soup is mended, mending will not
-/// terminate.
+/// Limits on the numbers of facets and contacts. If mending makes more, it will not terminate.
 class MendingBounds {
  public:
   MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)

@@ -104,8 +104,8 @@ class FacetSplitter {
     mesh_.start(n_vertices(), n_vertices() + 1, n_vertices() + 2);
   }
 
-  /// Returns the marked triangles. Throws ConstraintsCross if one of them reaches the frame, because the walk winds the
-  /// wrong way somewhere.
+  /// Returns the marked triangles. Throws ConstraintsCross if one touches the frame, since the walk winds the wrong
+  /// way.
   std::vector<Triangle> collect(const std::vector<std::uint8_t>& in) const {
     std::vector<Triangle> triangles;
     for (std::size_t f = 0; f < in.size(); ++f) {
@@ -149,8 +149,7 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
-/// Splits a facet in one projection. Returns nothing if the walk along its border crosses itself in the projection, or
-/// winds the wrong way.
+/// Splits a facet in one projection; nothing if its border crosses itself in the projection, or winds the wrong way.
 std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
                                                std::vector<VertexIndex> walk, const std::vector<VertexIndex>& inside,
                                                const std::vector<EdgeKey>& wanted) {
@@ -171,8 +170,7 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
   }
 }
 
-/// Returns projections along the coordinate axes in which the walk has at least half of its largest projected area, in
-/// descending order of that area.
+/// Returns projections along the axes in which the walk has at least half of its largest area, largest area first.
 std::vector<Projection> frames_of_walk(const std::vector<Vec3>& points, const std::vector<VertexIndex>& walk) {
   constexpr double least_share = 0.5;
   Vec3 area;

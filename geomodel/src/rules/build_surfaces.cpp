@@ -17,8 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the box enlarged in the map to contain the horizons with throw, so that none of them continues around the
-/// end of a fault's extension.
+/// Returns the box enlarged in the map by horizons with throw, so that none continues around a fault's extension.
 Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
   Box3 reach = *rules.box;
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)

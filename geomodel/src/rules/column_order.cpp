@@ -52,8 +52,7 @@ void warn_of_column_order(const std::vector<TriangulatedSurface>& surfaces, cons
     if (rules.column[i] == rules.topography || rules.of(younger).base == BaseRule::erode ||
         rules.of(older).base == BaseRule::onlap)
       continue;
-    // A horizon entirely above or below the model is skipped. It usually has a wrong unit or direction of z, which was
-    // reported already.
+    // Skips horizons entirely above or below the model: usually their z is wrong, which was reported already.
     if (rules.box && (is_beyond(surfaces[younger], *rules.box) || is_beyond(surfaces[older], *rules.box))) continue;
     const Tally tally = compare(surfaces[younger], surfaces[older]);
     if (static_cast<double>(tally.below) > nearly_everywhere * static_cast<double>(tally.above + tally.below))

@@ -77,8 +77,7 @@ TriangulatedSurface side_surface(const std::string& name, std::vector<Vec3> poin
   return side;
 }
 
-/// Returns the vertical prism over a polygon with counter-clockwise corners; names[i] is the side from corner i to the
-/// next.
+/// Returns the vertical prism over a counter-clockwise polygon; names[i] is the side from corner i to the next.
 ModelVolume prism(const std::vector<Vec2>& corners, const Heights& h, const std::vector<std::string>& names) {
   ModelVolume result;
   std::vector<std::pair<Index, Index>> edges;

@@ -25,8 +25,7 @@ struct ThinPlaces {
   bool any = false;
 };
 
-/// Returns whether a layer is thin but not pinched out. Where its horizons coincide, the absence of the layer is
-/// intended.
+/// Returns whether a layer is thin but not pinched out; where its horizons coincide, its absence is intended.
 bool is_thin(double thickness, double wanted) { return thickness != 0 && std::abs(thickness) < wanted; }
 
 void note_thin(ThinPlaces& thin, double thickness, const Vec3& place) {
@@ -95,8 +94,7 @@ ThinPlaces measure(const TriangulatedSurface& top, const TriangulatedSurface& ba
   return thin;
 }
 
-/// Moves points of the younger horizon that are closer than `wanted` to the older one onto it; returns the largest
-/// move.
+/// Moves points of the younger horizon closer than `wanted` to the older one onto it; returns the largest move.
 double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
@@ -143,8 +141,7 @@ double collapsed_area(const PlanarOverlay& overlay, const Draped& a, const Drape
   return area;
 }
 
-/// Collapses the thin layers between the horizons rows[first] .. rows[last] of the column, youngest first, each of
-/// which is too thin somewhere.
+/// Collapses the layers between the horizons rows[first] .. rows[last], youngest first, each too thin somewhere.
 void collapse_run(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& rows, std::size_t first,
                   std::size_t last) {
   std::vector<const TriangulatedSurface*> run;

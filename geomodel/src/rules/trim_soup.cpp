@@ -29,14 +29,12 @@ namespace {
 /// blocks: the lengths along which the piece is above a horizon, and along which it is below.
 constexpr double share_of_step = 0.5;
 /// Least ratio of the lengths above and below the topography or base at which a piece of a fault counts as a step
-/// between two blocks. It is smaller than elsewhere, because a piece that is kept beyond the model does no harm. Such a
-/// piece lies between two blocks and continues beyond them, for example where a body separates one block from the
-/// fault.
+/// between two blocks. It is small, because a piece that is kept beyond the model does no harm. Such a piece lies
+/// between two blocks and continues beyond them, for example where a body separates one block from the fault.
 constexpr double share_at_end = 0.1;
 
 /// Returns whether a piece of a fault lies between two blocks of a horizon: above one and below the other, along
-/// lengths whose ratio is at least `least_share`. Without the piece, the units above and below the horizon would be
-/// connected.
+/// lengths whose ratio is at least `least_share`. It separates the units above and below the horizon.
 bool is_step(const Piece& piece, double least_share) {
   return piece.above > 0 && piece.below > 0 &&
          std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
@@ -72,8 +70,8 @@ struct Trimming {
     return area;
   }
 
-  /// Returns the faults other than x. Blocks end at faults, so x may lie above a horizon on one side of a fault and
-  /// below it on the other.
+  /// Returns the faults other than x, at which blocks end: x may lie above a horizon on one side and below on the
+  /// other.
   std::vector<Index> faults_but(Index x) const {
     std::vector<Index> faults;
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -81,8 +79,7 @@ struct Trimming {
     return faults;
   }
 
-  /// Returns the faults other than x at which the blocks of horizon y end. The topography and the base of the model may
-  /// have a scarp at any fault.
+  /// Returns the faults other than x at which horizon y is divided. Topography and base may have a scarp at any fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
     if (is_end || rules.of(y).fills_blocks()) return faults_but(x);
@@ -239,8 +236,7 @@ BuiltSurfaces built_surfaces(const Trimming& work) {
   return built;
 }
 
-/// Returns, as text for a note, why the younger of two horizons cuts the older one where they cross, or is cut by it;
-/// empty if no rule applies.
+/// Returns, for a note, why one of two horizons cuts the other where they cross; empty if no rule applies.
 std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keeper keeper) {
   const bool younger_stays = keeper == Keeper::younger;
   const auto is_in = [&](const std::vector<std::string>& names, Index row) {
@@ -295,8 +291,7 @@ void end_at_domain(Trimming& work, Index s) {
     }
 }
 
-/// Determines whether points lie in the domain of a field of surface `s`. A point near a bound of the domain may be
-/// assigned to either side.
+/// Determines whether points lie in the domain of a field of surface `s`; near a bound of it, either may result.
 class DomainSides {
  public:
   DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)

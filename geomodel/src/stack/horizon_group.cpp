@@ -25,8 +25,7 @@ constexpr double area_of_size = 0.43;  // area of an equilateral triangle divide
 constexpr double many_triangles = 4;
 // Fraction of samples in the wrong order up to which reordering the horizons is not worthwhile.
 constexpr double few_samples = 0.01;
-// Least thickness of a unit if the input has none, as a fraction of the target size; half of the tolerance if that is
-// more.
+// Least thickness of a unit if none is given, as a fraction of the target size; at least half of the tolerance.
 constexpr double thickness_of_size = 1.0 / 150;
 constexpr double room_of_thickness = 2;  // at pinch-out lines
 // Width over which a unit closes towards its pinch-out line, as a multiple of the least thickness: an angle of 5
@@ -49,8 +48,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Adds the border edges of horizons without throw to the lines of the layout, except edges outside the bounds or along
-/// a side of them.
+/// Adds border edges of horizons without throw to the lines of the layout, except those outside or along the bounds.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {
@@ -159,8 +157,7 @@ TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const 
   return s;
 }
 
-/// Returns whether two neighbouring horizons are in the wrong order at more than a few samples, although no rule says
-/// that one cuts the other.
+/// Returns whether neighbouring horizons are in the wrong order at many samples, although neither is ruled to cut.
 bool HorizonGroup::crosses_by_mistake() const {
   if (rules_.on_crossing != OnCrossing::leave) return false;
   const std::vector<Index>& rows = members_.stack.rows;

@@ -41,8 +41,7 @@ class HorizonGroup {
   /// object.
   HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame);
 
-  /// Returns whether a horizon of the group ends inside the model. It may end exactly on a fault or body, and moving it
-  /// would break that contact.
+  /// Returns whether a horizon ends inside the model, perhaps exactly on a fault, which it would leave when moved.
   bool ends_inside() const { return !layout_.lines.empty() || strips_.is_open; }
   /// Returns the first horizon with more than one height over some place of the map; the number of horizons if there is
   /// none.
@@ -68,8 +67,8 @@ class HorizonGroup {
   bool has_throw() const;
   double least_thickness() const;
   MapSheets draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options);
-  /// Builds horizons with throw from both sides of their faults. Returns false, with a note, if triangles of the target
-  /// size are too coarse.
+  /// Builds horizons with throw from both sides of faults. Returns false, with a note, if the target size is too
+  /// coarse.
   bool add_sides(const SheetOptions& options);
   void ask_for_sizes(double thickness);
   void describe(const std::vector<ThinArea>& areas, const SheetOptions& options);

@@ -139,8 +139,7 @@ class Rebuilt {
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// Adds the horizon's parts in blocks that did not change. Triangles that reach into a block that did change end at
-  /// the wall between them.
+  /// Adds the horizon's parts in unchanged blocks. Triangles that reach into changed blocks end at the wall.
   void keep(const std::set<Index>& settled) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
@@ -193,9 +192,8 @@ class Rebuilt {
     surface_.triangles = std::move(triangles);
     std::ranges::sort(part_);
   }
-  /// For each triangle of a horizon in a block, returns whether it is needed: some of it lies in the block, or it
-  /// touches such a triangle so close to a wall that the arrangement, which moves nearby vertices, might leave a gap
-  /// without it.
+  /// For each triangle, returns whether some of it lies in the block, or it touches such a triangle so close to a wall
+  /// that the arrangement, which moves nearby vertices, might leave a gap without it.
   std::vector<bool> reaches_walls(const TriangulatedSurface& sheet, Index block) const {
     std::vector<bool> reaches, is_at_wall(sheet.points.size(), false);
     for (const auto& [a, b, c] : sheet.triangles) {
@@ -300,8 +298,7 @@ class BlockStack {
     if (n_left_++ == 0) why_left_ = "horizon " + built_.surfaces[stack_.rows[horizon]].name + " " + why;
   }
 
-  /// Returns which horizon of each pair keeps its height. Of two horizons, the one that ends at the other is moved,
-  /// unless a rule says otherwise.
+  /// Returns which horizon of each pair keeps its height: unless a rule decides, the one at which the other ends.
   Keepers keepers(const std::vector<std::size_t>& horizons) const {
     std::vector<Index> rows;
     for (const std::size_t k : horizons) rows.push_back(stack_.rows[k]);

@@ -80,8 +80,7 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
   return s.kind == SurfaceKind::fault || s.kind == SurfaceKind::body;
 }
 
-/// Puts the stack in order over the whole map. Returns false if it was not changed; `why` then gives the obstacle, and
-/// is empty if no change was needed.
+/// Puts the stack in order over the whole map. Returns false without a change; `why` is the obstacle, if there is one.
 bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Settles the stack of horizons: puts it in order in the map before anything is intersected (docs/model-building.md,
-/// "The stack").
+/// Settles the stack: puts its horizons in order before any intersection (docs/model-building.md, "The stack").
 #pragma once
 
 #include "geomesh/geomodel/model_rules.hpp"

@@ -18,16 +18,14 @@ struct SettledFrom {
   const std::vector<ThinArea>& areas;
   MapBounds bounds;  ///< bounds of the maps of thickness
   const SheetOptions& options;
-  /// Strips along faults in which moves are not measured, because the horizons there are the mean of both sides of a
-  /// fault.
+  /// Strips along faults in which moves are not measured, since the heights there are the mean of both sides.
   const FaultStrips& strips;
   /// Whether the first horizon is the topography; parts of others above it are cut off and do not count as moved.
   bool has_topography;
   std::function<bool(const Vec3&)> counts{};  ///< whether a place of the map frame counts; empty: all places count
 };
 
-/// Returns the report on ordered horizons without names, counts of triangles and changes along faults, which the caller
-/// adds.
+/// Returns the report without names, numbers of triangles and changes along faults, which the caller adds.
 SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
 /// Returns one sentence for each horizon that was moved and each unit that thins out.

@@ -49,8 +49,7 @@ struct Lie {
   double area_under = 0, crossing = 0;
 
   bool is_over() const { return volume_over > far_over * volume_under; }
-  /// Returns the mean width of islands, treated as strips: a strip of width w and length l has the area w l and an
-  /// outline of length 2 l.
+  /// Returns the mean width of islands; a strip of width w and length l has the area w l and an outline of length 2 l.
   double width_of_islands() const { return crossing > 0 ? 2 * area_under / crossing : 0; }
 };
 

@@ -7,8 +7,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns whether a vertex is exactly outside the closed box. Its nearest doubles decide unless they lie on a plane of
-/// the box.
+/// Returns whether a vertex is exactly outside the closed box. Its nearest doubles decide unless on a box plane.
 bool is_outside(const ExactVertices& vertices, Index v, const Box3& box) {
   const Vec3& p = vertices.rounded(v);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -135,8 +135,8 @@ class BodyCutter {
       context_.result.area_clipped_by_bodies[o.surface] += facet_area(arranged_, f);
     }
   }
-  /// Records how far facets inside bodies are from what is left of their surface. `body_of` returns the body around
-  /// such a facet.
+  /// Records how far facets inside bodies are from the rest of their surface. `body_of` returns the body around a
+  /// facet.
   template <typename BodyOf>
   void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
     std::map<Index, std::map<Index, CutOff>> cut_off;  // facets that bodies cut off, by body and surface

@@ -26,8 +26,7 @@ struct FacetsWithOrigins {
 using LostParts = std::set<std::array<Index, 3>>;
 
 /// A surface in parts: part 0 is the original one, the others are its continuations. A continuation shares those points
-/// (by index) at which it begins. Continuations in several fault blocks may also have points at equal places that are
-/// not shared.
+/// (by index) at which it begins; equal points of different continuations need not be shared.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds places of surfaces that were outside the original body but were removed with its inside, because merging had
-/// moved them into the body.
+/// Finds places outside the original body that were removed with its inside, because merging had moved them into it.
 #pragma once
 
 #include "arrangement/clip/body_shape.hpp"
@@ -24,8 +23,8 @@ class BodyAsGiven {
   /// Returns the largest distance from the kept facets of points that were outside the body and lie on edges of removed
   /// facets. Points within a thousandth of the tolerance of the body count as on it. If no facets are kept, the result
   /// is the extent of the removed ones. Sampled points are no closer to each other than the tolerance, or 1/256 of
-  /// their edge. O(n log n) for the kept facets, O(log n) for each sampled point, and O(n) for each one that is farther
-  /// than all before it.
+  /// their edge. O(n log n) for the kept facets, O(log n) for each sample, and O(n) for each that is farther than all
+  /// before it.
   Displacement lost(const Arranged& arranged, const CutOff& cut) const;
 
  private:

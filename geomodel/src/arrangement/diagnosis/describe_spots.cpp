@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Describes spots (places of a model that need attention) for a geologist, declared in
-// geomesh/geomodel/arrangement.hpp.
+// Describes spots (places of note in a model) for a geologist, declared in geomesh/geomodel/arrangement.hpp.
 #include <cstdio>
 #include <map>
 

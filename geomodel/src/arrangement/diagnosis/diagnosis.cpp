@@ -23,8 +23,8 @@ bool is_inside(const std::optional<Box3>& box, const Vec3& p) {
   return true;
 }
 
-/// Returns whether a crossing is geologically unexpected: a surface crosses itself, two horizons cross, or the kind of
-/// a surface is unknown.
+/// Returns whether a crossing is unexpected: of a surface with itself, of two horizons, or of a surface of unknown
+/// kind.
 bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
   if (spot.surface_a == spot.surface_b) return true;
   const SurfaceKind a = surfaces[spot.surface_a].kind, b = surfaces[spot.surface_b].kind;
@@ -98,8 +98,7 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
 }
 
-/// Returns whether the input triangles of two origins are exactly coplanar. If so, and they share a facet, they
-/// overlapped in the input already.
+/// Returns whether the input triangles of two origins are exactly coplanar, so that they overlap already in the input.
 bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b) {
   const auto corner = [&](const Origin& o, std::size_t k) -> const Vec3& {
     return surfaces[o.surface].points[surfaces[o.surface].triangles[o.triangle][k]];

@@ -146,7 +146,7 @@ class MeetingTests {
     return has(t, v) ? 0 : to_int(orient3d(p(t[0]), p(t[1]), p(t[2]), p(v)));
   }
 
-  /// Returns the sign of the area of the triangle abc, times that of t, in the first coordinate plane in which t has an
+  /// Returns the sign of the area of triangle abc times that of t, in the first coordinate plane in which t has an
   /// area.
   int turn(const Triangle& t, VertexIndex a, VertexIndex b, VertexIndex c) const {
     for (std::size_t i = 0; i < 3; ++i) {

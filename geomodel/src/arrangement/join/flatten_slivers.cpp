@@ -38,8 +38,7 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Merges everything within the distance of active facets. Changes nothing if facets would then cross anew, or if a
-/// facet cannot be moved.
+/// Merges everything within the distance of active facets; nothing if facets would cross anew or cannot be moved.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

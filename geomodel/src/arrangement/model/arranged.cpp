@@ -199,8 +199,7 @@ void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, c
   });
 }
 
-/// One exact round: computes the places of contacts, the pieces into which clusters of facets are split, then the
-/// resulting complex.
+/// One exact round: computes the places of contacts, splits clusters of facets, and assembles the resulting complex.
 class Round {
  public:
   Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)

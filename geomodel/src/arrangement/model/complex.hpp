@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Input and output of a round of the arrangement: triangles, wells' segments and points in doubles, each with its
-/// origins in the input.
+/// Input and output of a round of the arrangement: triangles, wells' segments and points, each with its input origins.
 #pragma once
 
 #include <array>
@@ -40,8 +39,7 @@ struct OriginLists {
   }
 };
 
-/// Facets, segments and points of a round. Invariants: points are distinct; no facet is degenerate. Facets may cross,
-/// overlap and repeat.
+/// Facets, segments and points of a round. Points are distinct; no facet is degenerate. Facets may cross and overlap.
 struct Complex {
   std::vector<Vec3> points;
   std::vector<Index> input_point;  ///< as PolygonSoup::input_point
@@ -49,8 +47,7 @@ struct Complex {
   OriginLists origins;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// For each facet and each segment: whether it is dirty, that is, may still cross others. Items that are not dirty do
-  /// not cross each other.
+  /// For each facet and each segment: whether it is dirty (may cross others). Items that are not dirty do not cross.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
@@ -74,8 +71,7 @@ bool normalise_origins(std::vector<Origin>& origins);
 /// Facets whose first origin then has the reverse orientation are inverted. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
 
-/// Returns an origin of the facet `from` for the neighbouring facet `to`, oriented as its surface continues over the
-/// edge (a, b).
+/// Returns an origin of facet `from` for its neighbour `to`, oriented as its surface continues over the edge (a, b).
 Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b);
 
 /// Merges facets on the same three vertices into the first of them, with the origins of all. Returns how many were

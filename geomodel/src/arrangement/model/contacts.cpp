@@ -12,8 +12,7 @@ namespace {
 
 int to_int(Sign s) { return static_cast<int>(s); }
 
-/// Returns the sign of the point d against the plane of a facet, by the static filter here or, if that fails, by the
-/// exact predicate of the core.
+/// Returns the sign of d against a facet's plane, by a static filter or, if that fails, by the exact predicate.
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return to_int(orient3d(a, b, c, d)); }
 
 struct FacetView {
@@ -77,8 +76,7 @@ void add_ends(const FacetView& plane, const FacetView& cut, const std::array<int
   }
 }
 
-/// Returns whether a contact lies only at corners and along edges of the facet itself, so that it does not split the
-/// facet.
+/// Returns whether a contact lies only at corners and along edges of the facet, so that it does not split the facet.
 bool is_own_border(const FacetView& f, const Ends& ends) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (!ends[i].is_point() || f.corner(ends[i].a) < 0) return false;
@@ -132,9 +130,8 @@ bool same_strict_side(const std::array<int, 3>& s) {
   return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
 }
 
-/// Computes the signs of the corners of facet f against another facet's plane; those of shared corners are zero without
-/// a test. Returns false if all corners are strictly on one side, or if f touches the plane only in a shared corner or
-/// edge.
+/// Computes the signs of the corners of f against another facet's plane, zero without a test for shared corners.
+/// Returns false if all corners are strictly on one side, or if f touches the plane only in a shared corner or edge.
 bool plane_signs(const FacetView& plane, const FacetView& f, std::array<int, 3>& signs) {
   int n_shared = 0, positive = 0, negative = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -36,8 +36,7 @@ struct Line {
   friend auto operator<=>(const Line&, const Line&) = default;
 };
 
-/// A point or a segment in which another item meets a facet. All symbols of a point denote one place; those of a
-/// segment denote its two ends.
+/// A point or a segment in which another item meets a facet. Its symbols denote one place, or the segment's two ends.
 struct FacetContact {
   Index facet = no_index;
   Index other = no_index;  ///< the other facet, or no_index if a well or point touches `facet`

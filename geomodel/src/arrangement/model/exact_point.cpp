@@ -90,8 +90,8 @@ ExactPoint ExactFrame::to_exact_beyond(const Vec3& p) const {
 double ExactFrame::ratio(const mpz_class& numerator, const mpz_class& denominator) const {
   if (sgn(numerator) == 0) return 0;
   mpz_class n = abs(numerator), d = denominator;
-  // Uses 55 or 56 significant bits of the quotient, of which the last one is sticky. The conversion to double then
-  // rounds to nearest, ties to even.
+  // Uses 55 or 56 significant bits of the quotient, of which the last one is sticky. Conversion to double then rounds
+  // to nearest, ties to even.
   const long scale =
       55 - (static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2)));
   if (scale > 0)

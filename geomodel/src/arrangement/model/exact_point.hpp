@@ -53,8 +53,7 @@ ExactPoint line_line_point(const ExactFrame& frame, const Vec3& p, const Vec3& q
 bool equal(const ExactPoint& a, const ExactPoint& b);
 /// Returns the sign of twice the area of the triangle abc in the coordinates i and j.
 Sign exact_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j);
-/// Returns the orientation of an exact point against the plane through three points, with the sign of
-/// geomesh::orient3d.
+/// Returns the orientation of an exact point against the plane through three points, as geomesh::orient3d does.
 Sign exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
 /// Returns the sign of a[i] - b[i] for two exact points.
 Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, std::size_t i);

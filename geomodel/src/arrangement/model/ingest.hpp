@@ -36,8 +36,7 @@ struct Ingested {
 Ingested ingest(const SurfaceList& surfaces, const std::vector<Polyline>& polylines,
                 const std::vector<NamedPoint>& points, const std::optional<Box3>& box);
 
-/// Returns the six sides of the box, each with two triangles and an outward normal, in the order xmin xmax ymin ymax
-/// zmin zmax.
+/// Returns the box's sides, two triangles each with outward normals, in the order xmin xmax ymin ymax zmin zmax.
 std::vector<TriangulatedSurface> make_box_sides(const Box3& box);
 
 /// Formats a point as "(x, y, z)" to the millimetre, for messages.

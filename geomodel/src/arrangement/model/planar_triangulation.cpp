@@ -218,8 +218,7 @@ bool PlanarTriangulation::wants_flip(int f, int e) const {
   const Vec3& q = points_[faces_[faces_[f].neighbour[e]].v[mirror(f, e)]].rounded;
   const Vec3 pa = a - p, pb = b - p, qa = a - q, qb = b - q;
   const double cos_p = dot(pa, pb), sin_p = length(cross(pa, pb)), cos_q = dot(qa, qb), sin_q = length(cross(qa, qb));
-  // An edge is flipped only if its opposite angles clearly exceed pi in sum, so that each flip improves the faces and
-  // flipping terminates.
+  // Opposite angles must clearly exceed pi in sum for a flip, so that each flip improves the faces and flipping ends.
   constexpr double margin = 1e-10;
   return sin_p * cos_q + cos_p * sin_q < -margin * length(pa) * length(pb) * length(qa) * length(qb) && is_convex(f, e);
 }
@@ -269,8 +268,7 @@ PlanarTriangulation::Stop PlanarTriangulation::first_stop(int a, int b) const {
   return stop;
 }
 
-/// Inserts the first part of the segment ab, up to the next vertex on it or the next constraint across it. Returns the
-/// vertex at the end of that part.
+/// Inserts the segment ab up to the next vertex on it or the next constraint across it; returns the vertex reached.
 int PlanarTriangulation::advance(int a, int b, int line) {
   const Stop stop = first_stop(a, b);
   if (stop.is_edge) {

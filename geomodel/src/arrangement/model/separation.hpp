@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Rejects pairs of triangles early in the narrow phase. Most triangles whose boxes meet are neighbours in one surface
-/// and nearly coplanar. Their planes separate them only in exact arithmetic, but in projection along the normal they
-/// lie side by side.
+/// and nearly coplanar. Their planes separate them only in exact arithmetic; in projection along the normal they are
+/// side by side.
 #pragma once
 
 #include <array>
@@ -19,9 +19,8 @@ inline int proven_turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
-/// Returns true if the line of an edge of one triangle proves that the other triangle meets it at most in shared
-/// vertices or a shared edge. Both are projected along the axis nearest to the normal of `a`. False means that nothing
-/// was proven.
+/// Returns true if the line of an edge of one triangle proves that the other meets it only in shared vertices or edges.
+/// Both are projected along the axis nearest to the normal of `a`. False means that nothing was proven.
 inline bool proven_apart(const std::array<const Vec3*, 3>& pa, const Triangle& a, const std::array<const Vec3*, 3>& pb,
                          const Triangle& b) {
   const Vec3 n = cross(*pa[1] - *pa[0], *pa[2] - *pa[0]);

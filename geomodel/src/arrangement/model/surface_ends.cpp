@@ -27,8 +27,7 @@ void for_each_surface_edge(const Complex& complex, Visit visit) {
   }
 }
 
-/// Returns each edge of each facet of each surface, in ascending order by edge, then by surface; buckets by the smaller
-/// vertex make this fast.
+/// Returns the edges of all facets by surface, in ascending order by edge, then by surface; uses buckets for speed.
 std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<std::size_t> begin(complex.points.size() + 1, 0);
   for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });

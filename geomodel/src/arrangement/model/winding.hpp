@@ -30,8 +30,8 @@ class WindingNumber {
   /// Returns the winding number around the point q, which must not lie on a triangle.
   int operator()(const Vec3& q, RayDirection ray) const;
 
-  /// Returns what triangle t, which the ray crosses, contributes to the winding number of points on its lower side
-  /// along the axis.
+  /// Returns what triangle t, which the ray crosses, adds to the winding number of points on its lower side along the
+  /// axis.
   int contribution(Index t, std::size_t axis) const;
   const Box3& box() const { return box_; }
 

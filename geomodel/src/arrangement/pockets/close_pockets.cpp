@@ -34,8 +34,8 @@ std::vector<Triangle> triangles_of(const Complex& complex, const std::vector<Fac
   return triangles;
 }
 
-/// Returns the corner of one wall that is farthest from the other wall, if all of the first wall is proven to be within
-/// the distance.
+/// Returns the corner of one wall that is farthest from the other, if all of the wall is proven to be within the
+/// distance.
 std::optional<Displacement> way_between(const Complex& complex, const std::vector<FacetSide>& wall,
                                         const SurfaceDistance& other, double distance) {
   Displacement way;
@@ -189,8 +189,8 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Assigns to a facet of the wall that is kept the surfaces of the removed facet nearest to its centre, oriented as
-  /// if seen from beyond the void.
+  /// Assigns to a kept wall's facet the surfaces of the removed facet nearest to its centre, as seen from beyond the
+  /// void.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

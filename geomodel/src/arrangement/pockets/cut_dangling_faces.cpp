@@ -178,8 +178,7 @@ struct Change {
 };
 using Changes = std::map<Index, Change>;  ///< by facet
 
-/// Returns whether a facet of the dangling piece, or a facet beside it (except at its hinge), is already to be changed
-/// and may not exist afterwards.
+/// Returns whether a facet of the dangling piece, or one beside it (except at its hinge), is already to be changed.
 bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex,
                         const DanglingPiece& piece) {
   for (const Index f : piece.facets)

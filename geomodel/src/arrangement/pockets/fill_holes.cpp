@@ -11,16 +11,14 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Returns the origin that facet t receives from the adjacent facet's surface, oriented as that surface continues over
-/// their common edge.
+/// Returns the origin that facet t receives from an adjacent surface, oriented as that continues over the common edge.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-/// Largest length of the third edge of a hole's facet, at which the hole is open, relative to the sum of the two other
-/// edges.
+/// Largest length of the open edge of a hole's facet, relative to the sum of its two other edges.
 constexpr double mouth_of_notch = 0.125;
 
 class Holes {

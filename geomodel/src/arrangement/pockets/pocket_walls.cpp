@@ -77,8 +77,7 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Returns the parts of a shell: sets of facets that belong to the same surfaces, connected across edges to which
-/// nothing else is attached.
+/// Returns the parts of a shell: facets of the same surfaces, connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
   const auto row = [&](Index facet) {  // position in the shell, whose facets are ascending
     return static_cast<Index>(

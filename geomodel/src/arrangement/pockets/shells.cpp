@@ -18,8 +18,7 @@ VertexIndex third_corner(const Triangle& t, const EdgeFacets::Use& use) {
   return no_vertex;
 }
 
-/// Orders facets around an edge from a to b counter-clockwise, as seen against the direction of the edge, starting at
-/// the first facet.
+/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, starting at the first one.
 class AngleOrder {
  public:
   AngleOrder(const Complex& complex, const EdgeFacets::Use& first)
@@ -35,8 +34,7 @@ class AngleOrder {
   const Vec3& corner(const EdgeFacets::Use& use) const {
     return complex_.points[third_corner(complex_.facets[use.facet], use)];
   }
-  /// Returns 0 for the first facet at an edge; 1 for a facet at an angle of less than half a turn from it; 2 for half a
-  /// turn; 3 for more.
+  /// Returns the angle of a facet from the first one at an edge: 0 none, 1 under half a turn, 2 half a turn, 3 more.
   int part_of_turn(const EdgeFacets::Use& use) const {
     const Vec3& p = corner(use);
     if (p == first_) return 0;
@@ -48,8 +46,7 @@ class AngleOrder {
   const Vec3 &a_, &b_, &first_;
 };
 
-/// Returns the side of a facet that faces forward in the counter-clockwise order around an edge, and the side that
-/// faces backward.
+/// Returns the sides of a facet that face forward and backward in the counter-clockwise order around an edge.
 FacetSide side_ahead(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 0 : 1); }
 FacetSide side_behind(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 1 : 0); }
 

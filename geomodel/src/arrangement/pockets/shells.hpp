@@ -9,8 +9,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A facet seen from one side: 2 f + 0 for the side from which the corners of facet f are counter-clockwise, 2 f + 1
-/// for the other.
+/// A side of facet f: 2 f is the side from which its corners are counter-clockwise, 2 f + 1 the other one.
 using FacetSide = std::size_t;
 inline Index facet_of(FacetSide side) { return static_cast<Index>(side / 2); }
 inline bool is_front(FacetSide side) { return side % 2 == 0; }

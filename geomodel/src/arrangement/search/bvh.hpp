@@ -13,8 +13,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A closed box in floats relative to the tree's origin. The conversion from doubles is monotone, so boxes that meet in
-/// doubles also meet in floats.
+/// A closed box in floats relative to the tree's origin. Conversion from doubles is monotone, so boxes that meet in
+/// doubles meet in floats, too.
 struct FloatBox {
   std::array<float, 3> lo, hi;
   bool meets(const FloatBox& o) const {

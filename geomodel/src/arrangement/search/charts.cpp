@@ -69,8 +69,8 @@ class ChartFinder {
         turn_(end - begin, 0) {}
 
   Index run() {
-    // A wide cone of normals gives few charts; a part that overlaps itself in the projection is divided with a narrow
-    // cone.
+    // A wide cone of normals gives few charts; parts that overlap themselves in projection are divided with a narrow
+    // one.
     for (const double least_cosine : {0.25, 0.6}) {
       visited_.assign(end_ - begin_, 0);
       for (Index f = begin_; f < end_; ++f)

@@ -39,8 +39,7 @@ class Drawing {
     edges_.insert(crease);
   }
 
-  /// Splits facets at the collected vertices. Returns nothing, and leaves the complex unchanged, if nothing is beside a
-  /// feature edge of the volume.
+  /// Splits facets at the collected vertices. Returns nothing, without a change, if none is beside a feature edge.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
     if (!is_any_beside_) {
@@ -58,8 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// Inserts vertex v into edge e. `orientation` is zero if the vertex lies exactly on the edge or facet that it is
-  /// inserted in.
+  /// Inserts vertex v into edge e. `orientation` is zero if v lies exactly on the item that it is inserted in.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);

@@ -29,9 +29,8 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
 /// Moves facets that run along an edge between two sides, within reach of it, onto that edge. Otherwise they would
 /// leave the edge at so small an angle that no element fits between. The facets are split at the ends of the edge, if
 /// these are within reach, and where facet edges pass it. The edges of sides keep their places up to rounding. Returns
-/// nothing if everything near lies exactly on these edges. Precondition: vertices within reach are on these edges
-/// already, because move_to_sides() has run. O(n log c) for n facets and c such edges, if each facet's box meets few of
-/// these.
+/// nothing if everything near lies exactly on these edges. Precondition: move_to_sides() has moved vertices onto these
+/// edges. O(n log c) for n facets and c such edges, if each facet's box meets few of these.
 std::optional<SnapOutcome> draw_to_feature_edges(Complex& complex, const Joining& joining, double tolerance);
 
 /// Returns SnapOptions::sides_of for a volume that is not an axis-aligned box; otherwise empty. O(n log s).

@@ -18,8 +18,7 @@ namespace {
 
 Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
-/// Finds the places on the volume's sides to which vertices can move: corners, points on edges between two sides, and
-/// points on facets.
+/// Finds places on the volume's sides to which vertices can move: corners, points on edges, and points on facets.
 class SidePlaces {
  public:
   SidePlaces(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
@@ -92,8 +91,7 @@ class SidePlaces {
     }
   };
 
-  /// Returns the point of facet t closest to p, with coordinates exactly on axis-aligned planes, such as top and
-  /// bottom, that contain t.
+  /// Returns the point of facet t closest to p, exactly on those axis-aligned planes that contain t.
   Vec3 on_facet(const Vec3& p, const Triangle& t) const {
     const Vec3 &a = complex_.points[t[0]], &b = complex_.points[t[1]], &c = complex_.points[t[2]];
     return planes_.onto(closest_on_triangle(p, {a, b, c}), planes_.of(a) & planes_.of(b) & planes_.of(c));
@@ -156,8 +154,7 @@ class Moves {
   std::unordered_set<Vec3, PointHash> taken_;
 };
 
-/// Classifies vertices: those that are fixed because they are unused or on a side, those at an end of a surface, and
-/// others.
+/// Classifies vertices: fixed (unused or on a side of the volume), at an end of a surface, and others.
 class VerticesToMove {
  public:
   VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)

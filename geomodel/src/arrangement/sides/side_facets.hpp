@@ -43,8 +43,7 @@ class SideFacets {
     return creases;
   }
 
-  /// Calls visit(facet) for each side facet whose bounding box comes within the distance of the bounding box of the
-  /// points.
+  /// Calls visit(facet) for side facets whose bounding box comes within the distance of that of the points.
   template <class Points, class Visit>
   void visit_near(const Points& points, double distance, Visit&& visit) const {
     Box3 box;

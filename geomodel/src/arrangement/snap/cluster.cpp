@@ -10,8 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Sorts points by the rows of a coarse lattice, in alternating direction, so that neighbours in the order are near
-/// each other in the plane.
+/// Sorts points by rows of a coarse lattice, in alternating direction, so that consecutive points are near each other.
 void sort_in_rows(std::vector<int>& order, const std::vector<PlanarPoint>& points, const Projection& frame) {
   Box3 box;
   for (const int p : order) box.add(points[p].rounded);

@@ -8,9 +8,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Solves repeatedly for the parameters of the nearest points, because the first solution has large errors if the edges
-/// are nearly parallel. The vector between the two points found first is short, so solving for it reduces the error
-/// correspondingly.
+/// Solves repeatedly for the parameters of the nearest points, since the first solution has large errors if the edges
+/// are nearly parallel. The vector between the points found is short, so solving again for it reduces the error.
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   constexpr double least_sine2 = 1e-12;
   constexpr unsigned n_corrections = 2;
@@ -45,8 +44,8 @@ int PlaneWithin::side(const Vec3& p) const {
   return height > 0 ? 1 : -1;
 }
 
-/// Lengths are measured perpendicular to the longest edge: in that direction a thin triangle is short, and so are the
-/// errors.
+/// Measures lengths perpendicular to the longest edge, in which direction a thin triangle is short, and errors are
+/// small.
 bool is_near_inside(const Vec3& p, const std::array<Vec3, 3>& triangle, double distance) {
   std::array<std::size_t, 3> from{0, 1, 2};  // the triangle's edges, each identified by its first corner
   const auto edge = [&](std::size_t k) { return triangle[(k + 1) % 3] - triangle[k]; };

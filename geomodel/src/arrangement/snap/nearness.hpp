@@ -29,8 +29,7 @@ class PlaneWithin {
   double distance_, error_;
 };
 
-/// Returns whether the point p is closer to the plane of the triangle than the distance, and projects into the
-/// triangle's interior.
+/// Returns whether p is closer to the triangle's plane than the distance, and projects into the triangle's interior.
 bool is_near_inside(const Vec3& p, const std::array<Vec3, 3>& triangle, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -8,8 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns those sorted pieces of edges whose ends are both vertices of one facet. Facets that share such vertices then
-/// share the edge between them, too.
+/// Returns the edge pieces between vertices of one facet; facets that share the vertices then share the edge, too.
 std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
   std::sort(vertices.begin(), vertices.end());
   std::vector<EdgeKey> found;
@@ -28,9 +27,9 @@ class Rebuilding {
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
 
-  /// Splits the facets. If a facet cannot be split, the insertions in it and on its edges are dropped, so that surfaces
-  /// remain connected there, and its neighbours are split again. Each round drops insertions, so there are no more
-  /// rounds than insertions.
+  /// Splits the facets. If one cannot be split, the insertions in it and on its edges are dropped, so that surfaces
+  /// remain connected, and its neighbours are split again. Each round drops insertions, so there are no more rounds
+  /// than insertions.
   void leave_out_what_splits_nothing() {
     for (std::vector<Index> open = split_all(); !open.empty();) {
       outcome_.facets_left_alone.insert(outcome_.facets_left_alone.end(), open.begin(), open.end());
@@ -154,8 +153,7 @@ class Rebuilding {
     return walk;
   }
 
-  /// Returns the pieces of divided edges between vertices of facets that are to be split, sorted, each in both
-  /// directions.
+  /// Returns the pieces of divided edges between vertices of facets to be split, sorted, each in both directions.
   std::vector<EdgeKey> list_pieces() const {
     std::vector<EdgeKey> pieces;
     std::vector<VertexIndex> walk;

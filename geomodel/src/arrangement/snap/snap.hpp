@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Snaps everything closer than a distance: with the option `tolerance`, and, with a few ulps, to resolve overlaps too
-/// thin for any rounding.
+/// Snaps everything closer than a distance: the tolerance, or some ulps, to resolve overlaps too thin for rounding.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +40,8 @@ struct SnapOutcome {
 /// vertices that are closer to them than the distance. Two edges closer than that are split at a common new vertex.
 /// Facets without area are removed, equal ones merged. Everything that changed is marked dirty. Points keep their
 /// indices; `vertex_now`, if not null, receives for each vertex the one that replaced it. Snapping need not separate
-/// everything: the exact check that follows decides. Deterministic; near-linear if each neighbourhood of that distance
-/// holds a bounded number of items.
+/// everything: the exact check that follows decides. Deterministic; near-linear if few items are within that distance
+/// of each.
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 

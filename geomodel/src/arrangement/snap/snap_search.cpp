@@ -151,8 +151,7 @@ class Search {
     return is_near_inside(point(v), {point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_) &&
            !is_by_edge_that_stays(v, f);
   }
-  /// Returns whether vertex v is near an edge of the facet that must not be split, so that inserting v would leave a
-  /// needle.
+  /// Returns whether v is near an edge of the facet that must not be split, so that inserting v would leave a needle.
   bool is_by_edge_that_stays(VertexIndex v, Index f) const {
     constexpr double needle = 0.05;  // of the distance
     for (const EdgeKey& e : edges_of(complex_.facets[f]))

@@ -18,16 +18,14 @@ class BoxPlanes {
   unsigned of(const Vec3& p) const;
   /// Returns p with its coordinates moved exactly onto the given planes.
   Vec3 onto(Vec3 p, unsigned planes) const;
-  /// Returns p moved to the box planes that are closer than the distance, unless p is outside the box by more than
-  /// that.
+  /// Returns p moved to the box planes within the distance, unless p is outside the box by more than that.
   Vec3 onto_near(const Vec3& p, double distance) const;
 
  private:
   std::optional<Box3> box_;
 };
 
-/// Hash grid of vertices with cells four search distances wide: a ball with the distance as radius meets one to eight
-/// cells, mostly two.
+/// Hash grid of vertices, with cells four search distances wide: a search meets one to eight cells, mostly two.
 class VertexGrid {
  public:
   VertexGrid(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {}
@@ -55,8 +53,8 @@ class VertexGrid {
 };
 
 /// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
-/// vertices, where the join rule allows it. For edges near each other, a vertex is added to the complex, to the grid
-/// and to the rule.
+/// vertices, where the join rule allows it. For edges near each other it adds a vertex to the complex, the grid and the
+/// rule.
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
                            std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extends each block of a horizon on its own, declared in rules/blocks/throw_blocks.hpp. Parts of an extension that lie
-// entirely beyond a fault are left out: they would be cut off later anyway, and nearly equal extensions of all blocks
-// would cross there.
+// entirely beyond a fault are left out, since nearly equal extensions of all blocks would cross there and be cut off.
 #include <algorithm>
 #include <map>
 
@@ -95,9 +94,9 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
   return enclosed;
 }
 
-/// For each triangle from index `first` on, returns whether it lies entirely beyond a fault. This requires that all
-/// triangles connected with it, without crossing another fault, lie beyond the fault too, and that none of them is an
-/// original triangle of the block.
+/// For each triangle from index `first` on, returns whether it lies entirely beyond a fault. All triangles connected
+/// with it, without crossing another fault, must lie beyond the fault too, and none may be an original one of the
+/// block.
 std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size_t first,
                                       const std::vector<ThrowFault>& faults, const BlockSides& sides) {
   const std::size_t n = part.triangles.size() - first;

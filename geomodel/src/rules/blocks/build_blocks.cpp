@@ -48,8 +48,7 @@ std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const
   return left;
 }
 
-/// Returns whether the fault divides the horizon completely, so that the horizon does not continue inside the box
-/// around an end of the fault.
+/// Returns whether the fault divides the horizon completely, so that the horizon does not continue around its end.
 bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, const Box3& box) {
   if (fault.first_made == fault.surface->triangles.size()) return true;
   const std::vector<Crossing> crossing = find_crossings(horizon, 0, {fault}, box);
@@ -107,8 +106,7 @@ std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFau
   return "";
 }
 
-/// Removes the faults that end inside the model from the list. Returns false, without a change, if none or all of them
-/// end there.
+/// Removes faults that end inside the model from the list. Returns false, without a change, if none or all do.
 bool keep_through(PartingFaults& parting, const Box3& box) {
   PartingFaults through;
   for (std::size_t k = 0; k < parting.faults.size(); ++k)

@@ -20,10 +20,10 @@ struct FieldOfHorizon {
   Index horizon, part;
 };
 
-/// For each piece of the level set of a field, returns whether it lies in the field's domain: in the fault block that
-/// the rules name, otherwise on the sides of faults that `is_on_own_side` accepts. Throws Error{invalid_input} if no
-/// piece does, or if two fields of the horizon are valid in one block. Warns if the surface continues around the end of
-/// a fault that bounds the domain.
+/// For each piece of the level set of a field, returns whether it lies in the field's domain: in the fault block named
+/// by the rules, else on the sides of faults that `is_on_own_side` accepts. Throws Error{invalid_input} if no piece
+/// does, or if two fields of the horizon are valid in one block. Warns if the surface continues around the end of a
+/// fault that bounds the domain.
 std::vector<bool> pieces_in_domain(const Parting& parting, FieldOfHorizon field, const std::vector<Piece>& pieces,
                                    const std::function<bool(const Piece&)>& is_on_own_side);
 

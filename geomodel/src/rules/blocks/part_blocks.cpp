@@ -157,8 +157,7 @@ class HorizonParting {
     p_.removed[horizon_] += area;
   }
 
-  /// Removes the extension of a block that no fault separates from the block's original triangles, because it would run
-  /// through the other blocks.
+  /// Removes a block's extension that no fault separates from it, because it would run through the other blocks.
   void drop_continuation(const Piece& piece, const std::function<bool(const Origin&)>& is_own) {
     p_.removed[horizon_] += p_.soup.remove(piece.facets, [&](const Origin& o) { return is_own(o) && !is_given(o); });
     std::string faults;

@@ -12,8 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// The input and output data of part_blocks(), which divides horizons into blocks. All referenced data must outlive the
-/// call.
+/// Input and output of part_blocks(), which divides horizons into blocks. All referenced data must outlive the call.
 struct Parting {
   WorkingSoup& soup;
   const std::vector<TriangulatedSurface>& surfaces;

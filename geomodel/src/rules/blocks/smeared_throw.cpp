@@ -20,13 +20,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Margin on either side of a ramp (a fault's throw smeared by gridding), in median edge lengths of the horizon in the
-// map.
+// Margin on either side of a ramp (throw smeared by gridding), in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
 // Largest and smallest restored throw that is accepted, as a fraction of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
-// Least number of triangles of a connected part of the horizon; smaller pieces between ramps are treated as part of the
-// ramps.
+// Least number of triangles of a separate part; smaller ones between ramps are treated as part of the ramps.
 constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -174,8 +172,7 @@ class Restorer {
     }
   }
 
-  /// Returns whether the triangle lies beyond the tip of the fault; such triangles are kept and connect the parts of
-  /// the horizon on both sides.
+  /// Returns whether the triangle lies beyond the fault's tip; such triangles are kept and connect both sides.
   bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
   bool is_of_sheet(Index t) const { return !in_strip_[t] && !goes_round(t); }
 

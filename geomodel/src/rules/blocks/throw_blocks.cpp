@@ -77,8 +77,7 @@ class Ends {
   bool is_kept(Index t) const { return counts_[t] != 0; }
   /// Returns whether the triangle crosses a fault and does not lie around a fault's tip.
   bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
-  /// Returns whether the triangle lies around a fault's tip inside the box; blocks are extended beyond the box in any
-  /// case.
+  /// Returns whether the triangle lies around a fault's tip inside the box.
   bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
 
  private:
@@ -101,9 +100,8 @@ class Ends {
   }
 
   /// Assigns triangles that cross faults, except around a tip, in connected groups. A group beside one kept part is an
-  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, which
-  /// happens if the horizon is as narrow as its triangles there. A group between two kept parts is a ramp, and is
-  /// replaced.
+  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, as
+  /// where the horizon is as narrow as its triangles. A group between two kept parts is a ramp, and is replaced.
   void attach_overshoot() {
     const std::size_t n = part_.size();
     const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
@@ -135,8 +133,7 @@ class Ends {
   std::map<Index, bool> kept_;
 };
 
-/// Returns the greatest difference in height between the ends of those edges of the triangle that cross a fault or its
-/// extension.
+/// Returns the largest height difference along those edges of the triangle that cross a fault or its extension.
 double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
                     const Box3& box) {
   TriangulatedSurface edge{};
@@ -165,8 +162,7 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
   }
 }
 
-/// Extends the joint surface of all blocks, and appends those of its new triangles to the horizon that run around the
-/// tips of the faults.
+/// Extends the surface of all blocks, and appends its new triangles around the tips of faults to the horizon.
 void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
                      const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;

@@ -64,8 +64,7 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// Groups the visible nodes of a grid: a "side" is a set of nodes connected without crossing a wall, identified by its
-/// first node.
+/// Groups the visible nodes of a grid into sides: sets connected without crossing a wall, named by their first node.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -102,8 +101,7 @@ class ApronSides {
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
     return false;
   }
-  /// Returns the side from which a border edge leads to node v, if a wall on that edge separates v from it; otherwise
-  /// no_index.
+  /// Returns the side from which a border edge leads to v if a wall on that edge separates v from it, else no_index.
   Index before(Index v) const {
     if (v >= grid_.n_border()) return no_index;
     const std::size_t n = grid_.chain().n_edges();
@@ -130,8 +128,7 @@ class ApronSides {
   std::set<std::pair<Index, Index>> parted_border_;
 };
 
-/// Makes the triangles of a continuation from a grid. A triangle that walls divide is copied once for each side of
-/// them.
+/// Makes the triangles of a continuation from a grid, with a copy for each side of the walls that divide them.
 class SidedApron {
  public:
   SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -169,8 +166,7 @@ class SidedApron {
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
       }
     }
-    // A triangle beside visible ones may be partly visible although none of its corners is, for example where two walls
-    // meet.
+    // A triangle beside visible ones may be partly visible although no corner is, for example where two walls meet.
     for (const Corners* t : unseen) {
       std::set<Index> sides;
       for (std::size_t i = 0; i < 3; ++i)
@@ -207,8 +203,7 @@ class SidedApron {
     if (is_new) at->second = add_point(grid_.nodes()[v].point);
     return at->second;
   }
-  /// Returns a node at the same place as v with a height from another side; no_vertex if that side has no border
-  /// nearby.
+  /// Returns a node at the place of v with a height from another side; no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
     if (sides_.before(v) == side) return row_of(v);  // the border of the other side leads to the node
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);

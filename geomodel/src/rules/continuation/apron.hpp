@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Makes an apron: the strip of triangles by which a surface is continued from a run of its border to the walls in
-/// front of it.
+/// Makes aprons: strips of triangles that continue a surface from a run of its border to the walls in front of it.
 #pragma once
 
 #include <vector>

@@ -9,8 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Smallest spacing of grid points as a fraction of the distance of continuation: a strip has at most about ten rows of
-/// points.
+/// Smallest spacing of grid points as a fraction of the strip's width, which then has at most about ten rows.
 constexpr double least_step = 1.0 / 8;
 /// Smallest distance of grid points from the border, as a fraction of their spacing.
 constexpr double room_at_border = 0.5;
@@ -42,8 +41,7 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
-/// Returns whether a wall hides the node from a place on the border. A place that a wall separates from the surface
-/// itself sees no node.
+/// Returns whether a wall hides the node from a place on the border. From places beyond a wall no node is visible.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
   const std::uint8_t cut_off = border_.cut_off[at.edge];
   if (cut_off == 3) return true;
@@ -58,8 +56,7 @@ bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at
   return hit.has_value();
 }
 
-/// Adds grid points beside the run of border. The origin of the grid is fixed in space, so it does not depend on the
-/// border.
+/// Adds grid points beside the run of border, on a grid that is fixed in space and does not depend on the border.
 void ApronGrid::add_grid() {
   Vec2 low = nodes_.front().place, high = low;
   for (const ApronNode& n : nodes_) {
@@ -79,8 +76,7 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
       !chain_.is_outside(p, *nearest))
     return;
-  // A node beyond the distance must be visible from the nearest place of the border; it then shows that the border is
-  // open there.
+  // A node beyond the distance counts only if visible from the nearest place of the border, which is then open.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;
     const ApronNode node = node_at(p, at);

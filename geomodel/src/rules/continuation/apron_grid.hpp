@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Makes the nodes and triangles beside a run of border: a grid with extrapolated heights, and the triangles that
-/// connect it to the border.
+/// Makes the nodes and triangles beside a run of border: a grid with extrapolated heights, connected to the border.
 #pragma once
 
 #include <array>
@@ -13,8 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// A node of the strip beside a run of border: either a vertex of the border (these come first, in order) or a grid
-/// point.
+/// A node of the strip beside a run of border: a vertex of the border (these come first, in order) or a grid point.
 struct ApronNode {
   Vec2 place;
   Vec3 point;           ///< in the model

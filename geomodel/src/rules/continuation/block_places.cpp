@@ -10,11 +10,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Spacing of the grid as a fraction of the disc's radius, chosen so that a disc which fits into a gap covers some grid
-/// points.
+/// Spacing of the grid as a fraction of the radius, so that a disc which fits into a gap covers some grid points.
 constexpr double step_of_radius = 0.5;
-/// Largest number of grid points. More would take seconds, and arise only if the distance of continuation is tiny
-/// compared with the model.
+/// Largest number of grid points. More would take seconds, for a distance of continuation that is tiny.
 constexpr double most_places = 1e6;
 
 }  // namespace
@@ -41,8 +39,7 @@ bool BlockPlaces::has_grid() const {
   return (extent.x / step_) * (extent.y / step_) <= most_places;
 }
 
-/// Adds grid points over the block's bounding box. The origin of the grid is fixed in space, so it does not depend on
-/// the block.
+/// Adds grid points over the block's bounding box, on a grid that is fixed in space.
 void BlockPlaces::add_grid() {
   const Box3& box = s_.framework.bounds(block_);
   const auto first = [&](double v) { return static_cast<std::int64_t>(std::floor(v / step_)) - 1; };

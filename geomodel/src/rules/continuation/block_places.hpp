@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines the places over a fault block at which a horizon may be continued, and which of them are open, that is,
-/// not enclosed by walls.
+/// Determines the places over a fault block at which a horizon may be continued, and which are not enclosed by walls.
 #pragma once
 
 #include <array>
@@ -16,8 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// The horizon that is continued, and the walls and blocks in which it is continued. All referenced data must outlive
-/// this object.
+/// A horizon, and the walls and blocks in which it is continued. All referenced data must outlive this object.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
@@ -50,8 +48,7 @@ class BlockPlaces {
   bool is_in_block(Index v) const { return in_block_[v]; }
   /// Returns whether the triangle with corners at these places overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
-  /// Returns whether the triangle covers a part of the block that is not open. Adds the walls that it crosses to
-  /// `walls`.
+  /// Returns whether a triangle covers a part of the block that is not open. Adds the walls it crosses to `walls`.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
 
  private:

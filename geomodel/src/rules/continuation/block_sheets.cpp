@@ -21,8 +21,7 @@ class Continuation {
     made_.block = block;
   }
 
-  /// Makes the continuation. Returns nothing if the border crosses itself in the map, or if the distance is too short
-  /// for a grid.
+  /// Makes the continuation; nothing if the border crosses itself in the map, or the distance is too short for a grid.
   std::optional<BlockExtension> make() {
     if (!places_.has_grid()) return std::nullopt;
     std::vector<Vec2> in_map;
@@ -46,8 +45,7 @@ class Continuation {
   }
 
  private:
-  /// Records, for a triangle of the continuation, the length of border that it continues and its farthest place in
-  /// front of a wall.
+  /// Records the length of border that a triangle continues, and its farthest place in front of a wall.
   void book(const std::array<Index, 3>& t) {
     const std::vector<Vec3>& points = places_.points();
     const auto look_at = [&](const Vec3& p, double distance) {

@@ -50,11 +50,10 @@ struct BlockSetting {
 
 /// Continues the horizon in each block, from the edges of its border that have walls in front of them. A place of the
 /// block in the map is filled unless it is covered by a disc of diameter `within` that meets neither the horizon nor a
-/// wall. Gaps narrower than this diameter are therefore closed whatever their length, and where the horizon ends in the
-/// open its border remains open. The filled area is connected with the border that it continues. Heights are those of
-/// the nearest place of the border, extrapolated with its slope up to the distance, or with the mean slope of the
-/// horizon nearby if blocks are filled. O(n log n) in the triangles, and the product of border edges and grid points in
-/// a block.
+/// wall. Gaps narrower than this diameter are therefore closed whatever their length, and a border in the open remains
+/// open. The filled area is connected with the border that it continues. Heights are those of the nearest place of the
+/// border, extrapolated with its slope up to the distance, or with the mean slope of the horizon nearby if blocks are
+/// filled. O(n log n) in the triangles, and the product of border edges and grid points in a block.
 DividedHorizon continue_in_blocks(const TriangulatedSurface& horizon, Index row, const BorderStates& states,
                                   const BlockSetting& setting);
 

@@ -47,8 +47,7 @@ bool is_within(const Box3& box, const Vec3& p, double room) {
 }
 
 /// Finds border vertices that a wall separates from all inner vertices. The surface has then met its wall before its
-/// border, or ends on the wall. A wall that ends inside the surface separates nothing, since vertices are connected
-/// around its end.
+/// border, or ends on the wall. A wall that ends inside the surface separates no vertices.
 class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
@@ -134,8 +133,7 @@ bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSea
   return true;
 }
 
-/// Closes short runs of border edges without a wall between edges that have one: they get the wall of the previous
-/// edge.
+/// Gives short runs of border edges without a wall, between edges that have one, the wall of the previous edge.
 void close_short_runs(std::vector<LoopEdge>& loop, double within) {
   const std::size_t n = loop.size();
   const auto first = std::find_if(loop.begin(), loop.end(), [](const LoopEdge& e) { return e.hit.has_value(); });
@@ -232,8 +230,7 @@ struct BorderSearch {
   bool by_parts;
 };
 
-/// Returns the closed loops of border edges, with the wall in front of each edge. Edges of triangles that are `done`
-/// are not continued.
+/// Returns the loops of border edges, with the wall in front of each edge; edges of `done` triangles have none.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, const BorderSearch& how,
                                                     const std::vector<bool>& done) {
   const auto& [row, walls, box, within, by_parts] = how;

@@ -26,8 +26,7 @@ using BorderStates = std::map<MapEdge, BorderState>;
 BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
                            double within);
 
-/// Returns for each wall the length in m of those border edges that end on it or have it as the first wall in front of
-/// them. O(edges) searches.
+/// Returns for each wall the length in m of border edges that end on it or have it first in front of them.
 std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                        const Box3& box, double within);
 

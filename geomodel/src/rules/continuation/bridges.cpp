@@ -48,8 +48,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const 
   return p + (d / (d - e)) * (q - p);
 }
 
-/// The border of a surface, or of a part of it, projected along a direction, and the triangles that fill the gaps
-/// between borders.
+/// The border of (a part of) a surface projected along a direction, and the triangles in the gaps between borders.
 class Gaps {
  public:
   Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame)
@@ -83,7 +82,7 @@ class Gaps {
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
       if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
-        // The triangle's circumscribed disc lies in the gap, unless its centre lies beyond a border, on the side of the
+        // The triangle's circumscribed disc lies in the gap, unless its centre lies beyond a border, inside the
         // surface.
         const auto side = side_before_centre(corners);
         if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
@@ -189,8 +188,7 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// Fills the gaps between border edges. Returns false, without a change, if the edges cross each other in this
-/// projection.
+/// Fills the gaps between border edges. Returns false, without a change, if edges cross in this projection.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
             const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);

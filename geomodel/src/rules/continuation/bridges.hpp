@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 /// reverse fault overlap in the map, but lie side by side when projected along its dip.
 std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::vector<FaultTip>& tips);
 
-/// Limits for filling gaps, and the surfaces between which they are filled. All referenced data must outlive this
-/// object.
+/// Limits for filling gaps, and the walls between which they are filled. Referenced data must outlive this object.
 struct GapSetting {
   const Walls& walls;
   const std::vector<FaultTip>& tips;
@@ -32,8 +31,7 @@ struct GapSetting {
 /// triangulation whose circumradius is at most `within` and whose sides cross no wall. If the tip of a wall ends in
 /// such a triangle, it becomes a point of the surface, so that the filled area begins exactly at the tip. Only
 /// triangles whose centroid `counts` accepts are added. The first frame in which borders do not cross is used; if there
-/// is none, each connected part of the surface is filled separately. Appends triangles to the surface; existing ones do
-/// not change.
+/// is none, each connected part of the surface is filled separately. Existing triangles do not change.
 void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
 /// Removes those triangles from index `first` on, which fill holes of horizon `row`, that lie beyond another horizon

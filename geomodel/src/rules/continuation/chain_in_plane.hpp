@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 
 class ChainInPlane {
  public:
-  /// Slopes of the continuation are those of the triangles at the border, averaged along the chain over `within` to
-  /// both sides.
+  /// Continues with the slopes of the triangles at the border, averaged along the chain over `within` to both sides.
   ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame, double within);
 
   struct Nearest {

@@ -139,8 +139,7 @@ class Continuing {
     }
   }
 
-  /// Makes the strip of triangles beside a chain of border edges, in the first frame in which the chain does not cross
-  /// itself.
+  /// Makes the strip of triangles beside a chain of border edges, in the first frame in which it does not cross itself.
   Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
     for (const Frame& frame : frames) {
       Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
@@ -272,8 +271,7 @@ class HorizonContinuation {
     return rows;
   }
 
-  /// Returns for each block whether the horizon must be absent from it: blocks above a younger unconformity, and blocks
-  /// below an older one.
+  /// Marks the blocks in which the horizon is absent: above a younger unconformity, or below an older one.
   std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
     const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
     std::vector<bool> blocks(framework_->n_blocks(), false);

@@ -16,8 +16,7 @@ namespace geomesh::geomodel {
 /// its tip inside the model if every surface on which it could end is farther away.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
-/// Returns the distance in m over which a horizon may be continued to a wall; a horizon that fills its blocks is
-/// continued through the whole model.
+/// Returns the distance in m over which a horizon is continued to a wall: through the whole model if it fills blocks.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 
 /// Continues the horizons that have neither `extend` nor throw by at most the distance

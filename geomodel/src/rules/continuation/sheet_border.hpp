@@ -14,13 +14,11 @@
 
 namespace geomesh::geomodel {
 
-/// The border edges, in the map, of the part ("sheet") of a horizon in one block. The points are copied, so it holds no
-/// references.
+/// The border edges, in the map, of the part ("sheet") of a horizon in one block. Holds copies of its points.
 class SheetBorder {
  public:
   /// `sheet` contains triangles over the horizon's points. Slopes are extrapolated over at most `within`, in m. With
-  /// `averages`, slopes are means over all triangles within that distance, instead of the slope of the triangle at the
-  /// border.
+  /// `averages`, slopes are means over triangles within that distance of the border.
   SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division, const std::vector<Triangle>& sheet,
               double within, bool averages);
 
@@ -41,8 +39,7 @@ class SheetBorder {
   /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges up to about twice as far in
   /// the map as the nearest one, or as `within`.
   Place continued_at(const Vec2& p) const;
-  /// Returns whether a border edge meets the segment in the map. O(log n + k) for the k edges in the segment's bounding
-  /// box.
+  /// Returns whether a border edge meets the segment in the map. O(log n + k) for k edges in its bounding box.
   bool meets(const Vec2& from, const Vec2& to) const;
 
   /// For each triangle of the plane, returns whether it is kept, lies outside the horizon's part, and is connected,

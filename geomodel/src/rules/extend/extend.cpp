@@ -109,8 +109,7 @@ class Continuation {
     if (!nearest_) nearest_.emplace(vertices_);
     return vertices_[nearest_->find(x, y)].z;
   }
-  /// Returns the slope of the mean normal of the triangles near the midpoint of a border edge; zero if the slope is too
-  /// steep to be extrapolated.
+  /// Returns the slope of the mean normal of triangles near a border edge's midpoint; zero if too steep to extrapolate.
   Vec2 slope_at(std::size_t edge) {
     if (slopes_[edge]) return *slopes_[edge];
     const Vec3 middle =
@@ -149,8 +148,7 @@ Triangle oriented(Triangle t, bool up) {
   return t;
 }
 
-/// Groups connected triangles inside holes, whose depth is two or more and even; returns each group with the length of
-/// its border.
+/// Groups connected triangles inside holes (of depth 2, 4, ...); returns each group with the length of its border.
 std::vector<std::pair<std::vector<std::size_t>, double>> holes_of(const std::vector<PlanarTriangle>& triangles,
                                                                   const PlanarBorder& border) {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> at_edge;

@@ -10,8 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Largest slope that is extrapolated. Steeper slopes are extended horizontally, because a surface that folds over has
-/// no single height.
+/// Largest slope that is extrapolated. Steeper slopes continue horizontally, lest the surface folds over.
 inline constexpr double steepest_slope = 3;
 
 /// Receives notes and warnings. Each rule appends points and triangles to the surface, without changing existing ones,
@@ -27,11 +26,10 @@ void fill_holes(TriangulatedSurface& surface, double longest_border, const Build
 
 /// Options for the points that an extension has in addition to those of the border.
 struct ContinuationPoints {
-  /// Number of the extension. Surfaces that are extended over the same area with different numbers have no outer border
-  /// edge in common.
+  /// Number of the extension. Extensions over the same area with different numbers share no outer border edge.
   Index rim = 0;
-  /// Whether points are placed on a grid between the surface's border and the outer border; if not, straight lines
-  /// bridge the area between them.
+  /// Whether points are placed on a grid beyond the surface's border; if not, straight lines bridge the area to the
+  /// outer border.
   bool inside = true;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Computes the fault blocks of a model: the parts into which faults, bodies and the sides of the model divide its
-/// volume.
+/// Computes the fault blocks of a model, into which faults, bodies and the sides of the model divide its volume.
 #pragma once
 
 #include <array>
@@ -33,9 +32,8 @@ class BlockFramework {
   /// initially no_index. Cost: that of TetrahedronSearch::find().
   Index block_at(const Vec3& p, Index& last) const;
   Index block_at(const Vec3& p) const;
-  /// Returns whether some part of the triangle lies in the block. Clipping in doubles decides, so the result is not
-  /// defined for a triangle that reaches into the block by no more than rounding. O(log n + k) for the k tetrahedra
-  /// near the triangle.
+  /// Returns whether some part of the triangle lies in the block. Clipping in doubles decides, so the result is
+  /// undefined for a triangle that reaches in only by rounding. O(log n + k) for the k tetrahedra near the triangle.
   bool overlaps(Index block, const std::array<Vec3, 3>& triangle) const;
   /// Returns whether a wall ends inside the block, so that both of its sides belong to it.
   bool has_tip(Index block) const { return has_tip_[block]; }

@@ -20,8 +20,7 @@ struct TakenOff {
 };
 
 /// Removes the parts of faults beyond the surfaces on which they end: continuations (end_at_walls), parts of the faults
-/// in BuiltRows::overshooting beyond other faults, and parts of faults beyond the unconformities that truncate them, up
-/// to `within` (m).
+/// in BuiltRows::overshooting beyond other faults, and parts of faults beyond unconformities, up to `within` (m).
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                 double within, const TakenOff& taken);
 

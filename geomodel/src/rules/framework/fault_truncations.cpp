@@ -37,8 +37,7 @@ struct UpperPlace {
   Vec3 at, opposite;
 };
 
-/// Returns the places of a fault's upper border inside the model: midpoints of border edges along strike that have no
-/// other border edge above them.
+/// Returns the midpoints, inside the model, of a fault's border edges along strike that have no border edge above them.
 std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };

@@ -46,8 +46,7 @@ bool reaches_beyond_contacts(const WorkingSoup& working, const Piece& piece, con
   });
 }
 
-/// Returns whether another surface ends on the piece and on nothing else, so that it would end freely if the piece were
-/// removed.
+/// Returns whether another surface ends on the piece and on nothing else, so that it would end freely without it.
 bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) {
   bool found = false;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {

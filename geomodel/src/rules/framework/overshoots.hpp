@@ -26,12 +26,10 @@ struct MeantEnd {
 /// Returns the pieces of the surface that are attached to the cutters on one side, are free elsewhere, and reach no
 /// farther than the limit from the cutters. Only the original triangles of a piece are measured, not continuations. A
 /// piece on which another surface ends, and ends on nothing else, is kept. The largest piece in each block is kept,
-/// too, since without it nothing would divide the block. O(n log n) in the soup's edges, and O(n) for each piece that
-/// ends freely.
+/// too, since it divides the block. O(n log n) in the soup's edges, and O(n) for each piece that ends freely.
 std::vector<Piece> overshoots_of(const WorkingSoup& working, const MeantEnd& end);
 
-/// Removes the pieces that overshoots_of() returns, and reports them in `notes`. Returns their area, 0 if there are
-/// none.
+/// Removes the pieces that overshoots_of() returns, and notes them. Returns their area, 0 if there are none.
 double remove_overshoots(WorkingSoup& working, const MeantEnd& end, const std::string& name,
                          std::vector<std::string>& notes);
 

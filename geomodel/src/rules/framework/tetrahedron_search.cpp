@@ -15,11 +15,10 @@ namespace {
 
 /// For each corner, the corners of the opposite face, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// Largest number of planes of border faces that are tested. A box has six; a mesh whose border has more costs time,
-/// but the results are the same.
+/// Largest number of planes of border faces that are tested. A box has six; with more, the search takes longer.
 constexpr std::size_t most_planes = 64;
-/// Bound on the rounding error of an offset, relative to the largest coordinate: larger than the error of two sums of
-/// three products with a unit vector.
+/// Bound on the rounding error of an offset, relative to the largest coordinate, for two sums of three products with a
+/// unit vector.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Returns positive if p is on the same side of the face as the opposite corner.

@@ -57,8 +57,7 @@ void rise(std::span<double> heights, const Present& there, std::size_t i, Merged
   }
 }
 
-/// Lowers older horizons below the i-th horizon that is present. Precondition: the older ones are in order among
-/// themselves.
+/// Lowers older horizons, which are in order among themselves, below the i-th horizon that is present.
 void sink_below(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, double gap) {
   for (std::size_t j = i; j + 1 < there.n; ++j) {
     const std::size_t above = there.row[j], below = there.row[j + 1];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Decides which of two horizons truncates the other, and puts the heights of all horizons at one place of the map in
-/// order.
+/// Decides which of two horizons truncates the other, and puts the heights of all horizons at a place in order.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines the unit of the stratigraphic column at a place, from the horizons in the order in which they were
-/// deposited.
+/// Determines the unit of the column at a place, from the horizons in the order in which they were deposited.
 #pragma once
 
 #include <memory>

@@ -11,8 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// An edge with only one triangle (after points with equal coordinates are merged), in the direction in which the
-/// triangle traverses it.
+/// An edge with only one triangle (points with equal coordinates are merged), in the direction of that triangle.
 struct BorderEdge {
   VertexIndex a, b;  ///< the first points with these coordinates
   Index triangle;
@@ -46,8 +45,7 @@ struct Frame {
 /// Returns a frame whose axis w has the direction of `normal`; the map if the normal is zero.
 Frame frame_of_normal(const Vec3& origin, const Vec3& normal);
 
-/// Returns the frame in which a surface is extended: the map for horizons, the mean plane for faults and bodies.
-/// Requires at least one triangle.
+/// Returns the frame in which a surface (not empty) is extended: the map for horizons, the mean plane for others.
 Frame frame_of(const TriangulatedSurface& surface);
 
 /// Returns whether most of the surface's area faces up in the frame, so that added triangles get the same orientation.

@@ -26,8 +26,7 @@ bool runs_from(const Triangle& t, VertexIndex a, VertexIndex b) {
   return false;
 }
 
-/// Returns whether facet f of surface y, oriented so that its normal is on the upper side of y, traverses the edge from
-/// a to b.
+/// Returns whether facet f of surface y, with its normal turned to the upper side of y, traverses the edge from a to b.
 bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& sides, VertexIndex a, VertexIndex b) {
   const PolygonSoup::Origin& o = *w.origin_of(f, y);
   const bool facet_is_up = (sides.as_stored[o.triangle] != 0) != o.reversed;
@@ -45,8 +44,7 @@ bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
 }
 
 /// Returns the side of point d, beside an edge, relative to the facets of surface y at that edge: 1 above, -1 below, 0
-/// on it or undecided. If y has one facet there, it ends at the edge; if it has two, d is in the upper or the lower
-/// wedge between them.
+/// on it or undecided. If y has one facet, it ends there; if two, d is in the upper or the lower wedge.
 int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
                  const UpwardSides& sides, VertexIndex d) {
   const VertexIndex a = edge.a, b = edge.b;

@@ -34,8 +34,7 @@ struct WorkingSoup {
 };
 
 /// Whether an edge at which the cutting surface ends determines on which side of it a piece lies that continues beyond
-/// the end in the map. It does for faults, which stand on that end. A horizon beyond the end may be the displaced one
-/// across a fault.
+/// the end in the map. It does for faults, which stand on that end. A horizon beyond it may be displaced by a fault.
 enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
 
 struct Piece {

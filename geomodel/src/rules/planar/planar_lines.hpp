@@ -18,8 +18,7 @@ struct LinedTriangulation {
   std::vector<std::uint8_t> lined_sides;
 };
 
-/// Triangulates points and lines. Nearly linear except for crossings of lines. The order of the result depends on the
-/// input alone.
+/// Triangulates points and lines, in an order that depends on the input alone. Nearly linear except for crossings.
 LinedTriangulation triangulate_lines(const std::vector<Vec2>& points, const std::vector<std::vector<Vec2>>& lines);
 
 }  // namespace geomesh::geomodel

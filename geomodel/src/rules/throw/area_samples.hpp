@@ -12,9 +12,8 @@ namespace geomesh::geomodel {
 Vec3 centre_of(const TriangulatedSurface& surface, const Triangle& triangle);
 double area_of(const TriangulatedSurface& surface, Index triangle);
 
-/// Divides large triangles into equal parts, so that the area on each side of a fault can be measured even for a
-/// horizon of a few large triangles. A surface has at least about 500 parts; a triangle smaller than a part is not
-/// divided.
+/// Divides large triangles into equal parts, so that the area on each side of a fault can be measured even for a few
+/// large triangles. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
 class AreaSamples {
  public:
   /// The surface must outlive this object. O(triangles).

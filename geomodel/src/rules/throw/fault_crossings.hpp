@@ -13,8 +13,7 @@ namespace geomesh::geomodel {
 /// A box that contains everything.
 inline constexpr Box3 everywhere{Box3{}.max, Box3{}.min};
 
-/// A fault across which a horizon has throw, and the index of the first triangle of its extension (its number of
-/// triangles if it was not extended).
+/// A fault across which a horizon has throw, and the index of the first triangle of its extension (its end if none).
 struct ThrowFault {
   const TriangulatedSurface* surface;
   Index first_made;

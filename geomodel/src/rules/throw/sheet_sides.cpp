@@ -10,8 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Least fraction of the area of a sheet (connected part of a horizon) on each side of a fault for the sheet to continue
-// across it.
+// Least fraction of a connected part's area on each side of a fault for the part to continue across it.
 constexpr double least_of_sides = 0.1;
 // Least fraction of a sheet's area on each side if another sheet lies on the smaller side.
 constexpr double least_beside_another = 0.25;

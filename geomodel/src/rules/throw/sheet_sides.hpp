@@ -113,8 +113,7 @@ class SheetSides {
   double area_ = 0;
 };
 
-/// Returns SheetSides::parting(). No fault separates a horizon that is one connected sheet, so the sides are not
-/// computed in that case.
+/// Returns SheetSides::parting(), without computing sides if the horizon is one connected sheet.
 std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel

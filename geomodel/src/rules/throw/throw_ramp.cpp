@@ -34,8 +34,7 @@ struct SlopeBeside {
   double across, slope;
 };
 
-/// The ramp in one segment along the fault. ramp_within() returns nothing if the slope beside the ramp is not known on
-/// both sides.
+/// The ramp in one segment along the fault; nothing if the slope beside it is not known on both sides.
 struct StretchRamp {
   bool is_ramp = false;
   double step = 0;  ///< height of the ramp, in median edge lengths

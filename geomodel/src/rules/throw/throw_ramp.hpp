@@ -29,8 +29,7 @@ struct Ramp {
 
   /// Returns whether at least a quarter of the segments have a ramp.
   bool is_there() const;
-  /// Returns the width of the ramp in this segment and its neighbours, or that of the nearest segment with a ramp.
-  /// Precondition: is_there().
+  /// Returns the ramp's width in this segment and its neighbours, or in the nearest with a ramp; requires is_there().
   RampWidth width(long stretch) const;
 };
 

@@ -22,8 +22,7 @@ class Heights {
       for (const VertexIndex v : t) extent_.add(horizon.points[v]);
   }
 
-  /// Returns whether p is above (1) or below (-1) all heights of the horizon at its place in the map; 0 if it is
-  /// neither, or if this is unknown.
+  /// Returns 1 if p is above all heights of the horizon at its place, -1 if below, 0 if neither or unknown.
   int side(const Vec3& p) const {
     bool above = true, below = true, found = false;
     locator_.for_each({p.x, p.y}, [&](Index triangle, bool) {

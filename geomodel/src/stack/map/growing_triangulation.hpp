@@ -22,8 +22,7 @@ class GrowingTriangulation {
     std::array<bool, 3> lined;        ///< whether each side is part of a constraint line or of the rim
     Index zone;  ///< number of the cell's zone; new cells inherit it from the cells that they replace
   };
-  /// Numbers the zones from 0. A zone is a maximal set of cells connected across sides that are not on constraint
-  /// lines.
+  /// Numbers the zones from 0: maximal sets of cells connected across sides that are not on constraint lines.
   explicit GrowingTriangulation(const LinedTriangulation& start);
 
   const std::vector<Vec2>& points() const { return points_; }
@@ -55,8 +54,8 @@ class GrowingTriangulation {
   void grow_cavity(const Vec2& p, Index at, Change& change);
   void halve(Index cell, std::size_t side, Change& change);
   bool is_crowded(const Vec2& p, double distance, const Change& change) const;
-  /// Fills the cavity with new cells around p. `halved` contains the ends of the constraint segment whose midpoint is
-  /// p, or is empty.
+  /// Fills the cavity with cells around p. `halved`, if not empty, has the ends of the constraint segment with midpoint
+  /// p.
   void fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change);
   bool is_in(Index cell) const { return epoch_of_[cell] == epoch_; }
 

@@ -122,8 +122,8 @@ void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vecto
 }
 
 /// Returns for each point the index of the point that replaces it, if an edge shorter than `least` connects them. Of
-/// two points, a corner of the bounds is kept, otherwise one on the rim, otherwise the first. Returns an empty list if
-/// no edge is that short.
+/// two points, a corner of the bounds is kept, otherwise one on the rim, otherwise the first. Empty if no edge is that
+/// short.
 std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBounds& b, double least) {
   std::vector<VertexIndex> row(t.points.size());
   for (VertexIndex v = 0; v < row.size(); ++v) row[v] = v;
@@ -150,8 +150,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges points that constraint lines put closer together than `least`, and triangulates again, until there are no
-/// such points.
+/// Merges points that constraint lines put closer than `least`, and triangulates again until there are none.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {

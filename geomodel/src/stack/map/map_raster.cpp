@@ -8,8 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Largest move of a point of a divided curve, as a fraction of a piece of the curve. Points are moved to preserve the
-// areas on both sides of the curve.
+// Largest move of a point by which the areas beside a divided curve are preserved, as a fraction of a piece.
 constexpr double most_move = 0.25;
 
 }  // namespace
@@ -62,8 +61,7 @@ void smooth_line(std::vector<double>& values, std::size_t first, std::size_t n, 
   }
 }
 
-/// Connects the segments of marching triangles to curves. Each end of a segment lies on an edge of the lattice, which
-/// at most two segments share.
+/// Connects the segments of marching triangles to curves. At most two segments end on one edge of the lattice.
 class CurveJoiner {
  public:
   using Edge = std::pair<std::size_t, std::size_t>;  ///< an edge of the lattice: its two cells, the smaller index first
@@ -201,8 +199,7 @@ double twice_area(const std::vector<Vec2>& chain) {
 
 Vec2 on_piece(const Vec2& p, const Vec2& q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
 
-/// A point of a divided curve. It lies on the original curve's segment that ends at point `at`, at a fraction of that
-/// segment.
+/// A point of a divided curve: on the original curve's segment that ends at point `at`, at a fraction of it.
 struct Division {
   std::size_t at;
   double share;

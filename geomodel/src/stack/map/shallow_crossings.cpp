@@ -35,8 +35,7 @@ class Row {
   std::vector<double> over_;
 };
 
-/// Returns whether two horizons cross at a small angle, by their height differences at a place and at the next places
-/// along both axes.
+/// Returns whether two horizons cross at a small angle, from their height differences at three adjacent places.
 bool is_shallow(double here, double east, double north, double step, double size) {
   const double largest = std::max({std::abs(here), std::abs(east), std::abs(north)});
   const bool crosses = (here < 0) != (east < 0) || (here < 0) != (north < 0);

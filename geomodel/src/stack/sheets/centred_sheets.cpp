@@ -100,8 +100,7 @@ class Centring {
     return false;
   }
 
-  /// Extends the allowed moves of vertices that an edge connects to a pinch-out line, for the horizon that is moved
-  /// where the unit closes.
+  /// Extends the room of vertices beside a pinch-out line, for the horizon that is moved where the unit closes.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])
@@ -149,8 +148,7 @@ class Centring {
     }
   }
 
-  /// Moves each vertex by its sum of distances divided by its sum of weights, as far as allowed. Returns the remaining
-  /// sums.
+  /// Moves each vertex by its weighted mean distance, as far as allowed. Returns the remaining sums of distances.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -168,8 +166,7 @@ class Centring {
     return sums;
   }
 
-  /// Moves the horizons at vertex v by at most `most` and puts them in order. Returns false if that pushes one of them
-  /// farther than allowed.
+  /// Moves the horizons at v by at most `most`, in order. Returns false if one is pushed farther than allowed.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };

@@ -16,8 +16,7 @@ using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The row of triangles along the pinch-out lines between one pair of neighbouring horizons, where the unit between
-/// them closes.
+/// The row of triangles along pinch-out lines in which the unit between a pair of neighbouring horizons closes.
 class ClosingRow {
  public:
   ClosingRow(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width, std::size_t pair)
@@ -37,8 +36,7 @@ class ClosingRow {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
       if (sheets_.merged[f] & bit_)
         for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
-    // For each edge: whether the pair of horizons is merged in a triangle beside it, and whether the unit is present in
-    // one.
+    // For each edge: whether the pair of horizons is merged in a triangle beside it, and whether it is not in one.
     std::map<Edge, std::array<bool, 2>> sides;
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -70,8 +68,7 @@ class ClosingRow {
 
   bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
 
-  /// Collects the pairs of horizons that are merged in a triangle beside an edge; they are also merged at the point at
-  /// which the edge is cut.
+  /// Collects the pairs that are merged in a triangle beside each edge, and hence at the point where the edge is cut.
   void join_pairs_of_edges() {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -101,8 +98,7 @@ class ClosingRow {
     return v;
   }
 
-  /// Cuts a triangle with one or two vertices on the pinch-out line, across the two sides that lead from the line to a
-  /// vertex off it.
+  /// Cuts a triangle with one or two vertices on the pinch-out line across the two sides that leave the line.
   void cut(std::size_t f) {
     const Triangle t = sheets_.triangles[f];
     for (std::size_t i = 0; i < 3; ++i) {

@@ -12,11 +12,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Fraction of a sample's distance that the fits at its triangle's vertices must cause for a fit to be repeated with a
-// smaller radius.
+// Fraction of a sample's distance that the fits at the vertices must cause for a fit with a smaller radius.
 constexpr double vertex_is_off = 0.5;
-// Crossings of edges closer to a vertex than this fraction of the sample spacing are ignored: if the error is large
-// there, the vertex itself is wrong.
+// Fraction of the sample spacing within which crossings beside a vertex are ignored: the vertex itself is wrong.
 constexpr double near_vertex = 0.25;
 constexpr int most_rounds = 4;  // rounds of adding points where edges are too far from the data
 // Distance of a new vertex beside its sample, as a fraction of the sample spacing.
@@ -49,8 +47,7 @@ std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std
   return merged;
 }
 
-/// All horizons over one triangulation of the map: their heights at its vertices, and the distances that they may have
-/// from the data.
+/// All horizons over one triangulation of the map: their heights, and the allowed distances from the data.
 class Sheets {
  public:
   Sheets(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -108,8 +105,7 @@ class Sheets {
   }
   const std::vector<double>& heights() const { return heights_; }
 
-  /// Returns, as bit k for horizon k, the horizons that are moved at a pinch-out line which touches the cell from
-  /// outside.
+  /// Returns, as bit k for horizon k, the horizons that are moved at a pinch-out line that touches the cell.
   std::uint64_t giving_way(Index cell) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
@@ -124,10 +120,9 @@ class Sheets {
     return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
-  /// Returns the places where an edge of the data crosses an edge of the triangulation in the map and the two are
-  /// farther apart than allowed. The difference of two triangulated surfaces is largest at their vertices or at such
-  /// crossings, and the vertices need no test: the input's are samples already, and those of the triangulation lie on
-  /// the data or near a sample.
+  /// Returns the places where edges of the data and of the triangulation cross in the map and are farther apart than
+  /// allowed. The difference of two triangulated surfaces is largest at vertices or such crossings. The vertices need
+  /// no test: the input's are samples already, and those of the triangulation lie on the data or near a sample.
   std::vector<Vec2> crossings_off() {
     std::vector<Vec2> off;
     for_each_crossing(map_, samples_, [&](const EdgeCrossing& at) {
@@ -227,8 +222,7 @@ class HeldSamples {
   std::vector<double> targets_;  ///< per sample
 };
 
-/// Approximates the horizons by inserting vertices, first at the sample that is farthest away relative to the allowed
-/// distance.
+/// Approximates the horizons by inserting vertices, first at the sample with the largest relative distance.
 class Approximation {
  public:
   Approximation(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,

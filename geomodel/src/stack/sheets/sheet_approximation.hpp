@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Approximates all horizons of a stack over one triangulation of the map, with as few triangles as the tolerance
-/// allows.
+/// Approximates all horizons over one triangulation of the map, with as few triangles as the tolerance allows.
 #pragma once
 
 #include <vector>
@@ -30,8 +29,7 @@ struct SheetOptions {
   bool beside_samples = false;
 };
 
-/// All horizons of a stack over one triangulation: they have the same vertices in the map, so that none crosses
-/// another.
+/// All horizons of a stack over one triangulation. They share vertices in the map, so that none crosses another.
 struct MapSheets {
   std::vector<Vec2> points;
   std::vector<double> heights;  ///< heights of all horizons at each point; NaN where a horizon is absent

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Computes how far vertices of ordered horizons may move vertically before a horizon is farther from its data than
-/// allowed.
+/// Computes how far vertices may move vertically before a horizon is farther from its data than allowed.
 #pragma once
 
 #include <vector>

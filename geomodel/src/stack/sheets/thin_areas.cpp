@@ -41,8 +41,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns for each horizon the mean height of the samples in each cell. In cells with few samples, evenly spaced
-/// places are used instead.
+/// Returns each horizon's mean height over the samples in each cell, or over spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);
@@ -51,8 +50,7 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const std::size_t cell = like.cell_of(samples.place(s));
     const std::span<const double> heights = samples.heights(s);
-    // Only samples at which all horizons are present are used, so that the means of neighbours represent the same
-    // places.
+    // Uses only samples with all horizons, so that the means of neighbours represent the same places.
     const bool complete = std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); });
     if (!complete) continue;
     for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
@@ -87,8 +85,7 @@ std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
   return result;
 }
 
-/// Corrects thicknesses for the order of the horizons: if a horizon is moved, the thickness of the neighbouring unit
-/// changes too.
+/// Corrects thicknesses for the order of horizons: moving one changes the thickness of its neighbouring unit, too.
 void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   if (thickness.empty()) return;
   std::vector<double> heights(thickness.size() + 1);
@@ -138,8 +135,7 @@ Vec2 snapped(const Vec2& p, const std::vector<Vec2>& earlier, double reach) {
   return best;
 }
 
-/// Routes a line through all points that it passes closer than `reach`, so that lines either meet in points or are
-/// disjoint.
+/// Routes a line through all points closer to it than `reach`, so that lines meet in points or are disjoint.
 std::vector<Vec2> led_through(const std::vector<Vec2>& line, const std::vector<Vec2>& points, double reach) {
   std::vector<Vec2> led{line.front()};
   for (std::size_t i = 1; i < line.size(); ++i) {

@@ -25,12 +25,12 @@ struct ThinArea {
   bool any() const;
 };
 
-/// Finds the areas in which neighbouring horizons are merged; returns one entry per pair. Thicknesses are averaged over
-/// about half of the target size, so that noise between nodes makes no islands. An area is merged if the thickness
-/// falls below three quarters of the least thickness somewhere in it. An opening in a merged area is kept if the
-/// thickness exceeds one and a half times the least thickness. Both need an area of at least two squares of the target
-/// size, except openings thicker than three times the least thickness. Pinch-out lines preserve the areas on their
-/// sides, apart from the shift.
+/// Finds where neighbouring horizons are merged; returns one entry per pair. Thicknesses are averaged over about half
+/// of the target size, so that noise between nodes makes no islands. An area is merged if the thickness falls below
+/// three quarters of the least thickness somewhere in it. An opening in a merged area is kept if the thickness exceeds
+/// one and a half times the least thickness. Both need an area of at least two squares of the target size, except
+/// openings thicker than three times the least thickness. Pinch-out lines preserve the areas on their sides, apart from
+/// the shift.
 std::vector<ThinArea> find_thin_areas(const MapSamples& samples, const MapBounds& bounds, const Keepers& keepers,
                                       const ThinAreaOptions& options);
 

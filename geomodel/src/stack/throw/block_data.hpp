@@ -11,8 +11,7 @@ namespace geomesh::geomodel {
 
 /// A horizon of a stack. A horizon without throw consists of `single` only.
 struct BlockData {
-  /// Triangles with no triangle of another block above or below them; for original triangles, those that rules made do
-  /// not count.
+  /// Triangles without triangles of another block above or below; those made by rules do not count for original ones.
   TriangulatedSurface single;
   std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
   /// All triangles of each block, including those that belong to every block and the block's extension through its

@@ -62,8 +62,7 @@ double area_of(const MapSheets& sheets, const Triangle& t) {
   return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// Determines which triangles of the map lie in strips along faults, and how each relates to the blocks of one horizon
-/// with throw.
+/// Determines which triangles of the map lie in strips along faults, and their blocks of one horizon with throw.
 class StripTriangles {
  public:
   StripTriangles(const MapSheets& sheets, const StripInput& input) : sheets_(sheets), in_(input) {
@@ -86,8 +85,7 @@ class StripTriangles {
   bool in_strip(std::size_t t) const { return in_strip_[t]; }
   bool has_throw(std::size_t k) const { return heights_[k] != nullptr; }
   bool is_of_every(std::size_t k, std::size_t t) const { return crossing_[k][t] == Crossing::continuation; }
-  /// Returns the blocks of a triangle: one block if it crosses no fault, else those on both sides; none if it belongs
-  /// to every block.
+  /// Returns the blocks of a triangle: one, or those on both sides of a fault it crosses; none if it is of every block.
   const std::vector<Index>& blocks(std::size_t k, std::size_t t) const { return blocks_[k][t]; }
   const BlockHeights& heights(std::size_t k) const { return *heights_[k]; }
 
@@ -124,9 +122,8 @@ class StripTriangles {
       if (crossing_[k][t] == Crossing::fault) in_strip_[t] = 1;
   }
 
-  /// Returns the mean, lowest and highest height at a vertex of the blocks around it; if there are none, of the blocks
-  /// that reach the vertex; otherwise of all blocks. If the horizon has a single height at the vertex, that replaces
-  /// the mean.
+  /// Returns the mean, lowest and highest height of the blocks around a vertex; else of those that reach it; else of
+  /// all. If the horizon has a single height at the vertex, that replaces the mean.
   std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v, const std::set<Index>& about) const {
     const Vec2& p = sheets_.points[v];
     const double settled = sheets_.height(v, k);
@@ -146,8 +143,7 @@ class StripTriangles {
     return n > 0 ? std::array<double, 3>{sum / n, least, most} : std::array<double, 3>{0, 0, 0};
   }
 
-  /// Returns the blocks around each vertex of triangles that cross a fault or are next to one that does. Other vertices
-  /// have none.
+  /// Returns the blocks around each vertex of triangles that cross a fault, or of triangles next to these.
   std::vector<std::set<Index>> blocks_about(std::size_t k) const {
     std::vector<std::set<Index>> about(sheets_.points.size());
     for (int ring = 0; ring < 2; ++ring) {
@@ -225,8 +221,7 @@ class StripTriangles {
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
 };
 
-/// One block of each horizon (no_throw for horizons without throw), all on the same sides of the faults that the
-/// horizons have in common.
+/// One block of each horizon (no_throw for those without throw), all on the same sides of common faults.
 using BlocksOnOneSide = std::vector<Index>;
 
 class SideFinder {
@@ -300,8 +295,7 @@ class BothSides {
     bool is_fixed = false;  ///< whether the height is the settled one, which triangles with a single height share
   };
 
-  /// Keeps the single height at vertices of triangles outside the strips, on the side of these triangles; beyond the
-  /// end of a fault on every side.
+  /// Keeps the single height at vertices of triangles outside the strips along faults, and beyond the ends of faults.
   void fix_single() {
     for (std::size_t k = 0; k < n_; ++k) {
       if (!strips_.has_throw(k)) continue;
@@ -367,8 +361,8 @@ class BothSides {
     return at != copies_.end() && at->second.is_fixed;
   }
 
-  /// Merges the horizons of a unit whose mean thickness over a triangle is too small, on each side of the faults
-  /// separately.
+  /// Merges the horizons of a unit whose mean thickness over a triangle is too small, separately on each side of
+  /// faults.
   void merge_thin() {
     std::vector<std::vector<Index>> blocks(n_);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t) {
@@ -444,8 +438,7 @@ class BothSides {
     }
   }
 
-  /// Gives vertices that belong to no triangle with a single height the mean height of their copies on the sides of
-  /// faults.
+  /// Gives vertices without a single height the mean height of their copies on the sides of faults.
   void fill_means() {
     std::vector<char> is_held(sheets_.points.size(), 0);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t)

@@ -33,8 +33,7 @@ struct StripInput {
 /// One horizon with throw, in the coordinate frame of the map.
 struct SidedHorizon {
   std::vector<Vec3> points;
-  /// Counter-clockwise triangles: first those with a single height over each place, then those that exist on both sides
-  /// of a fault.
+  /// Counter-clockwise triangles: first those with a single height, then those that exist on both sides of a fault.
   std::vector<Triangle> triangles;
   std::vector<Index> block;  ///< block of each triangle, as in BuiltRows
   Index n_single = 0;        ///< number of triangles with a single height

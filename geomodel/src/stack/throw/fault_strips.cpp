@@ -14,8 +14,7 @@ constexpr double margin_of_size = 0.3;
 constexpr double piece_of_size = 0.6;
 constexpr int smoothing_passes = 2;
 
-/// Marks with -1 the cells in which more than one block of a horizon, or none, is present. Returns whether the horizon
-/// is absent from one of them.
+/// Marks with -1 the cells with more than one block of a horizon, or none. Returns whether any cell has none.
 bool mark_cells(const BlockData& horizon, const MapBounds& bounds, MapRaster& raster) {
   const MapLocator single(horizon.single);
   std::vector<MapLocator> blocks(horizon.blocks.begin(), horizon.blocks.end());

@@ -18,9 +18,8 @@ struct FaultStrips {
   bool holds(Vec2 p) const { return any() && inside.between(p) < 0; }
 };
 
-/// Finds the strips along faults: the places of the map where blocks of some horizon overlap, or where no single block
-/// is present, with a margin around them. The margin is a fraction of the target size, so that on the outline each
-/// horizon has data.
+/// Finds the strips along faults: places of the map where blocks of a horizon overlap or none is present, with a
+/// margin. The margin is a fraction of the target size, so that on the outline each horizon has data.
 FaultStrips find_fault_strips(const std::vector<BlockData>& horizons, const MapBounds& bounds, double size);
 
 }  // namespace geomesh::geomodel
