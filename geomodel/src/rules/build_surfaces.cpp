@@ -103,7 +103,7 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if ((rule.extend != Extend::none || rule.has_throw()) && !rules.box)
       throw Error(ErrorKind::usage,
                   "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
-    // The fault was already extended and its holes filled above.
+    // Skips faults that were extended, and their holes filled, before this loop.
     if (built.rows.first_only_parting[s] != no_index) continue;
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {

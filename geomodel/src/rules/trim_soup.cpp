@@ -168,7 +168,7 @@ void stop_continuations(Trimming& work) {
   for (Index s = 0; s < work.n_given(); ++s) stop(s);
 }
 
-/// Applies the rule cut_units: removes pieces of a fault above or below the units that it cuts.
+/// Applies the rule cut_units, by which a fault cuts some units only: removes its pieces above and below these.
 void cut_units_alone(Trimming& work, Index s) {
   const std::vector<std::string> units = work.rules.of(s).cut_units;
   if (units.empty()) return;
@@ -355,7 +355,7 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
 
 /// Removes, from horizons that fill their fault blocks, the data beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
-  std::optional<BlockFramework> blocks;  // computed when the first surface overshoots
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface overshoots
   for (Index s = 0; s < work.n_given(); ++s) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
@@ -383,7 +383,7 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
-  std::optional<BlockFramework> blocks;  // computed when the first field needs them, as one valid in a block
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first field is valid in one of them
   const auto in_one_block = [&](const Vec3& p, const Vec3& q) {
     if (!blocks) blocks.emplace(built_surfaces(work), rules);
     return blocks->block_at(p) == blocks->block_at(q);

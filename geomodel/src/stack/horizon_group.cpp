@@ -157,7 +157,7 @@ TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const 
   return s;
 }
 
-/// Returns whether neighbouring horizons are in the wrong order at many samples, although neither is ruled to cut.
+/// Returns whether neighbouring horizons are in the wrong order at many samples, without a rule on which one cuts.
 bool HorizonGroup::crosses_by_mistake() const {
   if (rules_.on_crossing != OnCrossing::leave) return false;
   const std::vector<Index>& rows = members_.stack.rows;

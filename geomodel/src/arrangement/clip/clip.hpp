@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one arrangement, with the data needed to remove origins from them.
+/// Facets of one arrangement, with the data needed to remove origins (input triangles) from them.
 struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
@@ -37,8 +37,8 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
-/// Removes from each facet f with which[f] the origins that `remove(f, origin)` accepts. A facet without any origin
-/// left is removed.
+/// Removes from each facet f with which[f] the origins (input triangles) that `remove(f, origin)` accepts. A facet
+/// without any origin left is removed.
 template <typename Remove>
 void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, Remove&& remove) {
   std::vector<Triangle> facets;

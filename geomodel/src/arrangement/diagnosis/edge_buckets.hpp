@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The edges of a soup with their facets.
+/// Lists the edges of a soup with the facets at each.
 #pragma once
 
 #include <algorithm>

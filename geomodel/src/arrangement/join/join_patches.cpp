@@ -83,7 +83,7 @@ class Patches {
 
   std::size_t n_surfaces_;
   UnionFind joined_;                 ///< rows of origins
-  std::vector<Index> patch_of_row_;  ///< for each origin of another surface: the surface itself
+  std::vector<Index> patch_of_row_;  ///< patch of each origin (input triangle), or its surface if that has no patches
   std::vector<Index> surface_;       ///< surface of each patch; patches are numbered from n_surfaces_ on
   std::set<SurfacePair> pairs_;      ///< pairs of patches that belong to one surface
 };

@@ -84,7 +84,7 @@ class Places {
     identify();
   }
 
-  /// Repeats the search for equal places after vertices were added.
+  /// Repeats the search for vertices at equal places after vertices were added.
   void identify() {
     std::vector<Index> candidates = active_;
     for (std::size_t v = vertices_.n_given(); v < vertices_.size(); ++v) candidates.push_back(static_cast<Index>(v));
@@ -184,11 +184,11 @@ class Clusters {
   }
 
  private:
-  std::vector<std::pair<Index, Index>> members_;  ///< (smallest facet of the cluster, facet), sorted
+  std::vector<std::pair<Index, Index>> members_;  ///< pairs of a cluster's smallest facet and one of its facets, sorted
   std::vector<std::size_t> begin_;
 };
 
-/// Sorts the vertices on the segment from its first end to its second.
+/// Sorts vertices on a well's segment from its first end to its second.
 void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, const ExactVertices& vertices) {
   const Vec3 &a = vertices.rounded(segment.a), &b = vertices.rounded(segment.b);
   std::size_t axis = 0;

@@ -26,7 +26,7 @@ inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
 
-/// Lists of origins, one for each facet, stored consecutively.
+/// Lists of origins (input triangles), one list for each facet, stored consecutively.
 struct OriginLists {
   std::vector<Origin> items;
   std::vector<Index> offsets{0};

@@ -138,7 +138,7 @@ void PlanarTriangulation::insert_point(int p) {
   if (face_of_[p] != none) return;
   int face = none, index = none;
   const Place place = locate(p, face, index);
-  GEOMESH_CHECK(place != Place::on_vertex);  // vertices at equal points were merged before
+  GEOMESH_CHECK(place != Place::on_vertex);  // points at equal places were merged before
   if (place == Place::inside)
     split_face(face, p);
   else

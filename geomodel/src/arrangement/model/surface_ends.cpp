@@ -15,7 +15,7 @@ template <class Visit>
 void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    Index last = no_index;  // origins of one surface are consecutive
+    Index last = no_index;  // a facet's origins in one surface are consecutive
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == last) continue;
       last = o.surface;
@@ -27,7 +27,7 @@ void for_each_surface_edge(const Complex& complex, Visit visit) {
   }
 }
 
-/// Returns the edges of all facets by surface, in ascending order by edge, then by surface; uses buckets for speed.
+/// Returns the edges of all facets, once for each surface of the facet, sorted by edge and then by surface.
 std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<std::size_t> begin(complex.points.size() + 1, 0);
   for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });
@@ -44,7 +44,7 @@ std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   return all;
 }
 
-/// Calls see(first, count) for each edge of each surface, with the first of its facets there and their number.
+/// Calls see(first, count) for each edge of each surface, with one of its facets there and the number of these.
 template <class See>
 void for_each_group(const std::vector<SurfaceEnd>& all, See see) {
   for (std::size_t i = 0, j; i < all.size(); i = j) {

@@ -24,7 +24,8 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length(p - (a + t * along));
 }
 
-constexpr int most_halvings = 24;  ///< most halvings of a facet, until each half is near one edge of the hinge
+/// Most halvings of a facet to prove that it is near the hinge, the edges along which it is attached.
+constexpr int most_halvings = 24;
 
 /// Returns whether all of the triangle is within the distance of a set of edges. A triangle with all corners near the
 /// same edge is, because the places within the distance of one edge form a convex set.
@@ -53,7 +54,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
 struct DanglingPiece {
   std::vector<Index> facets;
   std::vector<EdgeKey> hinge;
-  Displacement way;  ///< from the piece's farthest corner to its hinge
+  Displacement way;  ///< displacement of the piece's farthest corner to its hinge
 };
 
 /// The facets of one surface at each edge.
@@ -63,8 +64,9 @@ class SurfaceFacets {
     for (const Index f : facets)
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
-  /// Removes and returns the dangling pieces of the surface that are within the distance of their hinge. If pieces
-  /// share a hinge, the one whose free border begins with the smaller edge comes first.
+  /// Removes and returns the dangling pieces of the surface that are within the distance of their hinge (the edges
+  /// along which they are attached). If pieces share a hinge, the one whose free border begins with the smaller edge
+  /// comes first.
   std::vector<DanglingPiece> take_dangling_pieces(double distance) {
     std::vector<DanglingPiece> pieces;
     for (std::vector<Index>& facets : pieces_that_end()) {
@@ -105,8 +107,8 @@ class SurfaceFacets {
       }
     return piece;
   }
-  /// Returns the hinge edges of a piece, at which the surface has three facets or more; empty if there are none, or if
-  /// the surface would end at the hinge without the piece.
+  /// Returns the hinge of a piece, its edges at which the surface has three facets or more; empty if there are none, or
+  /// if the surface would end at the hinge without the piece.
   std::vector<EdgeKey> hinge_of(const std::vector<Index>& piece) const {
     std::map<EdgeKey, std::size_t> own;
     for (const Index f : piece)
@@ -154,7 +156,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   for (const Index surface : branching_surfaces(complex)) facets_of[surface];
   if (facets_of.empty()) return facets_of;
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // origins of one surface are consecutive
+    Index last = no_index;  // a facet's origins in one surface are consecutive
     for (const Origin& o : complex.origins.of(f))
       if (o.surface != std::exchange(last, o.surface))
         if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);
@@ -171,7 +173,7 @@ struct Borne {
   bool by_others = false;  ///< whether the meeting surface continues beyond the piece, or a second surface meets it
 };
 
-/// The surface that a facet loses, and the origin that it receives if it has no other.
+/// The surface that a facet loses, and the origin (input triangle) that it receives if it has no other.
 struct Change {
   Index surface;
   std::optional<Origin> instead;

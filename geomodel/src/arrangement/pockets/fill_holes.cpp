@@ -26,7 +26,7 @@ class Holes {
   Holes(const Complex& complex, double distance)
       : complex_(complex), height_(2 * distance), ends_(surface_ends(complex)) {}
 
-  /// Returns for each facet that fills a hole the origins it receives.
+  /// Returns for each facet that fills a hole the origins (input triangles) that it receives.
   std::map<Index, std::vector<Origin>> find() const {
     std::map<Index, std::vector<Origin>> found;
     for (Index f = 0; f < complex_.facets.size(); ++f)

@@ -32,7 +32,7 @@ std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& fac
   return boxes;
 }
 
-/// The input and the limits of a search.
+/// The input and the limits of a search for pairs of facets.
 struct Limits {
   const Complex& complex;
   const RunContext& context;

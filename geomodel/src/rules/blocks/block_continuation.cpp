@@ -101,7 +101,7 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
                                       const std::vector<ThrowFault>& faults, const BlockSides& sides) {
   const std::size_t n = part.triangles.size() - first;
   const std::vector<Crossing> crossing = find_crossings(part, first, faults, everywhere);
-  UnionFind joined(n + 1);  // entry n stands for all original triangles of the block
+  UnionFind joined(n + 1);  // entry n of the union-find stands for all original triangles of the block
   std::map<std::pair<VertexIndex, VertexIndex>, Index> at_edge;
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     const bool is_given = t < first;
@@ -117,7 +117,8 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    std::vector<std::uint8_t> is_all(n + 1, 1);  // by the representative triangle of each connected set
+    // Whether all triangles lie beyond, by the representative of each connected set.
+    std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)
       if (!sides.is_beyond(centre_of(part, part.triangles[first + k]), f)) is_all[joined.find(k)] = 0;

@@ -29,8 +29,8 @@ constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Reduces a fault to the side, of the surface at which it ends, on which most of it lies. Triangles that cross that
-/// surface are subdivided down to the size `least`.
+/// Keeps only the triangles of a fault on one side, the one with most of the fault, of the surface at which it ends.
+/// Triangles that cross that surface are subdivided down to the size `least`.
 class StoppedFault {
  public:
   StoppedFault(TriangulatedSurface& reach, const TriangulatedSurface& stop, double least)

@@ -27,8 +27,8 @@ bool is_in(const Box3& box, const Vec3& p) {
          p.z <= box.max.z;
 }
 
-/// Returns the block of each triangle: the sides of the faults on which most of the area of the triangle's connected
-/// part lies. Only triangles that `counts` accepts are assigned; the others have no block.
+/// Assigns triangles to blocks, by the sides of the faults on which most of the area of their connected part lies.
+/// Triangles that `counts` does not accept have no block.
 template <class F>
 SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                               const std::vector<ThrowFault>& faults, F&& counts) {

@@ -205,7 +205,7 @@ class SidedApron {
   }
   /// Returns a node at the place of v with a height from another side; no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // the border of the other side leads to the node
+    if (sides_.before(v) == side) return row_of(v);  // the border itself connects that side with the node
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 /// Triangles beside a run of border. Their corners index the surface's points, followed by those of `added`.
 struct Apron {
   std::vector<Vec3> added;
-  std::vector<Triangle> triangles;  ///< oriented as the surface's triangle at the border
+  std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
   std::vector<Index> side;          ///< for each triangle, the side of the walls that it continues, numbered from 0
   std::vector<Index> walls;         ///< indices of the surfaces that the apron crosses, ascending
   bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty

@@ -46,7 +46,7 @@ class BlockPlaces {
   /// Returns whether the place is in the block and may be filled. It may not where the border has met its wall, or
   /// beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
-  /// Returns whether the triangle with corners at these places overlaps the block.
+  /// Returns whether the triangle with these corners overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
   /// Returns whether a triangle covers a part of the block that is not open. Adds the walls it crosses to `walls`.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;

@@ -34,11 +34,11 @@ struct GapSetting {
 /// is none, each connected part of the surface is filled separately. Existing triangles do not change.
 void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
-/// Removes those triangles from index `first` on, which fill holes of horizon `row`, that lie beyond another horizon
-/// which pierces the hole, or meet it. A horizon pierces a hole if it lies below the hole's border all along and above
-/// the hole inside, or vice versa. It then bounds the units there itself, as a basement high or the base of a channel
-/// does. `model` is the box of the model. O(n log n) in the triangles of the horizon, and one search among the walls
-/// for each triangle that fills a hole.
+/// Triangles from index `first` on fill holes of horizon `row`. Removes those that meet another horizon which pierces
+/// the hole, or that lie beyond it. A horizon pierces a hole if it lies below the hole's border all along and above the
+/// hole inside, or vice versa. It then bounds the units there itself, as a basement high or the base of a channel does.
+/// `model` is the box of the model. O(n log n) in the triangles of the horizon, and one search among the walls for each
+/// triangle that fills a hole.
 void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, const Walls& walls, const Box3& model);
 
 }  // namespace geomesh::geomodel

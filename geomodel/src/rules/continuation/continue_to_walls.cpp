@@ -289,7 +289,7 @@ class HorizonContinuation {
   const std::vector<Index>& fill_blocks_;
   std::vector<Index> unconformities_;
   EndedFaults ended_;
-  std::optional<BlockFramework> framework_;  ///< computed when the first horizon needs it
+  std::optional<BlockFramework> framework_;  ///< fault blocks, computed when the first horizon needs them
   Walls cutters_, walls_;
 };
 

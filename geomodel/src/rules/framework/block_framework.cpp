@@ -41,7 +41,7 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   const ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault, SurfaceKind::body});
   WorkingSoup working(walls.soup);
   std::vector<double> area(walls.surfaces.size(), 0);
-  // Discarded, because the same notes are made when the soup of the model itself is cut.
+  // Notes are discarded here, because the same ones are made when the soup of the model itself is cut.
   std::vector<std::string> notes;
   end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
   const PolygonSoup soup = working.result();

@@ -15,8 +15,8 @@
 namespace geomesh::geomodel {
 
 /// The heights of the column's horizons over each place before any of them cut another, and the order in which the
-/// rules put them. Of a horizon with throw, the block on the place's sides of the faults is used. The unit is therefore
-/// known even where a horizon was removed because another one cut it. Surfaces are copied.
+/// rules put them. For a horizon with throw, the block on the place's sides of the faults is used. The unit is
+/// therefore known even where a horizon was removed because another one cut it. Surfaces are copied.
 class DepositedHorizons {
  public:
   /// Throws Error{usage} if the column names a surface that does not exist. `built` holds the division of horizons into

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 /// An edge with only one triangle (points with equal coordinates are merged), in the direction of that triangle.
 struct BorderEdge {
-  VertexIndex a, b;  ///< the first points with these coordinates
+  VertexIndex a, b;  ///< ends of the edge: the first points with their coordinates
   Index triangle;
 };
 

@@ -33,8 +33,9 @@ struct WorkingSoup {
   PolygonSoup result() const;
 };
 
-/// Whether an edge at which the cutting surface ends determines on which side of it a piece lies that continues beyond
-/// the end in the map. It does for faults, which stand on that end. A horizon beyond it may be displaced by a fault.
+/// Whether a piece that continues, in the map, beyond an edge at which the cutting surface ends has a side of it there.
+/// Pieces of faults have one, since they stand on that edge. Those of a horizon cut by a horizon have none: a fault may
+/// separate the two.
 enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
 
 struct Piece {

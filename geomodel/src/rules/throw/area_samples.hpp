@@ -16,7 +16,7 @@ double area_of(const TriangulatedSurface& surface, Index triangle);
 /// large triangles. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
 class AreaSamples {
  public:
-  /// The surface must outlive this object. O(triangles).
+  /// Precondition: the surface outlives this object. O(triangles).
   explicit AreaSamples(const TriangulatedSurface& surface);
 
   /// Calls visit(place, area) for each part of a triangle.
@@ -41,7 +41,7 @@ class AreaSamples {
   }
 
   const TriangulatedSurface& surface_;
-  double largest_ = 0;  ///< largest area of a part; infinite if the surface has no area
+  double largest_ = 0;  ///< largest area of a part of a triangle; infinite if the surface has no area
 };
 
 }  // namespace geomesh::geomodel

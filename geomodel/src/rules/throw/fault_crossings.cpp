@@ -69,7 +69,7 @@ std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::si
   for (std::size_t k = 0; k < n; ++k) bounds[k] = bounds_of(corners_of(horizon, first + k));
   const arrangement::BoxTree tree(bounds);
   for (const ThrowFault& fault : faults) {
-    std::vector<Box3> met(n);  // boxes of the places at which the border of each triangle meets the extension
+    std::vector<Box3> met(n);  // boxes of the places at which the border of each triangle meets the fault's extension
     for (Index f = 0; f < fault.surface->triangles.size(); ++f) {
       const std::array<Vec3, 3> of_fault = corners_of(*fault.surface, f);
       const Box3 around = bounds_of(of_fault);

@@ -23,10 +23,12 @@ constexpr double ring_width = 8;
 // too few triangles lie in a zone because other faults are near.
 constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr std::size_t fewest_in_ring = 6;
-constexpr double sure_of_spread = 3;      // number of standard deviations of the slopes beside the ramp
-constexpr double sure_of_difference = 2;  // factor on the difference between the slopes on the two sides
-constexpr double least_slope = 0.02;      // least amount by which a ramp is steeper than its surroundings
-constexpr double ramp_ends_at = 0.1;      // share of the greatest slope at which the ramp ends
+// A ramp is steeper than its surroundings by at least this many standard deviations of the slopes beside it.
+constexpr double sure_of_spread = 3;
+// A ramp is steeper than its surroundings by at least this many times the difference between the two sides' slopes.
+constexpr double sure_of_difference = 2;
+constexpr double least_slope = 0.02;  // slope by which a ramp is at least steeper than its surroundings
+constexpr double ramp_ends_at = 0.1;  // fraction of the ramp's greatest slope at which the ramp ends
 constexpr double share_of_stretches = 0.25;
 
 /// The slope of a triangle of the horizon, perpendicular to the fault.

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 class MapFrame {
  public:
-  /// Rotates the map unless the outline is an axis-aligned box; coordinates are then unchanged.
+  /// Rotates the map, unless the outline is an axis-aligned box, whose coordinates remain unchanged.
   MapFrame(const std::vector<Vec2>& outline, bool is_box);
   Vec2 to_frame(const Vec2& p) const;
   Vec2 to_model(const Vec2& p) const;

@@ -203,7 +203,7 @@ class Centring {
   /// For each vertex, the pairs of horizons that are merged in any triangle around it.
   std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
-  std::vector<double> first_;           ///< heights before the first round
+  std::vector<double> first_;           ///< heights of all vertices before the first round
   SheetRoom room_;                      ///< allowed moves from the heights before the first round
   std::vector<double> sums_, weights_;  ///< for each vertex and horizon: weighted sum of distances and sum of weights
   std::vector<RuledPlace> places_;

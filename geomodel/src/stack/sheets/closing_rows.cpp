@@ -36,7 +36,7 @@ class ClosingRow {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
       if (sheets_.merged[f] & bit_)
         for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
-    // For each edge: whether the pair of horizons is merged in a triangle beside it, and whether it is not in one.
+    // For each edge: whether the pair of horizons is merged in a triangle beside it, and whether it is separate in one.
     std::map<Edge, std::array<bool, 2>> sides;
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -131,7 +131,7 @@ class ClosingRow {
   const SheetOptions& options_;
   double width_;
   MergedPairs bit_;
-  // Whether each point from before the cut is on the line; both ends of every cut edge are such points.
+  // whether each point from before the cut lies on the pinch-out line; both ends of every cut edge are such points
   std::vector<bool> on_line_;
   std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours of each vertex along the pinch-out line
   std::map<Edge, MergedPairs> merged_beside_;

@@ -14,7 +14,7 @@ namespace {
 
 // Fraction of a sample's distance that the fits at the vertices must cause for a fit with a smaller radius.
 constexpr double vertex_is_off = 0.5;
-// Fraction of the sample spacing within which crossings beside a vertex are ignored: the vertex itself is wrong.
+// Fraction of the sample spacing within which crossings beside a vertex are ignored, since the vertex itself is off.
 constexpr double near_vertex = 0.25;
 constexpr int most_rounds = 4;  // rounds of adding points where edges are too far from the data
 // Distance of a new vertex beside its sample, as a fraction of the sample spacing.

@@ -215,9 +215,9 @@ class StripTriangles {
 
   const MapSheets& sheets_;
   const StripInput& in_;
-  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< for each horizon; null if it has no throw
+  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< heights of each horizon's blocks; null if it has no throw
   std::vector<char> in_strip_;                           ///< per triangle
-  std::vector<std::vector<Crossing>> crossing_;          ///< for each horizon and triangle
+  std::vector<std::vector<Crossing>> crossing_;          ///< the kind of crossing, for each horizon and triangle
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
 };
 
@@ -271,7 +271,7 @@ class SideFinder {
   const std::vector<HorizonFaults>& faults_;
 };
 
-/// Builds the strips of all horizons.
+/// Builds all horizons with throw in the strips along their faults.
 class BothSides {
  public:
   BothSides(MapSheets& sheets, const StripInput& input)
