@@ -325,7 +325,7 @@ class Arrangement {
   MergingBook book_{result_.merging};
   SurfaceList surfaces_;
   Ingested ingested_;
-  std::optional<Box3> bounds_;  ///< bounding box of the model volume
+  std::optional<Box3> bounds_;
   std::optional<Box3> planes_;  ///< those planes of the bounding box that contain triangles of sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;

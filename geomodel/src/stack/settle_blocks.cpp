@@ -74,7 +74,7 @@ class BlockSheets {
   }
 
   const TriangulatedSurface& continued() const { return continued_; }
-  /// Triangles of the continued horizon that lie in a block.
+  /// Returns the triangles of the continued horizon that lie in a block.
   const std::vector<Index>& rows(Index block) const { return rows_[block]; }
   const std::vector<Index>& part() const { return part_; }
   /// Returns the block in which a part continues the horizon; no_index for the original part, and for continuations
@@ -87,7 +87,7 @@ class BlockSheets {
     const auto at = ends_at_.find(other);
     return at == ends_at_.end() ? 0 : at->second;
   }
-  /// Returns the part of the horizon in a block, with a margin beyond the block's walls. Its points are numbered anew.
+  /// Returns the part of the horizon in a block, with a margin beyond the block's bounds. Its points are numbered anew.
   TriangulatedSurface sheet(Index block) const {
     const std::vector<Index>& rows = sheets_[block].given;
     const BlockExtension& extension = sheets_[block].extension;
@@ -139,7 +139,7 @@ class Rebuilt {
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// Adds the horizon's parts in unchanged blocks. Triangles that reach into changed blocks end at the wall.
+  /// Adds the horizon's parts in unchanged blocks. Triangles that reach into changed blocks end where these begin.
   void keep(const std::set<Index>& settled) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
@@ -152,8 +152,8 @@ class Rebuilt {
     }
   }
 
-  /// Adds the new part of the horizon in one block. Triangles that cross the block's walls get a separate part number;
-  /// those beyond the walls are left out.
+  /// Adds the new part of the horizon in one block. Triangles that cross the block's bounding surfaces get a separate
+  /// part number; those beyond the bounding surfaces are left out.
   void add(const TriangulatedSurface& sheet, Index block) {
     const Index beyond = n_parts_++;
     const auto shift = static_cast<VertexIndex>(surface_.points.size());
@@ -192,8 +192,8 @@ class Rebuilt {
     surface_.triangles = std::move(triangles);
     std::ranges::sort(part_);
   }
-  /// For each triangle, returns whether some of it lies in the block, or it touches such a triangle so close to a wall
-  /// that the arrangement, which moves nearby vertices, might leave a gap without it.
+  /// For each triangle, returns whether some of it lies in the block, or it touches such a triangle so close to a
+  /// bounding surface that the arrangement, which moves nearby vertices, might leave a gap without it.
   std::vector<bool> reaches_walls(const TriangulatedSurface& sheet, Index block) const {
     std::vector<bool> reaches, is_at_wall(sheet.points.size(), false);
     for (const auto& [a, b, c] : sheet.triangles) {
@@ -317,7 +317,7 @@ class BlockStack {
     return who;
   }
 
-  /// Returns the bounds of a block in the map, enlarged by how far its horizons may extend beyond its walls.
+  /// Returns the bounds of a block in the map, enlarged by how far its horizons may extend beyond it.
   MapBounds bounds_of(Index block) const {
     const Box3& box = blocks_.framework.bounds(block);
     MapBounds b;
@@ -328,8 +328,8 @@ class BlockStack {
             {std::min(b.max.x, bounds_.max.x), std::min(b.max.y, bounds_.max.y)}};
   }
 
-  /// Returns whether the horizon's part has a border inside the block close to a wall, and may therefore end at that
-  /// wall. A part that continues beyond the wall has no border there.
+  /// Returns whether the horizon's part has a border inside the block close to a bounding surface, and may therefore
+  /// end at that bounding surface. A part that continues beyond the bounding surface has no border there.
   bool ends_at_wall(const TriangulatedSurface& sheet, Index block) const {
     const double radius = rules_.continuation.within_of_horizons / 2;
     for (const BorderEdge& e : border_edges(sheet)) {

@@ -53,7 +53,7 @@ struct Lie {
   double width_of_islands() const { return crossing > 0 ? 2 * area_under / crossing : 0; }
 };
 
-/// Compares the heights of two horizons on a lattice over the outline.
+/// Compares the heights of two horizons on a lattice over the model's outline in the map.
 Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, const StackRules& asked) {
   MapBounds bounds;
   for (const Vec2& p : asked.outline) bounds.add(p);

@@ -29,7 +29,7 @@ class PartFacets {
       if (in.part[triangle_[k]] == 0) joined_.unite(k, given());
   }
 
-  /// Unites facets across edges at which no wall lies.
+  /// Unites facets across edges at which no bounding surface lies.
   void join() {
     std::vector<std::array<VertexIndex, 2>> edges;
     for (const Index f : facets_)

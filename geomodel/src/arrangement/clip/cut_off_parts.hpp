@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the parts of a continued surface that walls separate from its original part.
+/// Finds the parts of a continued surface that bounding surfaces separate from its original part.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace geomesh::geomodel::arrangement {
 /// Facets of an arrangement and their edges. Holds references, which must stay valid.
 struct FacetsWithOrigins {
   std::span<const Triangle> facets;
-  const std::vector<EdgeUse>& uses;  ///< edge uses of all facets, sorted
+  const std::vector<EdgeUse>& uses;  ///< uses of edges by all facets, sorted
   std::function<std::span<const PolygonSoup::Origin>(Index)> origins_of;
 };
 
@@ -32,13 +32,13 @@ struct SurfaceInParts {
   Index row;                        ///< as in Origin::surface
   const std::vector<Index>& part;   ///< per triangle
   const std::vector<Index>& walls;  ///< indices of the surfaces at which the continuations end, ascending
-  const LostParts& lost;            ///< removed parts of walls, at which no continuation ends
+  const LostParts& lost;            ///< removed parts of bounding surfaces, at which no continuation ends
 };
 
-/// Returns the facets that walls separate from the original part of the surface, each with the surface's triangle to
-/// which it belongs, in ascending order. A continuation is connected with the original part only at shared points, and
-/// never with other continuations, because those from both sides of a fault cross each other beyond it. O(n log m) for
-/// n facets of the surface among m facets, and one pass over all m.
+/// Returns the facets that bounding surfaces separate from the original part of the surface, each with the surface's
+/// triangle to which it belongs, in ascending order. A continuation is connected with the original part only at shared
+/// points, and never with other continuations, because those from both sides of a fault cross each other beyond it. O(n
+/// log m) for n facets of the surface among m facets, and one pass over all m.
 std::vector<std::pair<Index, Index>> parts_cut_off(const FacetsWithOrigins& of, const SurfaceInParts& in);
 
 }  // namespace geomesh::geomodel::arrangement

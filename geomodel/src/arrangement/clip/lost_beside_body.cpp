@@ -70,7 +70,7 @@ void BodyAsGiven::visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) cons
 }
 
 Displacement BodyAsGiven::lost(const Arranged& arranged, const CutOff& cut) const {
-  std::optional<SurfaceDistance> left;  // distance search in the kept facets, built on first use
+  std::optional<SurfaceDistance> left;
   const auto distance_to_left = [&](const Vec3& p) {
     if (cut.left.empty()) return extent_of(arranged, cut.gone);
     if (!left) left.emplace(distance_to(arranged, cut.left));

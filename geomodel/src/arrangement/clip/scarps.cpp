@@ -15,7 +15,6 @@ constexpr double least_share = 0.01;
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }
 
-/// Facets of one surface at each edge.
 using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
 /// The facets of one fault, which the topography or the base of the model cuts.

@@ -56,7 +56,8 @@ Triangle sorted_corners(Triangle t) {
   return t;
 }
 
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends of an edge, the smaller first, and a surface
+/// The ends of an edge, the smaller first, and a surface at it.
+using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;
 
 /// For each triangle of the input, the part of its surface to which it belongs.
 class Parts {
@@ -73,8 +74,9 @@ class Parts {
 
 /// Surfaces that were assigned to facets because the void between them was closed.
 struct GivenSurfaces {
-  std::map<Triangle, std::set<Index>> of_facet;  ///< assigned surfaces, by the corners of the facet
-  std::set<SurfaceEdge> borders;                 ///< edges at which surfaces ended before any void was closed
+  /// Surfaces assigned to each facet, which is given by its sorted corners.
+  std::map<Triangle, std::set<Index>> of_facet;
+  std::set<SurfaceEdge> borders;  ///< edges at which surfaces ended before any void was closed
 };
 
 /// Calls `visit` for each edge of the facet with each of the facet's surfaces.

@@ -21,7 +21,7 @@ struct EdgeFacets {
     Index facet;
     bool forward;  ///< whether the facet traverses the edge from a to b
   };
-  std::vector<Use> uses;             ///< sorted by edge, then by facet
+  std::vector<Use> uses;             ///< uses of edges, sorted by edge, then by facet
   std::vector<std::size_t> offsets;  ///< index of the first use of each edge, followed by the number of uses
 };
 EdgeFacets edge_facets(const Complex& complex);

@@ -234,7 +234,7 @@ class Cluster {
       std::vector<Origin> origins;
       for (const Index m : members_of[f])
         for (Origin o : complex_.origins.of(m)) {
-          // Whether the origin is clockwise in the cluster's projection.
+          // whether the surface is clockwise in the cluster's projection
           o.reversed = (sign_of(m) == Sign::negative) != o.reversed;
           origins.push_back(o);
         }

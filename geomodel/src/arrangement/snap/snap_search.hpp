@@ -47,7 +47,7 @@ class VertexGrid {
 
   const std::vector<Vec3>& points_;
   double distance_;
-  std::vector<Slot> slots_;        // size is a power of two; linear probing
+  std::vector<Slot> slots_;        // hash table with linear probing; its size is a power of two
   std::vector<VertexIndex> next_;  // for each vertex: the next vertex in its cell
   std::size_t n_cells_ = 0;
 };

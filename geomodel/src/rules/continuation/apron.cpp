@@ -18,8 +18,8 @@ class UnpartedEdges {
   UnpartedEdges(const TriangulatedSurface& surface, Index row, const Walls& walls)
       : surface_(surface), row_(row), walls_(walls) {}
 
-  /// Returns whether two vertices are connected by edges near them, around the wall between them: a wall that reaches
-  /// into the surface and ends there does not separate them.
+  /// Returns whether two vertices are connected by edges near them, around the bounding surface between them: a
+  /// bounding surface that reaches into the surface and ends there does not separate them.
   bool join(VertexIndex a, VertexIndex b) {
     if (ring_.empty())
       for (const Triangle& t : surface_.triangles)
@@ -64,7 +64,7 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// Groups the visible nodes of a grid into sides: sets connected without crossing a wall, named by their first node.
+/// Groups the visible nodes of a grid into sides: sets connected without crossing a bounding surface.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -95,13 +95,13 @@ class ApronSides {
     return sides;
   }
   /// Returns whether an edge of the triangle is part of the border and crosses a wall: the original surface continues
-  /// across the wall there, and so does its continuation.
+  /// across the bounding surface there, and so does its continuation.
   bool runs_on(const Corners& t) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
     return false;
   }
-  /// Returns the side from which a border edge leads to v if a wall on that edge separates v from it, else no_index.
+  /// Returns the side whose border edge leads to v, if a bounding surface separates v from the edge; else no_index.
   Index before(Index v) const {
     if (v >= grid_.n_border()) return no_index;
     const std::size_t n = grid_.chain().n_edges();
@@ -128,7 +128,7 @@ class ApronSides {
   std::set<std::pair<Index, Index>> parted_border_;
 };
 
-/// Makes the triangles of a continuation from a grid, with a copy for each side of the walls that divide them.
+/// Makes the triangles of a continuation from a grid; those that bounding surfaces divide get a copy for each side.
 class SidedApron {
  public:
   SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -148,7 +148,8 @@ class SidedApron {
 
  private:
   void copy_triangles() {
-    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls, by edges of triangles
+    // Sides of the bounding surfaces for which triangles at each edge were added.
+    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
       const std::set<Index> sides = sides_.of(t);
@@ -166,7 +167,7 @@ class SidedApron {
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
       }
     }
-    // A triangle beside visible ones may be partly visible although no corner is, for example where two walls meet.
+    // A triangle beside visible ones may be partly visible although no corner is, as where two bounding surfaces meet.
     for (const Corners* t : unseen) {
       std::set<Index> sides;
       for (std::size_t i = 0; i < 3; ++i)
@@ -177,7 +178,7 @@ class SidedApron {
     apron_.walls.assign(grid_.hidden_by().begin(), grid_.hidden_by().end());
   }
 
-  /// Adds a copy of the triangle with heights extrapolated from one side of the walls.
+  /// Adds a copy of the triangle with heights extrapolated from one side of the bounding surfaces.
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {

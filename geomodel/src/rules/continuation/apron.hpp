@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Makes aprons: strips of triangles that continue a surface from a run of its border to the walls in front of it.
+/// Makes aprons: strips of triangles that continue a surface from a run of its border to its bounding surfaces.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 struct Apron {
   std::vector<Vec3> added;
   std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
-  std::vector<Index> side;          ///< for each triangle, the side of the walls that it continues, numbered from 0
+  std::vector<Index> side;          ///< for each triangle: number of the bounding surfaces' side that it continues
   std::vector<Index> walls;         ///< indices of the surfaces that the apron crosses, ascending
   bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty
 };
@@ -27,12 +27,12 @@ struct ApronSetting {
 };
 
 /// Makes an apron, the strip of triangles beside a run of border, by a constrained Delaunay triangulation of the border
-/// and of a grid beside it. Its height is that of the nearest point of the border that no wall hides, extrapolated with
-/// the border's slope there. A triangle that a wall divides is added once for each side, with the heights of that side
-/// on both sides of the wall; both sides are connected around the end of a wall. Places that a wall hides from the
-/// border are left out, except in these triangles and those next to them. Places where no wall stops the surface within
-/// the distance are left out, too. Empty if the run of border crosses itself in the plane. O(n log n) in the edges of
-/// the border and the points of the grid.
+/// and of a grid beside it. Its height is that of the nearest point of the border that no bounding surface hides,
+/// extrapolated with the border's slope there. A triangle that a bounding surface divides is added once for each side,
+/// with the heights of that side on both sides of the bounding surface; both sides are connected around the end of a
+/// bounding surface. Places that a bounding surface hides from the border are left out, except in these triangles and
+/// those next to them. Places where no bounding surface stops the surface within the distance are left out, too. Empty
+/// if the run of border crosses itself in the plane. O(n log n) in the edges of the border and the points of the grid.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                  const ApronSetting& setting);
 

@@ -41,7 +41,7 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
-/// Returns whether a wall hides the node from a place on the border. From places beyond a wall no node is visible.
+/// Returns whether a bounding surface hides the node from a border place; from places beyond one, no node is visible.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
   const std::uint8_t cut_off = border_.cut_off[at.edge];
   if (cut_off == 3) return true;
@@ -112,8 +112,8 @@ bool ApronGrid::is_in_model(const Vec3& p) const {
          p.y < bounds_.max.y && p.z < bounds_.max.z;
 }
 
-/// Removes triangles at border edges from which a point of the model beyond the distance is visible: no wall stops the
-/// surface there, and the border remains open.
+/// Removes triangles at border edges from which a point of the model beyond the distance is visible: no bounding
+/// surface stops the surface there, and the border remains open.
 void ApronGrid::leave_out_open() {
   std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
   for (Index v = n_border_; v < nodes_.size(); ++v)

@@ -18,7 +18,7 @@ struct ApronNode {
   Vec3 point;           ///< in the model
   double distance = 0;  ///< distance from the place of the border that determines its height
   Index edge = 0;       ///< border edge of the place that determines its height
-  bool is_seen = true;  ///< whether no wall lies between the node and the border
+  bool is_seen = true;  ///< whether no bounding surface lies between the node and the border
 };
 
 /// The nodes and triangles from which a strip beside a run of border is made. Nodes on the border come first, in its

@@ -72,9 +72,9 @@ bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
                              [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
 }
 
-/// Returns whether a disc around a place of the horizon is open. The disc is not open if it meets a wall along the
-/// horizon in four directions of the map, or if the disc of twice its radius meets walls, or the horizon itself, on
-/// opposite sides. A wall through the place counts.
+/// Returns whether a disc around a place of the horizon is open. The disc is not open if it meets a bounding surface
+/// along the horizon in four directions of the map, or if the disc of twice its radius meets bounding surfaces, or the
+/// horizon itself, on opposite sides. A bounding surface through the place counts.
 bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   const Vec3& centre = points_[v];
   if (s_.walls.meets_disc(centre, radius_, slope_[v], s_.row)) return false;
@@ -88,7 +88,7 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
 }
 
 /// Returns whether an open disc covers the place. Far from the horizon, the disc's centre may lie anywhere between four
-/// grid points: otherwise a rim along the walls, one grid step wide, would be filled.
+/// grid points: otherwise a rim along the bounding surfaces, one grid step wide, would be filled.
 bool BlockPlaces::is_open(Index v) const {
   if (open_.empty()) return false;
   const Vec3 &p = points_[v], &q = open_[nearest_open_->find(p.x, p.y)];

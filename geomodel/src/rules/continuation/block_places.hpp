@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines the places over a fault block at which a horizon may be continued, and which are not enclosed by walls.
+/// Finds the places over a fault block at which a horizon may be continued, and those that are open (not enclosed).
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// A horizon, and the walls and blocks in which it is continued. All referenced data must outlive this object.
+/// A horizon, and the blocks and bounding surfaces in which it is continued. Referenced data must outlive this object.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
@@ -43,12 +43,12 @@ class BlockPlaces {
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
   double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
-  /// Returns whether the place is in the block and may be filled. It may not where the border has met its wall, or
-  /// beyond another horizon, which ends the continuation as walls do.
+  /// Returns whether the place is in the block and may be filled. It may not where the surface already reaches a wall
+  /// (bounding surface) before its border, or beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
   /// Returns whether the triangle with these corners overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
-  /// Returns whether a triangle covers a part of the block that is not open. Adds the walls it crosses to `walls`.
+  /// Returns whether a triangle covers a part of the block that is not open. Adds the bounding surfaces it crosses.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
 
  private:

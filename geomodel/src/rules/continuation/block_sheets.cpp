@@ -45,7 +45,7 @@ class Continuation {
   }
 
  private:
-  /// Records the length of border that a triangle continues, and its farthest place in front of a wall.
+  /// Records the length of border that a triangle continues, and its farthest place in front of a bounding surface.
   void book(const std::array<Index, 3>& t) {
     const std::vector<Vec3>& points = places_.points();
     const auto look_at = [&](const Vec3& p, double distance) {
@@ -72,7 +72,7 @@ class Continuation {
     made_.triangles.push_back(own);
   }
 
-  /// Adds a margin: the triangles beyond the walls that share a corner with kept triangles.
+  /// Adds a margin: the triangles beyond the bounding surfaces that share a corner with kept triangles.
   void add_margin(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) {
     std::vector<bool> is_reached(places_.points().size(), false);
     for (std::size_t k = 0; k < all.size(); ++k)

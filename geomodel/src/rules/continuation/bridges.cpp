@@ -159,13 +159,13 @@ class Gaps {
     return false;
   }
 
-  /// Returns whether a wall divides the triangle. A wall that passes through a side that is part of the border does not
-  /// count: the original surface continues across that wall there, and so does the triangle.
+  /// Returns whether a wall (bounding surface) divides the triangle. A wall that passes through a side that is part of
+  /// the border does not count: the original surface continues across that wall there, and so does the triangle.
   bool crosses_wall(const Corners& t, const Walls& walls) const {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // Segments begin and end a little inside, because the tip of a wall is a corner of triangles that begin there.
+      // Segments begin and end a little inside, because triangles may begin at the tip of a bounding surface.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);

@@ -50,7 +50,7 @@ class ChainInPlane {
   double length(std::size_t edge) const;
 
   std::vector<Vec3> points_;
-  std::vector<Vec2> slopes_, out_;     ///< for each edge; `out_` is the outward unit vector
+  std::vector<Vec2> slopes_, out_;     ///< slope and outward unit vector of each edge
   std::vector<std::uint8_t> goes_on_;  ///< per edge
   bool closed_;
   double cell_;

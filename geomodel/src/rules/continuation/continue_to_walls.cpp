@@ -174,8 +174,8 @@ class Continuing {
   struct Run {
     double length, farthest;
     Vec3 place;
-    std::vector<Index> before;   ///< walls in front of the border
-    std::vector<Index> through;  ///< walls that the continuation crosses
+    std::vector<Index> before;   ///< bounding surfaces in front of the border
+    std::vector<Index> through;  ///< bounding surfaces that the continuation crosses
   };
   void book(const Run& run) {
     ledger_.length += run.length;
@@ -221,8 +221,8 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
 /// Continues horizons in the fault blocks that faults, bodies and unconformities form.
 class HorizonContinuation {
  public:
-  /// `built` contains the surfaces that bound the blocks. It must outlive this object, and its BuiltRows::overshooting
-  /// is set. Horizons that are continued may belong to `built`, too, unless they bound blocks.
+  /// `built` contains the surfaces that bound the blocks, and must outlive this object; its BuiltRows::overshooting is
+  /// set. Continued horizons that bound no blocks may belong to it, too.
   HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
       : built_(built),
         rules_(rules),
@@ -300,7 +300,7 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
   built.rows.truncations = fault_truncations(built.surfaces, rules);
-  std::map<Index, Walls> walls_of;  // walls of all faults are collected before any fault is continued
+  std::map<Index, Walls> walls_of;  // bounding surfaces of all faults are collected before any fault is continued
   const Walls walls(built.surfaces, faults, how.sides);
   for (const Index row : faults) {
     std::vector<Index> own;
@@ -334,7 +334,7 @@ std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const Model
   const std::vector<Index> truncating = truncating_horizons(built.rows.truncations);
   const auto middle = std::stable_partition(left.begin(), left.end(),
                                             [&](Index row) { return std::ranges::binary_search(truncating, row); });
-  // The unconformities, which become walls of the blocks below them.
+  // The unconformities, which become bounding surfaces of the blocks below them.
   const std::vector<Index> first(left.begin(), middle);
   left.erase(left.begin(), middle);
   if (!first.empty()) {

@@ -15,8 +15,8 @@
 
 namespace geomesh::geomodel {
 
-/// The triangles of a horizon with their fault blocks and neighbours. A triangle belongs to no block if a wall cuts one
-/// of its edges. The horizon and the framework must outlive this object.
+/// The triangles of a horizon with their fault blocks and neighbours. A triangle belongs to no block if a bounding
+/// surface cuts one of its edges. The horizon and the framework must outlive this object.
 class HorizonDivision {
  public:
   /// `cutters` are faults and bodies; `states` are the states of the horizon's border edges.
@@ -24,13 +24,13 @@ class HorizonDivision {
                   const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of merged_triangles
-  /// Returns whether a wall cuts an edge of the triangle.
+  /// Returns whether a bounding surface cuts an edge of the triangle.
   bool crosses_wall(Index t) const { return crosses_[t]; }
   /// Returns the state of an edge at which the horizon ends; nothing for an edge inside the horizon.
   std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
   /// Returns the triangles from which the horizon is continued in a block: those in the block, those connected with
-  /// them outside the model, and those next to either that cross a wall. Triangles that cross a wall, reach into the
-  /// block and are connected with these are included, since in a narrow block all triangles cross walls.
+  /// them outside the model, and those next to either that cross a wall (bounding surface). Triangles that cross one,
+  /// reach into the block and are connected with these are included, since in a narrow block all triangles cross walls.
   std::vector<Index> sheet_of(Index block) const;
 
  private:
@@ -38,7 +38,6 @@ class HorizonDivision {
   void for_each_edge_of(Index t, F&& visit) const {
     for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
-  /// Whether the triangle's corners are distinct.
   bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }
   Index block_of(Index t, Index& last) const;
   std::array<Vec3, 3> corners(Index t) const {

@@ -25,7 +25,7 @@ class SheetBorder {
   const std::vector<Vec3>& points() const { return points_; }
   VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
   const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
-  /// Returns whether the horizon stops short of a wall at the edge between points a < b.
+  /// Returns whether the horizon stops short of a bounding surface at the edge between points a < b.
   bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
   bool faces_up() const { return faces_up_; }
 
@@ -33,7 +33,7 @@ class SheetBorder {
     Vec3 at;            ///< the place, with the height extrapolated from the border
     double distance;    ///< distance from the border in the map
     Vec2 slope;         ///< slope of the horizon at the nearest border; zero beyond `within`
-    bool has_met_wall;  ///< whether the nearest border has already met its wall
+    bool has_met_wall;  ///< whether the nearest border edge is in the state BorderState::met_wall
     Vec3 inside;        ///< the centroid of the triangle at the nearest border
   };
   /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges up to about twice as far in
@@ -43,8 +43,8 @@ class SheetBorder {
   bool meets(const Vec2& from, const Vec2& to) const;
 
   /// For each triangle of the plane, returns whether it is kept, lies outside the horizon's part, and is connected,
-  /// through kept triangles, with a border edge that stops short of a wall. Nothing is continued from edges at which
-  /// the part ends only because the horizon continues beyond a wall. O(n log n).
+  /// through kept triangles, with a border edge that stops short of a bounding surface. Nothing is continued from edges
+  /// at which the part ends only because the horizon continues beyond a bounding surface. O(n log n).
   std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const;
 
  private:
@@ -67,7 +67,7 @@ class SheetBorder {
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
   std::optional<arrangement::BoxTree> tree_;  ///< tree of the edges' boxes in the map
-  std::vector<bool> has_met_wall_;            ///< for each point, whether all border edges at it have met their wall
+  std::vector<bool> has_met_wall_;  ///< for each point, whether all border edges at it are in the state met_wall
   bool faces_up_ = true;
 };
 

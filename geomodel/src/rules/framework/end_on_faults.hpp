@@ -24,7 +24,7 @@ struct TakenOff {
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                 double within, const TakenOff& taken);
 
-/// The walls of fault blocks, intersected with the sides of the model and without the parts outside it.
+/// The bounding surfaces of fault blocks, intersected with the sides of the model and without the parts outside it.
 struct ArrangedWalls {
   /// The built surfaces, followed by the sides; surfaces that were not requested have no triangles.
   std::vector<TriangulatedSurface> surfaces;
@@ -41,8 +41,8 @@ struct EndedFaults {
 };
 /// Determines where faults end, from an arrangement of the faults with the sides of the model, because outside the
 /// model continuations run around other faults. Sets BuiltRows::overshooting. Faults with a rule for their extent are
-/// not cut. When horizons are continued to the resulting surfaces, a stub of a fault beyond another fault is no wall of
-/// a block, and the line where two faults meet is no tip.
+/// not cut. When horizons are continued to the resulting surfaces, a stub of a fault beyond another fault is no
+/// bounding surface of a block, and the line where two faults meet is no tip.
 EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules);
 
 /// Returns whether the fault may be continued and cut by default: no rule determines its extent, and no horizon has

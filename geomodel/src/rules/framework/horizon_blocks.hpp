@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The fault blocks in which horizons are continued, with their walls.
+/// The fault blocks in which horizons are continued, with their bounding surfaces.
 #pragma once
 
 #include "rules/framework/block_framework.hpp"

@@ -26,26 +26,26 @@ class Walls {
     double share = 0;                ///< fraction of the segment before the hit, from 0 to 1
   };
 
-  /// `rows` are the indices of the surfaces that are walls. `sides` are those of the model volume.
+  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are those of the model volume.
   Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
         const std::vector<TriangulatedSurface>& sides);
 
   bool empty() const { return triangles_.empty(); }
-  /// Returns whether the surface with this index is a wall.
+  /// Returns whether the surface with this index is a bounding surface.
   bool holds(Index surface) const { return std::ranges::binary_search(rows_, surface); }
-  /// Returns the first wall on the segment from a to b, ignoring surface `but_not`. Walls that contain the point a do
-  /// not count if the segment leaves them.
+  /// Returns the first bounding surface on the segment from a to b, ignoring surface `but_not`. Bounding surfaces that
+  /// contain the point a do not count if the segment leaves them.
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
-  /// Like first_hit, but ignores the sides of the model volume.
+  /// Returns the first bounding surface as first_hit() does, but ignores the sides of the model volume.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
 
-  /// Returns whether a wall meets the disc around `centre`. Tested along four lines through the centre with the given
-  /// slope; a wall through the centre counts.
+  /// Returns whether a bounding surface meets the disc around `centre`. Tested along four lines through the centre with
+  /// the given slope; a bounding surface through the centre counts.
   bool meets_disc(const Vec3& centre, double radius, const Vec2& slope, Index but_not) const;
-  /// Returns the four segments from the centre of a disc to its rim along which meets_disc() searches for walls.
+  /// Returns the four segments from the centre of a disc to its rim along which meets_disc() searches.
   static std::array<Vec3, 4> lines_of_disc(double radius, const Vec2& slope);
 
-  /// Returns all walls that meet the segment, ascending, without the sides of the model volume.
+  /// Returns all bounding surfaces that meet the segment, ascending, without the sides of the model volume.
   std::vector<Index> surfaces_on(const Vec3& a, const Vec3& b) const;
 
  private:
@@ -53,7 +53,7 @@ class Walls {
     Vec3 a, b, c;
     Index surface;
   };
-  /// Calls visit(hit) for each wall triangle that meets the segment.
+  /// Calls visit(hit) for each triangle of a bounding surface that meets the segment.
   template <class F>
   void for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const;
   void add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes);

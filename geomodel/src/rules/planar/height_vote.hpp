@@ -38,7 +38,7 @@ class HeightVote {
 
    private:
     TriangulatedSurface surface_;
-    std::optional<MapLocator> locator_;  ///< empty if no facets remain
+    std::optional<MapLocator> locator_;  ///< locator of the remaining facets; empty if there are none
   };
   bool is_fault_between(const Vec3& p, double height) const;
 

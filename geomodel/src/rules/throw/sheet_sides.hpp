@@ -99,7 +99,7 @@ class SheetSides {
   /// Returns the largest smaller part beside the fault, as a share of its sheet and without what has another sheet
   /// above or below it.
   double largest_corner(std::size_t fault) const;
-  double on_wrong_side(std::size_t fault) const;  ///< total area of all smaller parts
+  double on_wrong_side(std::size_t fault) const;  ///< total area of all sheets' smaller parts beside the fault
   /// Among the faults that count, returns the one with the greatest measure that separates sheets which the other
   /// faults separate as well; n_faults_ if no measure exceeds `least`.
   template <class F>

@@ -133,7 +133,7 @@ class ClosingRow {
   MergedPairs bit_;
   // whether each point from before the cut lies on the pinch-out line; both ends of every cut edge are such points
   std::vector<bool> on_line_;
-  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours of each vertex along the pinch-out line
+  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;
   std::map<Edge, MergedPairs> merged_beside_;
   std::map<Edge, VertexIndex> cuts_;
 };

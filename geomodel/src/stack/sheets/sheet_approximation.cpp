@@ -16,7 +16,7 @@ namespace {
 constexpr double vertex_is_off = 0.5;
 // Fraction of the sample spacing within which crossings beside a vertex are ignored, since the vertex itself is off.
 constexpr double near_vertex = 0.25;
-constexpr int most_rounds = 4;  // rounds of adding points where edges are too far from the data
+constexpr int most_rounds = 4;  // most rounds of adding points where edges are too far from the data
 // Distance of a new vertex beside its sample, as a fraction of the sample spacing.
 constexpr double beside_of_spacing = 0.02;
 constexpr double golden_angle = 2.399963229728653;
@@ -286,7 +286,7 @@ class Approximation {
     const Triangle& v = map_.cells()[worst.cell].vertices;
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
     map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
-    if (change_.vertex == no_vertex) return;  // p is at a vertex, or the cell is too narrow for doubles
+    if (change_.vertex == no_vertex) return;  // nothing inserted: p is at a vertex, or the cell is too narrow
     take_change();
     sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);

@@ -474,7 +474,7 @@ class BothSides {
 
   struct Assembly {
     std::size_t horizon;
-    std::map<VertexIndex, VertexIndex> single;                   ///< new points of vertices with a single height
+    std::map<VertexIndex, VertexIndex> single;  ///< for each vertex with a single height, its new point
     std::map<std::pair<VertexIndex, Index>, VertexIndex> sided;  ///< and of copies
   };
 
