@@ -63,7 +63,7 @@ void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, 
   arranged.origins = std::move(origins);
 }
 
-/// Removes all origins of facets marked `outside`, and counts their area as clipped by the box.
+/// Removes all origins (input triangles) of facets marked `outside`; counts their area as clipped by the box.
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
 
 /// Removes the parts of continued surfaces that walls separate from the original surface (ArrangementOptions::ends_at),

@@ -98,7 +98,7 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
 }
 
-/// Returns whether the input triangles of two origins are exactly coplanar, so that they overlap already in the input.
+/// Returns whether two origins (input triangles) are exactly coplanar, so that they overlap already in the input.
 bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b) {
   const auto corner = [&](const Origin& o, std::size_t k) -> const Vec3& {
     return surfaces[o.surface].points[surfaces[o.surface].triangles[o.triangle][k]];

@@ -21,7 +21,7 @@ struct NearSurfaces {
   std::vector<std::pair<Index, Index>> ending;
 };
 
-/// Examines pairs of surfaces whose bounding boxes are within the distances: some hundred vertices each to find
+/// Examines pairs of surfaces whose bounding boxes are within the two distances: some hundred vertices each to find
 /// duplicates, all border edges to find surfaces that end. O(n log n) per surface.
 NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double duplicate_distance,
                            double end_distance);

@@ -88,7 +88,7 @@ class Patches {
   std::set<SurfacePair> pairs_;      ///< pairs of patches that belong to one surface
 };
 
-/// Restores the origins of facets as they were before each patch counted as a surface.
+/// Restores the origins (input triangles) of facets as they were before each patch counted as a surface.
 void give_surfaces_back(Complex& complex, const Patches& patches) {
   edit_origins(complex, [&](Index, std::vector<Origin>& of) {
     for (Origin& o : of) o.surface = patches.surface_of(o.surface);

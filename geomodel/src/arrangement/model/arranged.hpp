@@ -32,7 +32,7 @@ class ExactVertices {
   std::vector<Vec3> made_rounded_;
 };
 
-/// Result of a round. Vertices at equal places have one index in `facets` and `segments`; vertices may be unused.
+/// Result of a round. Vertices at equal places share one index in `facets` and `segments`; vertices may be unused.
 struct Arranged {
   ExactVertices vertices;
   std::vector<Triangle> facets;

@@ -53,7 +53,7 @@ struct Complex {
 
 /// A facet that lost its area when its corners were rounded or merged, with the current places of its corners.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< surfaces of the facet's origins; its loss is reported for the first one
+  std::vector<Index> surfaces{};  ///< surfaces from which the facet stems; its loss is reported for the first one
   std::array<Vec3, 3> corners{};
 };
 
@@ -63,19 +63,19 @@ std::vector<Index> surfaces_of(std::span<const Origin> origins);
 /// Removes segments that occur twice because a well runs back along the same line.
 void remove_repeated_segments(Complex& complex);
 
-/// Sorts the origins of a facet by surface and triangle and drops repeated ones. Returns true if the first origin then
-/// has the reverse orientation: all are inverted, and the caller must invert the facet.
+/// Sorts the origins (input triangles) of a facet by surface and triangle and drops repeated ones. Returns true if the
+/// first origin then has the reverse orientation: all are inverted, and the caller must invert the facet.
 bool normalise_origins(std::vector<Origin>& origins);
 
-/// Calls edit(facet, origins) for each facet, which may change its origins. Facets without any origin left are removed.
-/// Facets whose first origin then has the reverse orientation are inverted. O(n).
+/// Calls edit(facet, origins) for each facet, to change its origins (input triangles). Facets without any origin left
+/// are removed. Facets whose first origin then has the reverse orientation are inverted. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
 
-/// Returns an origin of facet `from` for its neighbour `to`, oriented as its surface continues over the edge (a, b).
+/// Returns an origin (input triangle) of facet `from` for its neighbour `to`, oriented as its surface continues there.
 Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b);
 
-/// Merges facets on the same three vertices into the first of them, with the origins of all. Returns how many were
-/// removed.
+/// Merges facets on the same three vertices into the first of them, with the origins (input triangles) of all. Returns
+/// how many were removed.
 std::size_t merge_equal_facets(Complex& complex);
 
 struct PointHash {

@@ -15,7 +15,7 @@ template <class Visit>
 void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    Index last = no_index;  // a facet's origins in one surface are consecutive
+    Index last = no_index;  // a facet's origins (input triangles) are sorted by surface
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == last) continue;
       last = o.surface;
@@ -44,7 +44,7 @@ std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   return all;
 }
 
-/// Calls see(first, count) for each edge of each surface, with one of its facets there and the number of these.
+/// Calls see(first, count) for each edge of each surface, with one of the surface's facets there and their number.
 template <class See>
 void for_each_group(const std::vector<SurfaceEnd>& all, See see) {
   for (std::size_t i = 0, j; i < all.size(); i = j) {

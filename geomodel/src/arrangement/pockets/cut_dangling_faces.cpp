@@ -156,7 +156,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   for (const Index surface : branching_surfaces(complex)) facets_of[surface];
   if (facets_of.empty()) return facets_of;
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // a facet's origins in one surface are consecutive
+    Index last = no_index;  // a facet's origins (input triangles) are sorted by surface
     for (const Origin& o : complex.origins.of(f))
       if (o.surface != std::exchange(last, o.surface))
         if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);
@@ -168,9 +168,10 @@ using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
 /// The surfaces that meet a dangling piece at edges other than its hinge, where the piece belongs to no other surface.
 struct Borne {
-  /// Origin of a surface that ends on the dangling piece; `reversed` if the piece is oriented against that surface.
+  /// Origin (input triangle) of a surface that ends on the dangling piece; `reversed` if their orientations differ.
   std::optional<Origin> ending;
-  bool by_others = false;  ///< whether the meeting surface continues beyond the piece, or a second surface meets it
+  /// Whether the surface that meets the piece continues beyond it, or a second surface meets it.
+  bool by_others = false;
 };
 
 /// The surface that a facet loses, and the origin (input triangle) that it receives if it has no other.

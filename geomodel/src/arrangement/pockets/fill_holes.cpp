@@ -11,7 +11,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Returns the origin that facet t receives from an adjacent surface, oriented as that continues over the common edge.
+/// Returns the origin (input triangle) that facet t receives from an adjacent surface, oriented as that continues.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });

@@ -14,16 +14,16 @@ namespace geomesh::geomodel::arrangement {
 /// Merges surfaces with sides of the volume wherever they are closer than `joining.distance`, some ulps; not with sides
 /// in planes of a box. Without this, grid lines along a side would wind through it and leave needles an ulp wide. Sides
 /// are split at vertices of surfaces, and leave their planes by no more than the distance. Surfaces that cross a side
-/// plainly are left to the exact intersection, as are surfaces exactly on sides, if all are. `vertex_now` is as for
-/// snap_near(). Returns nothing if sides are planes of a box, or if nothing is near enough. O(n log s) for n facets and
-/// s facets of sides, if each facet's box meets few of the latter.
+/// plainly are left to the exact intersection, as is everything if all near surfaces lie exactly on sides. `vertex_now`
+/// is as for snap_near(). Returns nothing if sides are planes of a box, or if nothing is near enough. O(n log s) for n
+/// facets and s facets of sides, if each facet's box meets few of the latter.
 std::optional<SnapOutcome> join_to_sides(Complex& complex, const Joining& joining,
                                          std::vector<VertexIndex>& vertex_now);
 
 /// Moves vertices that are within reach (class Reach) of a corner of the volume to it, otherwise to an edge between two
-/// sides, otherwise to a side. They may come from either side of it. Ends of a surface's edge that is within reach of a
-/// side's plane move to that plane, even if they are beyond the volume. Distances within rounding are left to
-/// join_to_sides(). Movements that would invert a triangle are left out. Cost as for join_to_sides().
+/// sides, otherwise to a side. Vertices may come from inside or outside the volume. Ends of a surface's edge that is
+/// within reach of a side's plane move to that plane, even if they are beyond the volume. Distances within rounding are
+/// left to join_to_sides(). Movements that would invert a triangle are left out. Cost as for join_to_sides().
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance);
 
 /// Moves facets that run along an edge between two sides, within reach of it, onto that edge. Otherwise they would

@@ -46,13 +46,13 @@ bool is_within(const Box3& box, const Vec3& p, double room) {
          p.y < box.max.y + room && p.z < box.max.z + room;
 }
 
-/// Finds border vertices that a wall (bounding surface) separates from all inner vertices. The surface has then met its
-/// wall before its border, or ends on the wall. A wall that ends inside the surface separates no vertices.
+/// Finds border vertices that a wall (bounding surface) separates from all inner vertices. The surface has then reached
+/// that wall before its border, or ends on the wall. A wall that ends inside the surface separates no vertices.
 class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
       : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
-    const auto inner = static_cast<Index>(s.points.size());  // stands for all inner vertices in the union-find
+    const auto inner = static_cast<Index>(s.points.size());  // union-find index that stands for all inner vertices
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;

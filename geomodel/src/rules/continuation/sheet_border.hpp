@@ -36,8 +36,8 @@ class SheetBorder {
     bool has_met_wall;  ///< whether the nearest border edge is in the state BorderState::met_wall
     Vec3 inside;        ///< the centroid of the triangle at the nearest border
   };
-  /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges up to about twice as far in
-  /// the map as the nearest one, or as `within`.
+  /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges in the map up to about
+  /// twice the distance of the nearest one, or of `within`.
   Place continued_at(const Vec2& p) const;
   /// Returns whether a border edge meets the segment in the map. O(log n + k) for k edges in its bounding box.
   bool meets(const Vec2& from, const Vec2& to) const;

@@ -119,8 +119,8 @@ PolygonSoup WorkingSoup::result() const {
   for (Index f = 0; f < soup.facets.size(); ++f) {
     if (!alive(f)) continue;
     Triangle t = soup.facets[f];
-    // A facet has the orientation of its first origin. If that origin was removed, the facet is flipped to match the
-    // origin that has become the first one.
+    // A facet has the orientation of its first origin (input triangle). If that origin was removed, the facet is
+    // flipped to match the origin that has become the first one.
     const bool turn = origins[f].front().reversed;
     if (turn) std::swap(t[1], t[2]);
     out.facets.push_back({row[t[0]], row[t[1]], row[t[2]]});

@@ -13,11 +13,11 @@
 
 namespace geomesh::geomodel {
 
-/// A soup that is being trimmed: facets lose origins, and facets without origins are removed.
+/// A soup that is being trimmed: facets lose origins (input triangles), and those without origins are removed.
 struct WorkingSoup {
   const PolygonSoup& soup;
   std::vector<EdgeUse> uses;                              ///< edge uses of all facets, sorted
-  std::vector<std::vector<PolygonSoup::Origin>> origins;  ///< remaining origins of each facet
+  std::vector<std::vector<PolygonSoup::Origin>> origins;  ///< remaining origins (input triangles) of each facet
 
   explicit WorkingSoup(const PolygonSoup& s);
   const PolygonSoup::Origin* origin_of(Index facet, Index surface) const;
@@ -25,9 +25,9 @@ struct WorkingSoup {
   bool alive(Index facet) const { return !origins[facet].empty(); }
   double area(Index facet) const;
   Vec3 centre(Index facet) const;
-  /// Removes `surface` from the origins of the facets; returns the area of these facets.
+  /// Removes `surface` from the origins (input triangles) of the facets; returns the area of these facets.
   double remove(const std::vector<Index>& facets, Index surface);
-  /// Removes the origins for which `goes` returns true from the facets; returns the total area of the removed origins.
+  /// Removes the origins (input triangles) for which `goes` returns true from the facets; returns their total area.
   double remove(const std::vector<Index>& facets, const std::function<bool(const PolygonSoup::Origin&)>& goes);
   /// Returns the remaining soup, without unused points.
   PolygonSoup result() const;

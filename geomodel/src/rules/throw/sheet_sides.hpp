@@ -93,7 +93,7 @@ class SheetSides {
   };
   SmallerPart smaller_part(Index sheet, std::size_t fault) const;
   bool runs_across(std::size_t fault) const;
-  /// Returns whether two sheets lie on different sides of the fault, and on the same side of all others that count.
+  /// Returns whether two sheets lie on different sides of the fault, and on the same sides of all other counted faults.
   bool parts_alone(std::size_t fault, const std::vector<bool>& counts) const;
   bool parts_any(std::size_t fault) const;
   /// Returns the largest smaller part beside the fault, as a share of its sheet and without what has another sheet

@@ -183,7 +183,7 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
   const Vec2 a = points_[va], b = points_[vb];
   const Vec2 m{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
   if (m == a || m == b) return;
-  // Both cells at the segment are removed. Rounding may put the segment's midpoint beside it, but the midpoint must
+  // The two cells at the segment are removed. Rounding may put the segment's midpoint beside it, but the midpoint must
   // still see all sides of the hole.
   const Index other = cells_[cell].neighbours[side];
   grow_cavity(m, cell, change);

@@ -13,7 +13,7 @@ namespace {
 // Distance around constraint lines that is kept free of lattice points, as a fraction of the lattice spacing.
 constexpr double room_about_lines = 0.4;
 constexpr double room_on_rim = 0.3;
-constexpr double shortest_edge = 0.08;  // shortest edge, as a share of the lattice spacing
+constexpr double shortest_edge = 0.08;  // shortest edge, as a fraction of the lattice spacing
 
 /// Returns the part of the segment p q within the bounds; ends that are clipped lie exactly on the bounds.
 std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b) {

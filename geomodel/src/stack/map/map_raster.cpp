@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Largest move of a point by which the areas beside a divided curve are preserved, as a fraction of a piece.
+// Largest move of a point of a divided curve to preserve the areas beside it, as a fraction of a piece of the curve.
 constexpr double most_move = 0.25;
 
 }  // namespace

@@ -41,7 +41,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns each horizon's mean height over the samples in each cell, or over spaced places if there are few.
+/// Returns each horizon's mean height over the samples in each cell, or over evenly spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);

@@ -215,7 +215,8 @@ class StripTriangles {
 
   const MapSheets& sheets_;
   const StripInput& in_;
-  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< heights of each horizon's blocks; null if it has no throw
+  /// Heights of each horizon's blocks; null for horizons without throw.
+  std::vector<std::unique_ptr<BlockHeights>> heights_;
   std::vector<char> in_strip_;                           ///< per triangle
   std::vector<std::vector<Crossing>> crossing_;          ///< the kind of crossing, for each horizon and triangle
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
