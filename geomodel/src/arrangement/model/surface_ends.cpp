@@ -15,7 +15,7 @@ template <class Visit>
 void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    Index last = no_index;  // a facet's origins (input triangles) are sorted by surface
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == last) continue;
       last = o.surface;

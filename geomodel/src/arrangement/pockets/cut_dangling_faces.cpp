@@ -156,7 +156,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   for (const Index surface : branching_surfaces(complex)) facets_of[surface];
   if (facets_of.empty()) return facets_of;
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // a facet's origins (input triangles) are sorted by surface
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f))
       if (o.surface != std::exchange(last, o.surface))
         if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);

@@ -59,7 +59,7 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
   std::vector<EdgeOfSurface> sides;
   if (asked_.empty()) sides.reserve(3 * complex.facets.size());
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // a facet's origins (input triangles) are sorted by surface
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == std::exchange(last, o.surface)) continue;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -94,8 +94,8 @@ class ApronSides {
       if (side_[v] != no_index) sides.insert(side_[v]);
     return sides;
   }
-  /// Returns whether an edge of the triangle is part of the border and crosses a wall: the original surface continues
-  /// across the bounding surface there, and so does its continuation.
+  /// Returns whether an edge of the triangle is part of the border and crosses a bounding surface. The original surface
+  /// continues across it there, and so does its continuation.
   bool runs_on(const Corners& t) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;

@@ -16,8 +16,8 @@ namespace geomesh::geomodel {
 struct ApronNode {
   Vec2 place;
   Vec3 point;           ///< in the model
-  double distance = 0;  ///< distance from the place of the border that determines its height
-  Index edge = 0;       ///< border edge of the place that determines its height
+  double distance = 0;  ///< distance from the place of the border whose height the node continues
+  Index edge = 0;       ///< border edge whose height the node continues
   bool is_seen = true;  ///< whether no bounding surface lies between the node and the border
 };
 

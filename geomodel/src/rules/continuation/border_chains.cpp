@@ -133,7 +133,7 @@ bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSea
   return true;
 }
 
-/// Gives short runs of border edges without a bounding surface, between edges with one, that of the previous edge.
+/// Assigns the bounding surface of the previous edge to short runs of border edges that have none in front of them.
 void close_short_runs(std::vector<LoopEdge>& loop, double within) {
   const std::size_t n = loop.size();
   const auto first = std::find_if(loop.begin(), loop.end(), [](const LoopEdge& e) { return e.hit.has_value(); });

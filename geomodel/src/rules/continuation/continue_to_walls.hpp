@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 /// its tip inside the model if every surface on which it could end is farther away.
 void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildLog& log);
 
-/// Returns the distance in m over which a horizon is continued to a wall: through the whole model if it fills blocks.
+/// Returns the distance in m over which a horizon may be continued: through the whole model if it fills its blocks.
 double reach_of_horizon(const ContinuationRules& rules, bool fills_blocks);
 
 /// Continues the horizons that have neither `extend` nor throw by at most the distance

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Fraction of a sample's distance that the fits at the vertices must cause for a fit with a smaller radius.
+// Least fraction of a sample's distance, caused by the fits at vertices, at which a fit's radius is reduced.
 constexpr double vertex_is_off = 0.5;
 // Fraction of the sample spacing within which crossings beside a vertex are ignored, since the vertex itself is off.
 constexpr double near_vertex = 0.25;
