@@ -45,7 +45,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
   const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
   for (std::size_t k = 1; k < 3; ++k)
     if (side(k) > side(longest)) longest = k;
-  if (side(longest) <= distance / 16) return true;  // the error of accepting the triangle is at most this length
+  if (side(longest) <= distance / 16) return true;  // accepting the triangle causes an error of at most this length
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
   return is_within({a, middle, c}, edges, distance, halvings - 1) &&
          is_within({middle, b, c}, edges, distance, halvings - 1);

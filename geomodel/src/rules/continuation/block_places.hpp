@@ -20,7 +20,7 @@ struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< members from here on are as in BlockSetting
+  const Walls& cutters;  ///< this member and those below are as in struct BlockSetting
   const Walls& walls;
   double within;
   const HorizonDivision& division;

@@ -37,7 +37,7 @@ struct MapRaster {
 /// Gives each cell without a value that of the nearest cell, counted in steps along rows and columns.
 void fill_from_neighbours(MapRaster& raster);
 
-/// Smooths the raster `passes` times by the binomial mean over three cells in each direction. Needs all values.
+/// Smooths the raster `passes` times by the binomial mean over three cells in each direction. All cells need values.
 void smooth(MapRaster& raster, int passes);
 
 /// Groups of cells, connected across sides, whose values are all negative (if `below` is set), or all not negative.
