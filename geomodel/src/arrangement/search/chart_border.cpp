@@ -43,7 +43,7 @@ class Border {
     return simple;
   }
 
-  /// Returns whether two edges meet. May be true for collinear edges that are only near, which costs nothing but speed.
+  /// Returns whether two edges meet except in a shared end. May also be true for collinear edges that are only near.
   bool meet(const BorderEdge& e, const BorderEdge& f) const {
     for (const auto& [s, p] : {std::pair{e.from, e.to}, std::pair{e.to, e.from}})
       for (const auto& [t, q] : {std::pair{f.from, f.to}, std::pair{f.to, f.from}})

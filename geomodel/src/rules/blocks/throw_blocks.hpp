@@ -42,9 +42,9 @@ struct SortedBlocks {
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
-/// Returns whether many triangles that cross faults, or lie around their ends, are on sides of the faults without a
-/// block. The horizon would have a hole there after the faults divide it. Returns false if all faults cross the whole
-/// model.
+/// Returns whether more than a fiftieth of the horizon's area in the box lies on triangles that cross faults or lie
+/// around their ends, and there on sides of the faults without a block. The horizon would have a hole there after the
+/// faults divide it. Returns false if all faults cross the whole model.
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 

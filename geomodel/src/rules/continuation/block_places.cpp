@@ -12,7 +12,7 @@ namespace {
 
 /// Spacing of the grid as a fraction of the radius, so that a disc which fits into a gap covers some grid points.
 constexpr double step_of_radius = 0.5;
-/// Largest number of grid points. More would take seconds, for a distance of continuation that is tiny.
+/// Largest number of grid points. More would take seconds, and arise only for a tiny distance of continuation.
 constexpr double most_places = 1e6;
 
 }  // namespace
