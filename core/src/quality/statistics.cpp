@@ -97,6 +97,14 @@ std::vector<ShapeStatistics> summarize_all(std::optional<ShapeTable>& table, std
 
 }  // namespace
 
+double ShapeStatistics::share_within_size() const {
+  const auto n =
+      static_cast<double>(std::accumulate(edge_size_histogram.begin(), edge_size_histogram.end(), std::size_t{0}));
+  const auto n_within = static_cast<double>(
+      std::accumulate(edge_size_histogram.begin() + 2, edge_size_histogram.begin() + 6, std::size_t{0}));
+  return n == 0 ? 1 : n_within / n;
+}
+
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   const unsigned threads = thread_count(0);
   const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);

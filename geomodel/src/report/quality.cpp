@@ -165,7 +165,7 @@ json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
   return root;
 }
 
-json refinement_json(const RefineStatistics& s) {
+json refinement_json(const RefineStatistics& s, const QualityReport* quality) {
   return {{"estimated_tetrahedra", s.estimated_elements},
           {"runs", s.runs},
           {"off_before", s.off_before},
@@ -182,7 +182,7 @@ json refinement_json(const RefineStatistics& s) {
           {"improving_insertions", s.improving_insertions},
           {"passes", s.passes},
           {"sizes_on_surfaces", s.sizes_on_surfaces},
-          {"edges_within_size", s.edges_within_size},
+          {"edges_within_size", quality ? quality->measured.whole.share_within_size() : 1.0},
           {"deviation_result_to_input", s.deviation_result_to_input},
           {"deviation_input_to_result", s.deviation_input_to_result},
           {"out_of_time", s.out_of_time}};

@@ -7,7 +7,6 @@
 #include "geomesh/geomodel/warnings.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
-#include "report/mean_edge.hpp"
 #include "report/named_parts.hpp"
 #include "report/quality.hpp"
 
@@ -277,8 +276,10 @@ std::string to_json(const Report& report) {
   if (report.mesh && !report.mesh->open_borders.empty())
     root["open_borders"] = open_borders_json(report.mesh->open_borders);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
-  if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
-  if (report.refinement && report.mesh) root["refinement"]["mean_edge"] = mean_edge(*report.mesh);
+  if (report.refinement) {
+    const QualityReport* const quality = report.quality ? &*report.quality : nullptr;
+    root["refinement"] = refinement_json(*report.refinement, quality);
+  }
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   if (report.solver) root["solver"] = json::parse(to_json(*report.solver));
   if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);

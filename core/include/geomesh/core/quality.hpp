@@ -59,6 +59,8 @@ struct ShapeStatistics {
   std::array<std::size_t, 20> radius_ratio_histogram{};
   /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without sizes.
   std::array<std::size_t, 8> edge_size_histogram{};
+  /// Returns the share of edges between half and twice the target size; 1 without edges or without sizes. O(1).
+  double share_within_size() const;
 };
 
 /// Why an element is bad.

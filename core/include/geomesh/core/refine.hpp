@@ -118,7 +118,6 @@ struct RefineStatistics {
   /// Largest distances found between the surfaces and curves of the input and those of the result. All distances are
   /// proven to be within the tolerance. In exact mode they are zero up to rounding.
   double deviation_result_to_input = 0, deviation_input_to_result = 0;
-  double edges_within_size = 0;  ///< share of edges between half and twice the target size
   bool out_of_time = false;
 };
 

@@ -49,23 +49,6 @@ remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::Facet
   return components;
 }
 
-double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeField& size) {
-  std::vector<std::pair<std::array<VertexIndex, 2>, Index>> edges;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-    for (const auto& e : edge_vertices) {
-      edges.push_back({sorted(std::array{mesh.tetrahedra[t][e[0]], mesh.tetrahedra[t][e[1]]}), mesh.component[t]});
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end(), [](const auto& x, const auto& y) { return x.first == y.first; }),
-              edges.end());
-  const auto n = std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
-    const Vec3 &a = mesh.points[e.first[0]], &b = mesh.points[e.first[1]];
-    const double ratio = distance(a, b) / size.at(0.5 * (a + b), e.second);
-    return ratio >= 0.5 && ratio <= 2;
-  });
-  return edges.empty() ? 1 : static_cast<double>(n) / static_cast<double>(edges.size());
-}
-
 /// Handles small input angles that rule out a Delaunay mesh, as tetrahedralize does: the model is meshed and refined in
 /// constrained mode, and the facets that are not Delaunay are listed.
 RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, TetrahedralizeOptions meshing,
@@ -149,7 +132,6 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   result.statistics.points_on_surfaces = counts.on_facets;
   result.statistics.points_inside = counts.inside;
   result.statistics.passes = counts.rounds;
-  result.statistics.edges_within_size = share_within_size(result.mesh, result.size_field);
   if (counts.too_large > 0)
     context.note(
         LogLevel::info,

@@ -165,7 +165,6 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
 void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
             unsigned threads, RefineResult& result) {
   result.statistics.worst_shape_after = worst_shape(tools.mesh);
-  result.statistics.edges_within_size = share_of_edges_within_size(tools, threads);
   renew_facets(tools.mesh, tools.guard, plc);
   const std::string fault = tools.mesh.validate(threads);
   if (!fault.empty()) throw InternalError("refinement: " + fault);

@@ -46,9 +46,6 @@ inline double size_tolerance(const RefineOptions& o) { return o.honour == Honour
 void announce_estimate(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                        const RunContext& context, RefineResult& result);
 
-/// Returns the share of edges whose length is between half and twice the requested size.
-double share_of_edges_within_size(Toolbox& tools, unsigned threads = 1);
-
 /// Estimates how many elements the sizes require, from integrals over volume and faces. If surfaces are kept, the cells
 /// that the mesh already has are counted too. Measured errors are within 30 %. The estimate takes seconds for any
 /// number of elements (size_integrals.hpp), and ends early once the number exceeds `enough`.

@@ -7,7 +7,6 @@
 
 #include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "report/mean_edge.hpp"
 #include "report/words.hpp"
 
 namespace geomesh::geomodel {
@@ -97,9 +96,8 @@ const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
 }
 
 /// Describes the lengths of edges, and the mesh settings that the user did not choose.
-std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
-  const std::string& unit = mesh.unit;
-  std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
+std::string steering(const RefinementSettings& r, const Distribution& edge_length, const std::string& unit) {
+  std::string text = "edges are " + short_words(edge_length.mean) + " " + unit + " long in the mean";
   if (r.size.base.global > 0) text += ", of " + short_words(r.size.base.global) + " " + unit + " requested";
   if (r.derive_size) text += " (derived from the model; mesh: {size: L} sets others)";
   if (r.tolerance.follows_sizes())
@@ -138,7 +136,7 @@ Summary summarise(const Report& report, const RefinementSettings& refinement) {
     if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);
     return summary;
   }
-  summary.lines.push_back(steering(refinement, mesh));
+  summary.lines.push_back(steering(refinement, report.quality->measured.whole.edge_length, mesh.unit));
   const std::vector<std::string> verdict = to_lines(*report.solver);
   summary.lines.push_back(verdict.front());
   if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);
