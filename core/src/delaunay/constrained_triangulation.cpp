@@ -54,7 +54,7 @@ bool ConstrainedTriangulation::triangulate() {
   return true;
 }
 
-/// Returns the cell on the left of a-b, by its face opposite the apex; invalid if there is no such edge.
+/// Returns the face opposite the apex of the cell on the left of edge a-b; invalid if there is no such edge.
 FaceRef ConstrainedTriangulation::edge(VertexIndex a, VertexIndex b) const {
   CellIndex c = cell_of_[a];
   do {
@@ -77,7 +77,7 @@ bool ConstrainedTriangulation::is_flippable(VertexIndex a, VertexIndex b) const 
   return c && d && orient(*d, b, *c) == Sign::positive && orient(*c, a, *d) == Sign::positive;
 }
 
-/// Replaces edge a-b by the edge between the two apexes p, on its left, and q.
+/// Replaces edge a-b by the edge from the apex p on its left to the apex q on its right.
 void ConstrainedTriangulation::flip(VertexIndex a, VertexIndex b) {
   const FaceRef f = edge(a, b), g = mesh.mirror(f);
   const CellIndex c = f.cell(), d = g.cell();
@@ -113,7 +113,8 @@ void ConstrainedTriangulation::restore_delaunay() {
   }
 }
 
-/// Returns the face opposite a through which a-b leaves the star of a, or the vertex of the star through which it runs.
+/// Returns the face opposite a through which the segment a-b leaves the star of a, or the vertex of the star through
+/// which it runs.
 std::variant<FaceRef, ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::exit_from_star(
     VertexIndex a, VertexIndex b) const {
   const auto side_of = [&](VertexIndex v) {
@@ -171,7 +172,7 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::inse
       return true;
     };
     if (auto obstacle = cross_edges(a, b, list)) return obstacle;
-    // Crossed edges of convex quadrilaterals are flipped until none is crossed.
+    // Flips crossed edges whose quadrilateral is convex until the segment a-b crosses no edge.
     std::deque<Edge> queue(crossed.begin(), crossed.end());
     while (!queue.empty()) {
       const auto [p, q] = queue.front();

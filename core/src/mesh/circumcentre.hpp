@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Circumcentres in doubles, as candidates for places of points. They decide nothing.
+/// Circumcentres in floating point, as candidates for the positions of new points. No topological decision depends on
+/// them.
 #pragma once
 
 #include <optional>

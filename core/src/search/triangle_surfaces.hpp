@@ -16,8 +16,8 @@ namespace geomesh::search {
 class TriangleSurfaces final : public ReferenceSurfaces {
  public:
   TriangleSurfaces() = default;
-  /// The pieces are all triangles, or all line pieces. `normals` are the unit normals by item, which normal() and
-  /// is_even() need.
+  /// The pieces are all triangles, or all line segments. `normals` are the unit normals by item, which only normal()
+  /// and is_even() need.
   TriangleSurfaces(std::vector<Piece> pieces, std::size_t n_groups, std::vector<Vec3> normals = {});
 
   ClosestPoint closest(const Vec3& p, Index group,
@@ -38,10 +38,10 @@ class TriangleSurfaces final : public ReferenceSurfaces {
   struct Scratch {
     DistanceProver prover{0};
     std::vector<SheetTriangle> nearby;
-    std::vector<Index> rows;  // rows of `nearby` in the trees
+    std::vector<Index> rows;  // row in the trees of each triangle in `nearby`
   };
   ClosestPointTrees trees_;
-  std::vector<std::uint8_t> open_edges_;  // of the pieces (find_open_edges); empty for line pieces
+  std::vector<std::uint8_t> open_edges_;  // open edges of the pieces (find_open_edges); empty for line segments
   std::vector<Vec3> normals_;
   mutable tbb::enumerable_thread_specific<Scratch> scratch_;
 };

@@ -28,7 +28,7 @@ Vec3 extents_of_segments(const PiecewiseLinearComplex& plc) {
   return box.max - box.min;
 }
 
-/// Returns the part in rows of a mesh.
+/// Returns the part with its vertices converted to rows of a mesh.
 RoofedPart in_rows(RoofedPart part, const std::vector<VertexIndex>& row) {
   for (std::vector<Triangle>* triangles : {&part.as_given, &part.triangles, &part.roof})
     for (Triangle& t : *triangles)
@@ -107,7 +107,7 @@ void RoofedParts::write_facets() {
 
 bool RoofedParts::fill(Mesh& mesh) const {
   std::vector<VertexIndex> row(plc_.points.size(), no_vertex);
-  std::vector<Index> part_of(mesh.points.size(), no_index);  // for each point: the part to whose roof it belongs
+  std::vector<Index> part_of(mesh.points.size(), no_index);  // number of the part to whose roof each point belongs
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
     if (mesh.input_vertex[v] != no_vertex) row[mesh.input_vertex[v]] = v;
   for (Index k = 0; k < parts_.size(); ++k)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Insertion of a point into the Delaunay mesh of conforming mode by the cavity algorithm (section 2.1 of the paper).
-/// The mesh is the perturbed Delaunay triangulation of its vertices before and after, so the cavity is star-shaped
-/// (equation 1, checked).
+/// Insertion of a point into the Delaunay mesh of conforming mode by the cavity algorithm (Cavalcanti and Mello 1999,
+/// section 2.1). The mesh is the perturbed Delaunay triangulation of its vertices before and after, so the cavity is
+/// star-shaped (equation 1, checked).
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"

@@ -24,7 +24,7 @@ struct Subsegment {
   Index facet = no_index;    ///< for an edge inside a facet: that facet
   bool live = true;
   std::vector<Index> subfacets;
-  CellIndex seen_in = no_cell;  ///< a cell that contained it when it was last found (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had the edge when it was last found (presence.hpp)
 };
 
 using DirectedEdge = std::array<VertexIndex, 2>;
@@ -36,7 +36,7 @@ struct Subfacet {
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
-  CellIndex seen_in = no_cell;  ///< a cell that had it as a face when it was last found (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had this face when it was last found (presence.hpp)
 };
 
 /// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle on
@@ -46,7 +46,7 @@ struct FacetPiece {
   std::vector<DirectedEdge>
       border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions
   std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
-  std::vector<Triangle> seen{};      ///< faces that covered it when it was last found (presence.hpp)
+  std::vector<Triangle> seen{};      ///< faces that covered the piece when it was last found (presence.hpp)
   std::vector<CellIndex> seen_in{};  ///< cells that contained these faces
 };
 
@@ -86,14 +86,14 @@ class Constraints {
   Index add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet);
   /// Adds a subfacet. Edges that are not subsegments yet become edges inside the facet.
   Index add_subfacet(const Triangle& t, Index facet);
-  /// Removes a subfacet, and edges inside a facet that no longer bound anything.
+  /// Removes a subfacet, and its edges inside the facet that bound no other subfacet.
   void remove_subfacet(Index subfacet);
   void remove_subsegment(Index subsegment);
 
-  /// Adds a part of a facet by its border, whose edges are subsegments already.
+  /// Adds a piece of a facet, given by its border. The edges of the border must be subsegments.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
-  /// For presence.hpp.
+  /// Remembers the faces that cover a piece, and the cells that contain them (presence.hpp).
   void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
     pieces_[subfacets[subfacet].piece].seen = faces;
     pieces_[subfacets[subfacet].piece].seen_in = cells;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constants of recovery: how long each step is tried before the next one takes over. None affects correctness,
-/// which exact predicates ensure. `recovery_bench` shows what they reach, in points and time.
+/// The constants of recovery: they limit how long each step is tried before the next step takes over. None of them
+/// affects correctness, which exact predicates ensure. `recovery_bench` measures their effect on the number of points
+/// and on time.
 #pragma once
 
 #include <array>
@@ -13,27 +14,28 @@ struct RecoveryBudget {
   // Attempts.
   /// Largest number of attempts. Models an ulp thick needed up to 7 in tests. More would only delay a refusal.
   unsigned attempts = 12;
-  /// Number of points without a suitable double, over all attempts, from which the model is refused. It equals the
-  /// number of attempts: if one point is left each time, all attempts are made (soup 7944 with its boundary kept is
-  /// meshed in the ninth). Most too thin models leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
+  /// Number of points without a suitable double, over all attempts, at which the model is refused. It equals the number
+  /// of attempts: if each attempt leaves one such point, all attempts are made (soup 7944 with its boundary kept is
+  /// meshed in the ninth). Most models that are too thin leave 7 to 55 points in one attempt, some 1 or 2
+  /// (test_thin_models.cpp).
   std::size_t points_without_double = 12;
-  /// Number of orientations of exact places for each facet, over all attempts, from which the model is refused. Needle
-  /// plates and walls needed at most 3,600 before their last attempt; eight cracks need 115,000 in one.
+  /// Number of orientations of exact places for each facet, over all attempts, at which the model is refused. Needle
+  /// plates and walls needed at most 3,600 orientations per facet before their last attempt; eight cracks need 115,000
+  /// in one attempt.
   std::size_t decisions_per_facet = 500000;
-  /// Least distance of rounded points on a segment from each other, in ulps of the largest coordinate; closer ones
-  /// would crowd.
+  /// Least distance between rounded points on a segment, in ulps of the largest coordinate. Closer points would crowd.
   double least_spacing_ulps = 64;
-  /// Number of points after which a model is searched for crossings, plus a share of its vertices. Crossing facets need
-  /// points without end, and a valid model rarely needs so many.
+  /// Number of added points after which a model is searched for crossings; a share of its vertices is added to this
+  /// number. Crossing facets need points without end, and a valid model rarely needs so many.
   double doubtful_points = 300;
   double doubtful_points_per_vertex = 0.25;
   double doubtful_points_per_vertex_conforming = 10;  ///< in conforming mode, where many points are normal
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
-  std::size_t few_missing = 20;   ///< number of missing segments up to which no axis is stretched
+  std::size_t few_missing = 20;   ///< if at most this many segments are missing, no axis is stretched
   std::size_t stretch_from = 10;  ///< axes are stretched if more than one of this many segments is missing
   std::size_t stretch_gain = 20;  ///< stretching an axis by one step must save one of this many missing segments
-  int stretch_steps = 12;         ///< largest power of two by which an axis is stretched
+  int stretch_steps = 12;         ///< power of two by which an axis is stretched at most
   /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
   /// about 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of
   /// what they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models
