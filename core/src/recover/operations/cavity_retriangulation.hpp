@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Recovers constraints without points by emptying a cavity and refilling it, with the constraint as a sheet in it (the
-/// cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift wrapping, because the
-/// mesh is no longer Delaunay).
+/// Recovers constraints without adding points: a cavity is emptied and filled anew, with the constraint as a sheet of
+/// triangles inside it (the cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift
+/// wrapping, because the mesh is not Delaunay).
 #pragma once
 
 #include "recover/model/recover.hpp"
@@ -17,18 +17,18 @@ struct CavityEffort {
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// Cells to be emptied, with their boundary. No vertex except those dropped, no subsegment and no locked face may lie
-/// inside.
+/// A cavity: cells to be replaced, with their boundary. No vertex except the dropped one, no subsegment and no locked
+/// face may lie inside.
 class Cavity {
  public:
-  /// `cells` contains none twice. `dropped` is a vertex to be removed (no_vertex: none); faces with it are not part of
-  /// the boundary, so the caller closes the gaps by sheets. `is_valid()` returns whether the inside may be emptied. O(n
-  /// log n) for n cells.
+  /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
+  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()` returns whether the inside may be emptied.
+  /// O(n log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds a triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  /// Adds a sheet: a triangle that is a face of every filling, on the side from which it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
-  /// Sets cells into which the cavity must not grow; sorted.
+  /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
 
   bool is_valid() const;
@@ -64,10 +64,11 @@ class Cavity {
   VertexIndex dropped_;
 };
 
-/// Makes a-b an edge as the border of a triangle a,b,c with a vertex c that is connected with both already.
+/// Makes a-b an edge of the mesh, as a side of a triangle a,b,c whose vertex c is already connected with both ends.
 bool recover_segment_by_cavity(Recovery& recovery, VertexIndex a, VertexIndex b, const CavityEffort& effort);
 
-/// Makes the triangle a face, given the cells around the edges that pierce it. Its edges must be present.
+/// Makes the triangle t a face of the mesh. `pierced` are the cells around the edges that pierce it. The edges of t
+/// must be present.
 bool recover_face_by_cavity(Recovery& recovery, const Triangle& t, std::vector<CellIndex> pierced,
                             const CavityEffort& effort);
 

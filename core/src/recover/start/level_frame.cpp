@@ -11,7 +11,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the normal whose length is twice the area.
+/// Returns the normal of a subfacet, whose length is twice the area.
 Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, Index subfacet) {
   const Triangle& t = constraints.subfacets[subfacet].vertices;
   const Vec3& origin = points[t[0]];
@@ -34,7 +34,7 @@ std::optional<double> exact_product(double x, double y) {
   return product;
 }
 
-/// Adds to coordinate `axis` multiples of the next one and of the one after that.
+/// A shear that adds to coordinate `axis` multiples of the two other coordinates.
 class Shear {
  public:
   Shear(const Vec3& normal, std::size_t axis) : axis_(axis) {
