@@ -9,8 +9,8 @@
 
 namespace geomesh::app {
 
-/// Returns "a|b|c" for CLI11's "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}"; "N" and "X" for numbers, nothing
-/// for words.
+/// Returns a type of CLI11 in plain words: "a|b|c" for "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}", "N" and
+/// "X" for numbers, nothing for words.
 inline std::string plain_type(const std::string& type) {
   constexpr std::size_t longest = 60;
   const std::size_t open = type.find('{'), close = type.find('}');

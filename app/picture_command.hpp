@@ -9,8 +9,8 @@
 
 namespace geomesh::app {
 
-/// Returns the drawing program's exit status. Throws Error{usage} if that program or a display is missing, and as the
-/// readers do if the mesh is damaged.
+/// Returns the drawing program's exit status. Throws Error{usage} if that program or a display is missing, and the
+/// errors of the readers if the mesh is damaged.
 int draw_picture(const PictureCommand& command, const RunContext& context);
 
 }  // namespace geomesh::app

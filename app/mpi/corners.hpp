@@ -30,7 +30,7 @@ inline Triangle face_at(const Tetrahedron& t, unsigned i) {
   return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
 }
 
-/// Points are the same if their coordinates are equal, bit by bit except for the sign of zero.
+/// Hash of a point. Points are the same if their coordinates are equal, bit by bit except for the sign of zero.
 struct PlaceHash {
   std::size_t operator()(const Vec3& p) const {
     std::uint64_t h = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The faces of a part, by whether two of its tetrahedra share them or only one has them.
+/// Finds the inner faces of a part, which two of its tetrahedra share, and the open faces, which only one has.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,8 @@ struct InnerFace {
   std::array<Index, 2> cells;
 };
 
-/// O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
+/// The inner and the open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on
+/// one side.
 struct MeshFaces {
   enum class Which { all, at_border };
   /// `at_border` restricts the search to faces whose corners may all be on the outside, if the mesh has this

@@ -146,7 +146,7 @@ geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& n
   return out;
 }
 
-/// Returns for each rank the tetrahedra of this one that touch it, in the order of their numbers.
+/// Returns for each other rank the tetrahedra of this rank that touch its part, in the order of their numbers.
 std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mesh, const GlobalNumbers& numbers,
                                      const std::vector<Index>& order, const Ranks& ranks) {
   std::vector<GhostMessage> out(static_cast<std::size_t>(ranks.size()));
@@ -181,7 +181,7 @@ std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mes
   return bytes;
 }
 
-/// Appends points and tetrahedra to those of the model, in the order of their numbers.
+/// Builds the part of a rank: appends points and tetrahedra to those of the model, in the order of their numbers.
 class PartBuilder {
  public:
   PartBuilder(const RankModel& model, const RankMesh& mesh, GlobalNumbers numbers, const Ranks& ranks)

@@ -16,9 +16,9 @@
 namespace geomesh::app {
 
 struct SparseModel {
-  /// Verified mesh. Its faces and edges of curves, halved some times, are those of the fine mesh.
+  /// The verified mesh. Its faces and edges of curves, halved `halvings` times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
-  std::vector<Index> component;  ///< component of each tetrahedron, for which sizes are requested
+  std::vector<Index> component;  ///< component of each tetrahedron, on which target sizes depend
   SizeField size;                ///< as requested
   unsigned halvings = 0;         ///< number of times that all edges are halved before surfaces have the target sizes
 };
@@ -38,11 +38,12 @@ std::vector<std::string> leave_out_page(geomodel::Project& project);
 /// Throws Error{usage} if the project requests something that is not supported on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// Runs the stages read to verify of the serial program, with few points inside. Throws as geomodel::run_project.
+/// Runs the stages of the serial program from `read` to `verify`, with few points inside regions. Throws the errors of
+/// geomodel::run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
-/// Sends the model from rank 0 to all. Returns its size in bytes. Sizes that are a function of position come from the
-/// project.
+/// Sends the model from rank 0 to all ranks. Returns its size in bytes. Target sizes that are a function of position
+/// are not sent; each rank reads them from the project.
 std::size_t broadcast(SparseModel& model, const geomodel::Project& project, const Ranks& ranks);
 
 }  // namespace geomesh::app

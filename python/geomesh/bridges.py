@@ -125,9 +125,9 @@ class _Sequence:
 
     def __init__(self, model):
         self.model = model
-        self._column = []  # unit, horizon, unit, ... horizon
-        self._reaching = None  # the unit above, where its own base is below all that the unit may fill
-        self._is_complete = False  # nothing of the box is older
+        self._column = []  # The units and horizons added so far: unit, horizon, unit, ... horizon.
+        self._reaching = None  # The unit above, if its own base is below all that it may fill.
+        self._is_complete = False  # Whether nothing in the box is older.
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
         """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
@@ -282,7 +282,8 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    surfaces, open_unit, name_of = [], None, {}  # (unit, feature, value); the unit whose base is not known yet
+    # (unit, feature, value) of each surface; the unit whose base is not known yet; the name of each surface
+    surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}
         cut = {value for found in bounds.values() for key in ("above", "below") for of, value in found[key] if of == group}
@@ -305,7 +306,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has removed it
+            continue  # the feature's own unconformity has removed this surface
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 

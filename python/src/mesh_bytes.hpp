@@ -14,7 +14,7 @@ namespace geomesh::python {
 /// Encodes everything in the result. O(size of the mesh).
 std::string bytes_of(const geomodel::JobResult& result);
 
-/// Throws Error{usage} if the bytes were made by another version, or are damaged.
+/// Decodes a result from bytes. Throws Error{usage} if the bytes were made by another version, or are damaged.
 geomodel::JobResult result_of(std::string_view bytes);
 
 }  // namespace geomesh::python

@@ -9,7 +9,7 @@ from . import fields
 
 
 def mean_normal(points, triangles):
-    """Returns the mean normal, upwards: of a surface weighted by area; of points, that of the plane through them."""
+    """Returns the upward mean normal of a surface, weighted by area; without triangles, the normal of the plane through the points."""
     if triangles is not None:
         total = _doubled_normals(points, triangles).sum(axis=0)
     else:

@@ -35,9 +35,9 @@ class Fault:
 @dataclass
 class Drawn:
     """The input of a realisation."""
-    node: object  # of the project
-    inputs: dict  # surfaces given in memory
-    moved: dict  # name: (points, triangles or None), in the file's coordinates
+    node: object  # The project as a YAML node.
+    inputs: dict  # Surfaces given in memory.
+    moved: dict  # (points, triangles or None) of each moved surface by name, in the file's coordinates.
     values: dict
 
 
@@ -180,7 +180,7 @@ def failure_of(error):
 
 @contextlib.contextmanager
 def _limited(seconds):
-    """Raises OutOfTime in the work, which checks for signals 20 times a second."""
+    """Signal handler that raises OutOfTime in the running work, which checks for signals 20 times a second."""
     if not seconds:
         yield
         return
