@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Help in plain words. CLI11's own would be: "ENUM:value in {cut->1,elements->2} OR {1,2}".
+/// Help texts in plain words. CLI11's own would contain, for example, "ENUM:value in {cut->1,elements->2} OR {1,2}".
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -35,7 +35,6 @@ Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad i
 4 cannot be meshed as asked, 130 and 143 interrupted. An output file is complete or absent.
 )";
 
-/// Options that every command has.
 struct Common {
   unsigned threads = 0;
   bool quiet = false, verbose = false, json_progress = false;

@@ -24,7 +24,7 @@ enum class Verbosity { quiet, normal, verbose };
 enum class ProgressStyle {
   lines,     ///< only finished stages are printed
   terminal,  ///< the line of the running stage is also redrawn in place
-  json,      ///< objects with `event`: stage, progress, log
+  json,      ///< JSON objects whose `event` is stage, progress or log
 };
 
 /// Prints progress and messages to standard error. Must exist as long as the context made by `attach` is used.

@@ -45,7 +45,6 @@ struct PlaceHash {
 template <class T>
 using ByPlace = std::unordered_map<Vec3, T, PlaceHash>;
 
-/// Orders places by their coordinates.
 inline bool is_before(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;

@@ -42,16 +42,16 @@ struct MeshFaces {
  private:
   /// One use of a face by a tetrahedron; two uses make an inner face.
   struct Use {
-    std::uint64_t low;  ///< the two smallest corners
+    std::uint64_t low;  ///< two smallest corners of the face
     VertexIndex high;
-    Index code;  ///< four times the cell, plus the face
+    Index code;  ///< index of the cell times four, plus that of the face
     Index other = no_index;
     Index cell() const { return code / 4; }
     Corners corners() const {
       return {static_cast<VertexIndex>(low >> 32), static_cast<VertexIndex>(low & 0xFFFFFFFFu), high};
     }
   };
-  std::vector<Use> uses_;  // uses of inner faces, one for each
+  std::vector<Use> uses_;  // one use of each inner face
 };
 
 }  // namespace geomesh::app

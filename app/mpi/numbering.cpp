@@ -37,7 +37,6 @@ void pass(A& archive, GhostMessage& m) {
   archive(m.cells, m.points);
 }
 
-/// Global numbers of the points and tetrahedra of a rank.
 struct GlobalNumbers {
   std::vector<std::int64_t> of_point, of_cell;
   std::uint64_t n_points = 0, n_cells = 0;  ///< of all ranks

@@ -20,7 +20,6 @@ namespace {
 /// than the target size divided by this number.
 constexpr double longest_share = 1.4;
 
-/// Halves edges on the border of a part.
 class BorderHalver {
  public:
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
@@ -55,7 +54,7 @@ class BorderHalver {
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of its ends
+    Vec3 low, high;  // positions of the edge's ends
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;

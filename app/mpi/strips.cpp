@@ -72,7 +72,6 @@ void pass(A& archive, Parcel& p) {
   archive(p.points, p.is_pending, p.may_be_outside, p.tetrahedra, p.component);
 }
 
-/// Copies tetrahedra of one part into a parcel.
 class ParcelFiller {
  public:
   ParcelFiller(const RankMesh& mesh, const Pending& pending)

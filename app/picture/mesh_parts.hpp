@@ -23,7 +23,7 @@ struct MeshFile {
   vtkSmartPointer<vtkPolyData> faces;  ///< contents of NAME.faces.vtp; null if there is none
   std::map<int, std::string> region_names, surface_names;
   geomodel::GivenColours colours;   ///< colours of the project, from NAME.report.json if it exists
-  std::vector<int> region_of_cell;  ///< 0 if the file has no regions
+  std::vector<int> region_of_cell;  ///< region of each cell; 0 if the file has no regions
 };
 
 /// Reads a mesh with the faces and the colours in files beside it. Throws std::runtime_error if the file has no
@@ -47,7 +47,6 @@ vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const Hal
 
 vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid);
 
-/// Computes the centre of a tetrahedron.
 void centre_of(const MeshFile& mesh, vtkIdType cell, double centre[3]);
 
 /// Returns the smallest dihedral angle of a tetrahedron in degrees.

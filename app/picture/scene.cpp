@@ -165,7 +165,6 @@ class SceneBuilder {
     add(outside_of(mesh_, wanted, [this](vtkIdType c) { return region(c); }), table, low_, high_);
   }
 
-  /// Returns the unit to which each region belongs.
   std::map<int, std::string> units_of_regions(const std::set<int>& ids) const {
     std::map<int, std::string> units;
     for (const int id : ids) {
@@ -316,7 +315,7 @@ class SceneBuilder {
     Colour colour;
   };
   std::vector<Entry> entries_;
-  double legend_share_ = 0;  ///< share of the picture's width
+  double legend_share_ = 0;  ///< share of the picture's width that the legend takes
 };
 
 }  // namespace

@@ -88,7 +88,6 @@ class SimplexMap {
   std::size_t n_used_ = 0;
 };
 
-/// A set of directed edges.
 class DirectedEdgeSet {
  public:
   using Edge = std::array<VertexIndex, 2>;

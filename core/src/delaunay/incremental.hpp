@@ -54,7 +54,7 @@ class IncrementalTriangulation {
   const Space& space() const { return space_; }
   const SlotSource& slots() const { return slots_; }
   SlotSource& slots() { return slots_; }
-  /// Must be called when the mesh has grown.
+  /// Updates pointers into the mesh. Must be called when the mesh has grown.
   void refresh() {
     cells_ = mesh_.cells();
     flags_ = mesh_.cell_flags();

@@ -20,7 +20,6 @@ struct EdgeUse {
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
-/// Lists the facets and segments at each edge of a complex.
 class EdgeUses {
  public:
   explicit EdgeUses(const PiecewiseLinearComplex& plc) : plc_(plc) { list_uses(); }

@@ -125,7 +125,7 @@ bool FlatPatch::holds(Index triangle, const Vec2& x) const {
   return true;
 }
 
-/// Returns how far x is beyond the side of the triangle that it is farthest beyond.
+/// Returns the largest distance of x beyond a side of the triangle; 0 if it is beyond none.
 double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   const Triangle& t = triangles_[triangle];
   double most = 0;

@@ -144,7 +144,7 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   return h;
 }
 
-/// a * b - c * d exactly.
+/// Returns a * b - c * d exactly.
 inline Expansion<4> minor2(double a, double b, double c, double d) {
   Expansion<2> ab, cd;
   double head, tail;

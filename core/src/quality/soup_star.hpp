@@ -27,7 +27,7 @@ struct MeetingAngle {
   Index facet_a = no_index, facet_b = no_index, segment_a = no_index, segment_b = no_index;
 };
 
-/// Returns an angle in degrees, from 0 to 180.
+/// Returns the angle between two vectors in degrees, from 0 to 180.
 double angle_between(const Vec3& a, const Vec3& b);
 
 class SoupStars {

@@ -24,7 +24,6 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
-/// Returns a box around all points within `reach` of a triangle.
 inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
   Box3 box;
   for (const Vec3& p : corners) {

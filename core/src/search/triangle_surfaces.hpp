@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Reference surfaces that consist of triangles, or curves that consist of line pieces.
+/// Reference surfaces that consist of triangles, or curves that consist of line segments.
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -25,7 +25,7 @@ class TriangleSurfaces final : public ReferenceSurfaces {
     return trees_.closest(p, group, limit);
   }
   Vec3 normal(Index item, const Vec3&) const override { return item < normals_.size() ? normals_[item] : Vec3{}; }
-  /// O(log n + pieces near the triangle).
+  /// Takes O(log n + number of pieces near the triangle).
   bool within(const Corners& triangle, Index group, double limit, Index& over) const override;
   void within(std::span<DistanceQuestion> questions) const override;
   const std::vector<Piece>& pieces() const override { return trees_.items(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Meshing in conforming mode with an additional step beside the recovery of segments and facets.
+/// Meshing in conforming mode with another step for the recovery of segments and facets.
 #pragma once
 
 #include <functional>

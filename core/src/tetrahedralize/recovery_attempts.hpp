@@ -27,7 +27,7 @@ enum class InsertionOrder {
 };
 
 struct Attempt {
-  unsigned number = 0;  ///< from 0; also the seed of random choices
+  unsigned number = 0;  ///< number of the attempt, from 0; also the seed of random choices
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
 

@@ -136,7 +136,8 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
     if (!recovery.has_exact_points) return;
     n_without_double_ += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
-    recover::remove_added_points(recovery, boundary);  // tries the new positions of rounded points
+    // Points that could not be removed before may be removable at the positions to which rounding has moved them.
+    recover::remove_added_points(recovery, boundary);
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
   };
   const auto check_boundary = [&] {

@@ -34,7 +34,7 @@ class RoofOnSide {
   }
 
   /// Lifts the roof: its highest point by half of the height that the cells at the roof reach, or by half of that, and
-  /// so on. Returns false if all cells become positive at no height.
+  /// so on. Returns false if there is no height at which all cells are positive.
   bool lift() {
     const Vec3 up = (side_ == RoofSide::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());

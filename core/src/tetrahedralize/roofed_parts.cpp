@@ -59,7 +59,8 @@ void RoofedParts::find_parts(std::span<const Index> provenance) {
       std::vector<Vec3> corners;
       for (const VertexIndex v : part.border) corners.push_back(given_.points[v]);
       const std::optional<Roof> roof = roof_over(corners, axis_for);
-      if (!roof || 2 * (roof->inner.size() + 1) >= part.left_out.size()) continue;  // points on both sides
+      // A roof takes points on both sides of the part, and must not take more than there are edges inside of it.
+      if (!roof || 2 * (roof->inner.size() + 1) >= part.left_out.size()) continue;
       RoofedPart& out = parts_.emplace_back();
       for (const Index t : part.triangles) {
         out.facets.push_back(patch.facets[t]);

@@ -127,7 +127,7 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
     const Lanes det = rz * (sx * ty - tx * sy) + sz * (tx * ry - rx * ty) + tz * (rx * sy - sx * ry);
     const Lanes w = greater(greater(face_r(q.w), face_s(q.w)), face_t(q.w));
     const Lanes error = bound(w, filter::orient3d_factor * w * root_bound(w), reach);
-    // The orientation of (r, s, t, p) is that of the opposite determinant.
+    // The orientation of (r, s, t, p) has the opposite sign of the determinant.
     const unsigned beyond = signs(det > error);
     if (beyond == 0) {
       inside = signs(det < -error) == 0xFu;
@@ -143,7 +143,6 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
   return inside;
 }
 
-/// Determinants and their error bounds.
 struct FilteredLanes {
   Lanes det, error;
 };

@@ -43,7 +43,7 @@ class ConformingRecovery {
   /// Returns the facets that were given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- protected:  // refinement that keeps the mesh Delaunay continues from here (remesh/conforming/conforming_refiner.hpp)
+ protected:  // used by the refinement that keeps the mesh Delaunay (remesh/conforming/conforming_refiner.hpp)
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();

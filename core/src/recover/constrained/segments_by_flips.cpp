@@ -22,7 +22,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
   const FaceRef beyond = mesh.cells().mirror(crossing.face);
   const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
   const VertexIndex d = mesh.cells().vertex(beyond.cell(), beyond.face());
-  const auto v = crossing.v;  // counter-clockwise as seen from a
+  const auto v = crossing.v;  // vertices of the face, counter-clockwise as seen from a
   for (unsigned k = 0; k < 3; ++k) {
     const VertexIndex p = v[k], q = v[(k + 1) % 3];
     if (mesh.orient(p, q, d, a) == Sign::positive) continue;
@@ -97,7 +97,7 @@ class CrossingReduction {
   bool step(bool sideways) {
     const std::vector<Crossing> crossings = line_.crossings;
     for (std::size_t k = 0; k < crossings.size() && work_left_ > 0; ++k) {
-      // An attempt that was rolled back may have renumbered slots.
+      // An attempt that was rolled back may have renumbered slots, so the crossings are found anew.
       if ((!walk_line(mesh_, a_, b_, line_) || line_.crossings.size() != crossings.size())) return false;
       const std::size_t mark = mesh_.mark();
       if (remove_crossed(recovery_, remover_, line_.crossings[k], depth_) && is_progress(crossings.size(), sideways)) {

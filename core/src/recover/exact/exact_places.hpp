@@ -72,7 +72,7 @@ class ExactPlaces {
   struct Row {
     ExactPlace place;
     Vec3 rest;                     ///< place minus its nearest double, rounded
-    bool is_between_ends = false;  ///< whether it is on a line, strictly between the ends of its frame
+    bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
   };
   /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
   struct Rough {

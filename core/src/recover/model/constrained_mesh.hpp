@@ -175,7 +175,6 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Ends the undo that mark() began and keeps the changes.
   void keep();
 
-  /// Sets another seed, which leads to other random choices.
   void reseed(std::uint32_t seed) { random_ = Random(seed); }
   /// Returns deterministic pseudo-random numbers.
   unsigned random(unsigned n) { return random_.below(n); }

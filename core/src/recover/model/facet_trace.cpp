@@ -110,8 +110,8 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Finds a member on the line of p-q, up to rounding, which therefore has no direction: its face with the edge is a
-  /// part of the facet of zero width.
+  /// Finds a member of the facet on the line of p-q, up to rounding, which therefore has no direction: its face with
+  /// the edge is a part of the facet of zero width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -120,8 +120,8 @@ class LeftOfEdge {
         thin = i;
     return thin;
   }
-  /// Finds a vertex in the plane that is not a member. It lies in the facet, because otherwise an edge of the mesh
-  /// would cross the border of the facet.
+  /// Finds a vertex in the plane that is not a member of the facet. It lies in the facet, because otherwise an edge of
+  /// the mesh would cross the border of the facet.
   std::size_t touched() const {
     const std::size_t n = ring_.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -204,8 +204,8 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Does the same with exact signs: in the ring around p-q exactly one face, edge or vertex lies on the left in the
-  /// plane.
+  /// Finds what lies to the left of p->q with exact signs: in the ring around p-q exactly one face, edge or vertex lies
+  /// on the left in the plane.
   void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
     const std::size_t n = ring_.ring.size();
     for (std::size_t i = 0; i < n; ++i) {

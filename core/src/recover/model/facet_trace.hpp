@@ -31,9 +31,9 @@ struct FacetTrace {
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
-  std::vector<Triangle> faces;         ///< in the orientation of the subfacet
-  std::vector<CellIndex> cells;        ///< for each of these faces a cell that contains it
-  std::vector<PiercingEdge> piercing;  ///< in the order in which they were found, each once
+  std::vector<Triangle> faces;         ///< faces of the subfacet, in its orientation
+  std::vector<CellIndex> cells;        ///< a cell with each face
+  std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };
 

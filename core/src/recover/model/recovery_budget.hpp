@@ -43,8 +43,8 @@ struct RecoveryBudget {
   /// what they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models
   /// and corpus models of recovery_bench have up to 3.7 (chazelle_16).
   double crossings_per_cell = 4;
-  /// A step that reduces crossings may miss one more of this many segments. Fans miss up to 8 percent more, plates of
-  /// rotated needles, which then get more points, 63.
+  /// A triangulation with fewer crossings is accepted if it misses at most one more in this many segments. Fans miss up
+  /// to 8 percent more. Plates of rotated needles miss 63 percent more, and would get more points.
   std::size_t crossings_loss = 4;
   /// Slopes of a shear are multiples of this number, because the tilted plates of test models have simple slopes.
   double slope_step = 0x1p-10;

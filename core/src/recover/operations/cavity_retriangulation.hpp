@@ -11,7 +11,6 @@
 
 namespace geomesh::recover {
 
-/// Effort spent on a cavity.
 struct CavityEffort {
   std::size_t max_nodes = recovery_budget.filling_nodes;
   std::size_t max_faces = recovery_budget.filling_faces;
@@ -45,7 +44,7 @@ class Cavity {
 
  private:
   struct BoundaryFace {
-    Triangle triangle;  ///< counter-clockwise as seen from inside
+    Triangle triangle;  ///< counter-clockwise as seen from inside the cavity
     FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
   };
 

@@ -278,7 +278,7 @@ class Filler {
   FillingLimits limits_;
   Corners corners_;
   std::vector<Front> levels_;  ///< the open faces at each depth of the search
-  OpenCounts open_;            ///< counts of the current level
+  OpenCounts open_;            ///< counts of open faces at the current level
   std::vector<std::array<LocalVertex, 4>> cells_;
   std::size_t n_nodes_ = 0;
 };

@@ -108,7 +108,7 @@ class SideMasks {
     }
   }
 
-  /// @name For increasing triples, after decide_all
+  /// @name Masks of increasing triples, valid after decide_all
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }

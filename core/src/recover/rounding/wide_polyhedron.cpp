@@ -16,7 +16,7 @@ using exact::TwoDouble;
 namespace {
 
 using Row = std::array<double, 3>;
-using Steps = std::array<std::int64_t, 3>;  ///< in units of the spacing
+using Steps = std::array<std::int64_t, 3>;  ///< a lattice point, in units of the spacing
 
 constexpr double too_many_steps = 0x1p60;  ///< limit on numbers of steps, so that sums of a few fit into 64 bits
 

@@ -95,7 +95,6 @@ std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   return axes;
 }
 
-/// Returns the extents of the box of all segments.
 Vec3 extents_of(const std::vector<Vec3>& points, const Constraints& constraints) {
   Box3 box;
   for (const Subsegment& s : constraints.subsegments)

@@ -137,7 +137,7 @@ void FillingCandidates::find_allowed_faces() {
 /// on the same side, and a and b lie on different sides of the face. For each pair c, d all vertices e are handled at
 /// once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
-  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of (a, b, c, .)
+  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of the triangles (a, b, c) for all c
   for (LocalVertex c = 0; c < n_; ++c)
     if (c != a && c != b) about[c] = sides_.of_edge(a, b, c);
   for (LocalVertex c = 0; c < n_; ++c) {

@@ -23,9 +23,9 @@ namespace geomesh::recover {
 /// with multiplicity); no cell is a ghost.
 struct Region {
   std::vector<CellIndex> cells;
-  std::vector<VertexIndex> vertices;  ///< sorted, without the dropped ones
-  /// Counter-clockwise as seen from the region's inside. A locked face between two of its cells is listed twice, once
-  /// in each orientation.
+  std::vector<VertexIndex> vertices;  ///< vertices of the cells without the dropped ones, sorted
+  /// Boundary triangles, counter-clockwise as seen from the region's inside. A locked face between two of its cells is
+  /// listed twice, once in each orientation.
   std::vector<Triangle> boundary;
   std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments of the cells, smaller vertex first, sorted
   std::vector<Tetrahedron> kept;                     ///< cells without a dropped vertex

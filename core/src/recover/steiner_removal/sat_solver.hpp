@@ -117,7 +117,7 @@ class SatSolver {
   std::vector<Clause> clauses_;
   std::vector<Watch> watches_;
   std::vector<std::uint32_t> first_watch_;  ///< for each literal: watches of the clauses that watch its negation
-  std::vector<std::uint32_t> chosen_;       ///< variables, choice by choice
+  std::vector<std::uint32_t> chosen_;       ///< variables of all choices, choice by choice
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
   std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable

@@ -24,7 +24,7 @@ struct Sector {
   }
 };
 
-/// Returns the sectors of x's star, whose cells are sorted.
+/// Returns the sectors of the star of x. `star` contains the cells of the star, sorted.
 std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                    const std::vector<CellIndex>& star);
 
