@@ -59,8 +59,8 @@ class SlotSource {
     block_end_ = base + block;
     limit_ = limit;
   }
-  /// Removes at the end all slots that no cell uses. Only for the single source of a mesh: its blocks form one range,
-  /// so that no slot beyond the next one has been used.
+  /// Removes all slots that no cell uses, after the last insertion. Only for the single source of a mesh: its blocks
+  /// form one range, so that no slot beyond the next one has been used.
   template <class Mesh>
   void finish(Mesh& mesh) const {
     for (const CellIndex c : free_)

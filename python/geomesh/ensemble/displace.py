@@ -52,7 +52,7 @@ class Displacement:
         self._name = "surfaces." + spec.name
 
     def of(self, points, triangles, holds):
-        """Returns the displaced points; `holds` as in fields.held, for horizons."""
+        """Returns the displaced points. Only horizons use `holds` (see fields.held)."""
         if self._spec.kind == "horizon":
             return self._of_horizon(points, holds)
         turned = self._turned(points) + self._shift()

@@ -20,7 +20,7 @@ _KINDS = ((UsageError, "study"), (InvalidInput, "input"), (CannotMesh, "mesh"), 
 
 
 class OutOfTime(Exception):
-    """The study's time_limit."""
+    """A realisation has taken longer than the study's time_limit."""
 
 
 @dataclass
@@ -34,7 +34,7 @@ class Fault:
 
 @dataclass
 class Drawn:
-    """The input of a realisation."""
+    """Results of the draws for a realisation."""
     node: object  # The project as a YAML node.
     inputs: dict  # Surfaces given in memory.
     moved: dict  # (points, triangles or None) of each moved surface by name, in the file's coordinates.

@@ -91,7 +91,7 @@ struct RecoveryBudget {
 
   // Points on facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
-  unsigned facet_depth_first = 2;  ///< levels of flips before a facet's first point; one level between points
+  unsigned facet_depth_first = 2;  ///< levels of flips before the first point on a facet; before others, one level
   /// Largest number of faces and piercing edges found by traces of a facet, which order its flips and points. Without
   /// such traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU
   /// seconds.
