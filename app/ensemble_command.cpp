@@ -29,8 +29,7 @@ fs::path this_program() {
   return fs::read_symlink("/proc/self/exe", error);
 }
 
-/// If this program is in a build folder, puts the Python package of that folder first on the path. An installed package
-/// is found without help.
+/// Puts the Python package of a build folder first on the path, if this program is in one.
 void set_python_path(const fs::path& program) {
   const fs::path built = program.parent_path().parent_path() / "python";
   std::error_code error;
@@ -40,8 +39,7 @@ void set_python_path(const fs::path& program) {
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 
-/// Returns GEOMESH_PYTHON, else the system's Python, which has the distribution's packages, else the first one on the
-/// path.
+/// Returns GEOMESH_PYTHON, else the system's Python, which has the distribution's packages, else the first on the path.
 std::string python() {
   const char* const given = std::getenv("GEOMESH_PYTHON");
   if (given && *given) return given;

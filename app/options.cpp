@@ -127,8 +127,7 @@ void check_option_names(const CLI::App& app) {
   }
 }
 
-/// Runs CLI11 and converts its exceptions to those of geomesh; returns true if help was requested (its text is then in
-/// `help`).
+/// Runs CLI11 with the errors of geomesh. Returns true if help was requested (its text is then in `help`).
 bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) {
   use_plain_help(app);
   try {
@@ -138,8 +137,7 @@ bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) 
     help = app.help();
     return true;
   } catch (const CLI::ParseError& error) {
-    // Misspelt options are reported first, because their values would be taken for files, or a required value would
-    // seem to be missing.
+    // Misspelt options are reported first, because they cause other errors, such as values taken for files.
     check_option_names(app);
     usage_error(std::string(error.what()) + "\nSee " + app.get_name() + " --help");
   }

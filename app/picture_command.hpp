@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh picture`: runs the program geomesh-picture beside this one to draw a mesh, on a virtual display if there is
-/// none.
+/// `geomesh picture`: draws a mesh by the program geomesh-picture beside this one, on a virtual display if necessary.
 #pragma once
 
 #include "geomesh/core/run_context.hpp"

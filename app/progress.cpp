@@ -168,8 +168,7 @@ void Progress::on_progress(std::size_t done, std::size_t total) {
   if (Clock::now() - last_drawn_ >= redraw_interval) draw();
 }
 
-/// Draws the line of the running stage. Its progress is in percent. Progress in few rounds does not measure time and is
-/// not displayed.
+/// Draws the line of the running stage, with its percentage unless it has few rounds, which do not measure time.
 void Progress::draw() {
   constexpr std::size_t few = 20;
   last_drawn_ = Clock::now();

@@ -15,7 +15,7 @@ void install_signal_handlers();
 /// Returns the token for RunContext::cancel, which the first signal sets.
 const std::atomic<bool>& cancel_token();
 
-/// After this call the first signal ends the program.
+/// After this call the first signal, instead of the second, ends the program at once.
 void leave_at_once_when_signalled();
 
 /// Returns the exit status after a signal was received: 130 or 143.

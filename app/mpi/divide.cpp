@@ -41,8 +41,7 @@ class Divider {
   bool is_constrained(std::size_t t, unsigned i) const {
     return std::binary_search(constrained_.begin(), constrained_.end(), face(t, i));
   }
-  /// Estimates the number of elements that refinement will make in a tetrahedron, from the target sizes at its corners
-  /// and its centre.
+  /// Estimates how many elements refinement makes in a tetrahedron from the target sizes at its corners and centre.
   double elements(std::size_t t) const {
     const Vec3 middle = 0.25 * ((point(t, 0) + point(t, 1)) + (point(t, 2) + point(t, 3)));
     double density = 0.5 / cube(model_.size.at(middle, model_.component[t]));
@@ -69,8 +68,7 @@ class Divider {
     }
     return weights;
   }
-  /// Moves a tetrahedron that protrudes from its part to the neighbouring part, because no element would fit into its
-  /// wedge.
+  /// Moves a tetrahedron that protrudes from its part to the neighbouring part, as no element would fit its wedge.
   void smooth() {
     constexpr unsigned rounds = 4;
     for (unsigned round = 0; round < rounds; ++round)

@@ -21,8 +21,7 @@ struct InnerFace {
   std::array<Index, 2> cells;
 };
 
-/// The inner and the open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on
-/// one side.
+/// Inner and open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
 struct MeshFaces {
   enum class Which { all, at_border };
   /// `at_border` restricts the search to faces whose corners may all be on the outside, if the mesh has this

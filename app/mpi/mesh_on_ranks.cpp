@@ -135,8 +135,7 @@ Start start_on_all(const geomodel::Project& project, const fs::path& stem, const
   return start;
 }
 
-/// Writes the part of this rank. Returns the error, if any, so that the other ranks can be informed before it is
-/// thrown.
+/// Writes the part of this rank. Returns any error, so that the other ranks can be informed before it is thrown.
 std::exception_ptr write_part(const geomodel::Project& project, NumberedPart& numbered, const Ranks& ranks,
                               StagedFiles& files) {
   try {

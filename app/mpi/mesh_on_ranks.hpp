@@ -20,8 +20,7 @@ struct RanksRequest {
 };
 
 /// Makes and writes the mesh of a project. Returns the lines to be printed, on rank 0 only. No file gets its final name
-/// before all ranks have written their files. An error is thrown only on the rank where it occurs, and the caller must
-/// then end all ranks.
+/// before all ranks have written their files. An error is thrown on its rank only, and the caller must end all ranks.
 std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context);
 
 }  // namespace geomesh::app

@@ -19,8 +19,7 @@ struct NumberedPart {
 };
 
 /// Assigns global numbers. Points of the model come first in their order, followed by those of rank 0, rank 1 and so
-/// on; a shared point belongs to the lowest of its ranks. Tetrahedra are numbered by region, and within a region by
-/// rank.
+/// on; a shared point belongs to the lowest of its ranks. Tetrahedra are numbered by region, then by rank.
 NumberedPart number_part(const RankModel& model, const RankMesh& mesh, const MeshFaces& faces, const Ranks& ranks);
 
 }  // namespace geomesh::app

@@ -12,8 +12,7 @@
 
 namespace geomesh::app {
 
-/// The model's points: points on surfaces and curves, and named points. They have the same positions in the sparse mesh
-/// and in the fine mesh.
+/// Points on surfaces and curves, and named points. They have the same positions in the sparse and the fine mesh.
 class ModelPoints {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
@@ -69,10 +68,9 @@ struct RankMesh {
 };
 
 /// Returns the tetrahedra of the sparse mesh that belong to a rank. Edges on the border to other ranks that are longer
-/// than the target size are halved, the longest first; ties are decided by position. Which edges are halved, and
-/// therefore where points are, follows from each triangle alone, so that the ranks on both sides make the same
-/// triangles without communication. O(n log n) in the triangles. Throws Error{cannot_mesh} if a tetrahedron at the
-/// border becomes too flat.
+/// than the target size are halved, the longest first; ties are decided by position. The halved edges, and so the
+/// points, follow from each triangle alone, so that both ranks make the same triangles without communication. O(n log
+/// n) in the triangles. Throws Error{cannot_mesh} if a tetrahedron at the border becomes too flat.
 RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& rank_of, std::int32_t rank);
 
 /// Adds to a part of the mesh the points, edges and faces of the model that lie in it.

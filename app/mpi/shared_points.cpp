@@ -14,8 +14,7 @@ std::size_t keeper_of(const Vec3& p, const Ranks& ranks) {
   return PlaceHash{}(p) / 7 % static_cast<std::size_t>(ranks.size());
 }
 
-/// A face by the positions of its corners, in ascending order; `even`: whether this is an even permutation of the order
-/// seen from its cell.
+/// A face by its corners' positions, ascending; `even`: whether this is an even permutation of the cell's order.
 struct PlacedFace {
   std::array<Vec3, 3> places;
   std::uint32_t even;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The data with which all ranks start: named surfaces within the tolerance, few tetrahedra between them, and the
-/// sizes.
+/// The data with which all ranks start: surfaces within the tolerance, few tetrahedra between them, and the sizes.
 #pragma once
 
 #include <string>
@@ -38,8 +37,7 @@ std::vector<std::string> leave_out_page(geomodel::Project& project);
 /// Throws Error{usage} if the project requests something that is not supported on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// Runs the stages of the serial program from `read` to `verify`, with few points inside regions. Throws the errors of
-/// geomodel::run_project.
+/// Runs the serial program's stages from `read` to `verify`, with few points in regions. Throws as run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
 /// Sends the model from rank 0 to all ranks. Returns its size in bytes. Target sizes that are a function of position

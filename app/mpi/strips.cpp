@@ -137,8 +137,7 @@ class Joiner {
   ByPlace<VertexIndex> at_;
 };
 
-/// Removes the tetrahedra that some rank takes. Those that this rank takes itself come back with the parcels of its
-/// strip.
+/// Removes the tetrahedra that some rank takes. Those that this rank takes come back with the parcels of its strip.
 void drop_taken(RankMesh& mesh, const std::vector<std::int32_t>& takers) {
   std::size_t n = 0;
   for (std::size_t c = 0; c < takers.size(); ++c) {
@@ -280,8 +279,7 @@ class StripImprover {
     return n;
   }
 
-  /// Returns the improved strip. Points that were pending remain so if they have kept their place, as all points on the
-  /// border of the strip do.
+  /// Returns the improved strip. Pending points remain pending if they have not moved, like all on the strip's border.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

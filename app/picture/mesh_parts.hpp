@@ -26,12 +26,10 @@ struct MeshFile {
   std::vector<int> region_of_cell;  ///< region of each cell; 0 if the file has no regions
 };
 
-/// Reads a mesh with the faces and the colours in files beside it. Throws std::runtime_error if the file has no
-/// tetrahedra.
+/// Reads a mesh, and the faces and colours beside it. Throws std::runtime_error if the file has no tetrahedra.
 MeshFile read_mesh_file(const std::filesystem::path& file);
 
-/// Returns the boundary of the tetrahedra that `wanted` accepts, with flat shading and the cell array `value` from
-/// `value_of`.
+/// Returns the boundary of the tetrahedra that `wanted` accepts, shaded flat, with cell array `value` from `value_of`.
 vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::function<bool(vtkIdType)>& wanted,
                                         const std::function<double(vtkIdType)>& value_of);
 

@@ -99,8 +99,7 @@ class SceneBuilder {
       add(outside_of(block), table, low_, high_);
   }
 
-  /// Returns a function that decides whether a tetrahedron is kept: the quarter on the camera's side is removed, which
-  /// opens two walls.
+  /// Returns a function that decides whether a tetrahedron is kept: all but the quarter on the camera's side are.
   Wanted behind_the_cut() const {
     const auto [cx, cy] = middle();
     const auto [sx, sy] = side();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Converts results of jobs to bytes and back, for pickling between processes of one machine and one version of
-/// geomesh.
+/// Converts results of jobs to bytes and back, for pickling on one machine with one version of geomesh.
 #pragma once
 
 #include <string>

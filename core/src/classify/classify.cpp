@@ -176,8 +176,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Returns whether at least one cell around the edge is kept. Both ends of an edge may be kept although none of its
-  /// cells is.
+  /// Returns whether at least one cell around the edge is kept. If none is, both ends of the edge may still be kept.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;

@@ -11,9 +11,9 @@
 
 namespace geomesh::classify {
 
-/// Finds the components into which locked faces divide the recovered mesh, numbers them, assigns the region seeds to
-/// them, and drops the cells outside, as ConstrainedTetrahedralization documents. Throws Error{cannot_mesh} if nothing
-/// is enclosed.
+/// Finds and numbers the components into which locked faces divide the recovered mesh, assigns the region seeds to
+/// them, and drops the cells outside (see ConstrainedTetrahedralization). Throws Error{cannot_mesh} if nothing is
+/// enclosed.
 ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, recover::DeclaredModel& model,
                                        const PiecewiseLinearComplex& plc, const RunContext& context);
 

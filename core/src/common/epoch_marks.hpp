@@ -10,8 +10,7 @@ namespace geomesh {
 
 /// A hash table that fits into the nearest cache, because only few items are marked at a time (a star, a cavity). An
 /// array indexed by cell would cause scattered memory access. An entry is valid only in the epoch in which it was made.
-/// Use one object per thread. All calls take constant time, except when the table grows; it has at least twice as many
-/// slots as entries.
+/// Use one object per thread. Calls take constant time unless the table grows; at most half of its slots are used.
 class EpochMarks {
  public:
   /// Takes all marks off.

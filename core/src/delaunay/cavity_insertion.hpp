@@ -61,8 +61,7 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
   /// Faces of new cells that wait for their neighbour. 3D: row a, column b has the face on the directed boundary edge
-  /// (a, b). 2D: row 0 has the face on boundary vertex b of the new cell whose edge begins with b, row 1 that of the
-  /// other.
+  /// (a, b). 2D: row 0 has the face on boundary vertex b of the new cell whose edge begins with b, row 1 the other.
   std::array<FaceRef, table_side * table_side> table_;
 };
 
@@ -305,8 +304,7 @@ void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   }
 }
 
-/// Links the new cells of a large cavity: their faces are stored in a map by the boundary edge (3D) or vertex (2D) on
-/// which they lie.
+/// Links the new cells of a large cavity, with a map of their faces by the boundary edge (3D) or vertex (2D) on them.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
   std::unordered_map<std::uint64_t, FaceRef> open;

@@ -124,8 +124,7 @@ std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& 
   return end;
 }
 
-/// Inserts points in concurrent parts. Returns the positions that no part could insert, in the order of the Hilbert
-/// curve.
+/// Inserts points in concurrent parts. Returns the positions that no part could insert, in Hilbert order.
 std::vector<VertexIndex> CavityStage::insert_in_parts(const std::vector<VertexIndex>& positions, double distance) {
   const std::size_t n_parts = std::clamp<std::size_t>(positions.size() / points_a_part, 2, 256);
   std::vector<PartRun> runs = cut_curve(n_parts);

@@ -18,13 +18,12 @@ namespace geomesh {
 /// Parallel insertion after the idea of HXT (Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion
 /// tetrahedra"). Each part inserts the points of one interval of the Hilbert curve. It may only change cells with all
 /// of their vertices in this interval; a point that needs other cells is deferred. Unlike in HXT, the parts depend only
-/// on the number of points, and each takes slots for new cells from stripes of its own. Every part therefore does the
-/// same work whatever the number of threads, and the result is the same in every byte. No locks are needed.
+/// on the number of points, and each takes slots for new cells from stripes of its own. The work of a part, and every
+/// byte of the result, are therefore the same for any number of threads. No locks are needed.
 ///
 /// No two parts interfere: a cell that a part removes has all its vertices in that part, and shares three vertices with
-/// each neighbour. A neighbour that the part does not own has therefore at least two finite vertices in this part, so
-/// no other part owns it either: its vertices do not change, and each of its neighbour links is written by at most one
-/// part.
+/// each neighbour. A neighbour not owned by the part has therefore at least two finite vertices in it, so no other part
+/// owns it either: its vertices do not change, and each of its neighbour links is written by at most one part.
 class CavityStage {
  public:
   CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,

@@ -113,8 +113,7 @@ void ConstrainedTriangulation::restore_delaunay() {
   }
 }
 
-/// Returns the face opposite a through which the segment a-b leaves the star of a, or the vertex of the star through
-/// which it runs.
+/// Returns the face through which the segment a-b leaves the star of a, or the vertex of the star on the segment.
 std::variant<FaceRef, ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::exit_from_star(
     VertexIndex a, VertexIndex b) const {
   const auto side_of = [&](VertexIndex v) {

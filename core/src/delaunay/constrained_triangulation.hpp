@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The constrained Delaunay triangulation of points in a plane: a 2D Delaunay triangulation in which segments are
-/// recovered by flips (Sloan 1993). It is used for single facets and makes the draft of Cavalcanti and Mello 1999
-/// (section 3.2).
+/// recovered by flips (Sloan 1993). It makes the draft of a facet (Cavalcanti and Mello 1999, section 3.2).
 #pragma once
 
 #include <array>
@@ -35,18 +34,15 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   ConstrainedTriangulation(const ConstrainedTriangulation&) = delete;
   ConstrainedTriangulation& operator=(const ConstrainedTriangulation&) = delete;
 
-  /// Makes the Delaunay triangulation of all points. Returns false if all points are collinear or two are equal. O(n
-  /// log n).
+  /// Makes the Delaunay triangulation of all points. Returns false if all are collinear or two are equal. O(n log n).
   bool triangulate();
   /// Makes a-b a permanent edge by flips. Returns an obstacle if that is not possible.
   std::optional<Obstacle> insert_constraint(VertexIndex a, VertexIndex b);
-  /// Returns the number of edges that the segment a-b crosses, counted up to `most`. It is 0 if a-b is an edge or runs
-  /// through a vertex.
+  /// Returns the number of edges that a-b crosses, up to `most`; 0 if a-b is an edge or runs through a vertex.
   std::size_t n_crossed(VertexIndex a, VertexIndex b, std::size_t most) const;
   /// Restores the Delaunay criterion for all edges that are not constraints.
   void restore_delaunay();
-  /// Returns the apex of the triangle on the left of edge a-b; nothing if there is no such edge or no triangle on that
-  /// side.
+  /// Returns the apex of the triangle on the left of edge a-b; nothing if there is no such edge or triangle.
   std::optional<VertexIndex> apex(VertexIndex a, VertexIndex b) const;
   /// Returns the triangles that are reached from the left of the edges `from` without crossing one of `barriers`.
   std::vector<Triangle> triangles_left_of(std::vector<Edge> from, std::span<const Edge> barriers) const;

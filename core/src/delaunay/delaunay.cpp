@@ -62,8 +62,7 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
 
 /// Returns the cluster distance for the option `auto`: 2^-44 of the model's extent if two consecutive points on the
 /// Hilbert curve are that close, otherwise 0. At that distance, differences of coordinates have at most nine
-/// significant bits. Deferring costs more than it saves at larger distances (docs/decisions/delaunay.md, "Deferred
-/// points").
+/// significant bits. Deferring at larger distances does not pay (docs/decisions/delaunay.md, "Deferred points").
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;
   double least = std::numeric_limits<double>::infinity();

@@ -62,8 +62,7 @@ void FlipInsertion::collect_holders(CellIndex c, const Vec3& p) {
   GEOMESH_CHECK(on.size() <= 2);
   if (on.size() == 1) old_.push_back(cells_[c].neighbors[on[0]].cell());
   if (on.size() < 2) return;
-  // Turns around the edge common to both faces that contain p. Each cell is left through the face through which it was
-  // not entered.
+  // Turns around the common edge of both faces that contain p, leaving each cell through the face not entered.
   FaceRef next = cells_[c].neighbors[on[0]];
   VertexIndex pivot = cells_[c].vertices[on[1]];
   while (next.cell() != c) {
@@ -182,8 +181,7 @@ bool FlipInsertion::try_flip(FaceRef f) {
 // Notation of the flips: v and d are the apexes of the two cells at face (a, b, c). Replacing one of a, b and c by d in
 // the cell of v gives a cell on the new edge (v, d) with correct orientation.
 
-/// Flips three cells around edge (a, b) into two: the cell of v, the cell of d, and one with the vertices v, d, a and
-/// b.
+/// Flips three cells around edge (a, b), those of v and d and one with the vertices v, d, a and b, into two.
 bool FlipInsertion::try_3_to_2(FaceRef f, FaceRef outer) {
   const CellVertices w = cells_[f.cell()].vertices;
   const VertexIndex d = cells_[outer.cell()].vertices[outer.face()];

@@ -15,9 +15,9 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no special case. A 4-4 flip with
-/// an infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip around an edge to infinity removes a
-/// vertex from the hull.
+/// The vertex at infinity takes part in flips like any other: hull faces need no special case. A 4-4 flip with an
+/// infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip around an edge to infinity removes a vertex
+/// from the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:
   using IncrementalTriangulation::IncrementalTriangulation;
@@ -27,8 +27,7 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   /// Splits the cells that contain v without flips, so that the result need not be Delaunay.
   InsertionOutcome split_only(VertexIndex v);
   /// Flips all faces of the mesh that are not locally Delaunay and can be flipped. Returns the number of faces that
-  /// remain not locally Delaunay (stuck). Each flip lowers the lifted surface, so this terminates from any
-  /// triangulation.
+  /// remain not locally Delaunay (stuck). Each flip lowers the lifted surface, so this terminates.
   std::size_t flip_all();
 
   /// Makes the first possible of the flips 3-2, 2-3 and 4-4 at face f between two finite cells, whether or not the face

@@ -24,8 +24,7 @@ enum class InsertionOutcome {
   not_owned,  ///< the insertion would change cells of another part; nothing was changed
 };
 
-/// Base of the incremental algorithms. Their vertices are positions in insertion order, and the infinite vertex is the
-/// one after the last.
+/// Base of the incremental algorithms. Vertices are positions in insertion order; the infinite vertex follows the last.
 template <class Space, bool Shared>
 class IncrementalTriangulation {
  public:
@@ -44,8 +43,7 @@ class IncrementalTriangulation {
   /// Makes the first simplex of an empty mesh from affinely independent, positively oriented vertices.
   void start(const CellVertices& first);
 
-  /// Returns the cell that contains p, or the ghost of a hull face beyond which p lies. The next walk starts at this
-  /// cell.
+  /// Returns the cell that contains p, or the ghost of a hull face that p is beyond. The next walk starts at this cell.
   CellIndex locate(const Vec3& p) { return hint_ = walk(p); }
   void set_hint(CellIndex c) { hint_ = c; }
   CellIndex hint() const { return hint_; }

@@ -9,8 +9,7 @@
 
 namespace geomesh {
 
-/// Projects points along an axis: the result is (y, z), (z, x) or (x, y), optionally with the two coordinates
-/// exchanged.
+/// Projects points along an axis: the result is (y, z), (z, x) or (x, y), or these exchanged.
 struct PlaneProjection {
   enum class Handedness { right, left };
   int axis = 2;

@@ -6,7 +6,7 @@
 ///
 /// The Delaunay triangulation has its own kind of cavity (delaunay/cavity_insertion.hpp), which tests four faces at a
 /// time with vector instructions. ConstrainedMesh::find_cavity marks cells in their flags, because replace_by_star
-/// needs these flags.
+/// needs them.
 #pragma once
 
 #include <algorithm>
@@ -18,12 +18,10 @@
 
 namespace geomesh {
 
-/// A cavity that is stored in a list and in marks that belong to the caller. The marks are set for exactly the cells in
-/// the list.
+/// A cavity that is stored in a list and in marks of the caller, which are set for exactly the cells in the list.
 class Cavity {
  public:
-  /// Starts with the cells `bases`, which are never removed from the cavity. The mesh must not change while the cavity
-  /// is used.
+  /// Starts with the cells `bases`, which remain in the cavity. The mesh must not change while the cavity is used.
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Circumcentres in floating point, as candidates for the positions of new points. No topological decision depends on
-/// them.
+/// Circumcentres in floating point, as candidates for new points. No topological decision depends on them.
 #pragma once
 
 #include <optional>

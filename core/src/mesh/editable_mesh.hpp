@@ -50,8 +50,7 @@ class EditableMesh {
   const Vec3& point(VertexIndex v) const { return points_[v]; }
   CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
 
-  /// Lists the star of v: all cells that can be reached from cell_of(v) through faces with v, in an order that depends
-  /// on the mesh alone.
+  /// Lists the star of v: the cells reached from cell_of(v) through faces with v, in an order that the mesh determines.
   void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
   /// Lists the star of v step by step: begin_star() lists the first cell, and grow_star() adds the neighbours of out[k]
   /// that have v and are not in the list yet, to be called for each k < out.size().
@@ -64,9 +63,8 @@ class EditableMesh {
     End end;
     CellIndex cell;  ///< the last
   };
-  /// Walks from a finite cell towards p with exact predicates. Each step crosses the first face, in the order from
-  /// first_face() on, that has p beyond it. Stops before a face for which is_barrier(face) is true, and after
-  /// `most_steps` steps.
+  /// Walks from a finite cell towards p with exact predicates. Each step crosses the first face from first_face() on
+  /// that has p beyond it. Stops before a face for which is_barrier(face) is true, and after `most_steps` steps.
   template <class FirstFace, class IsBarrier>
   Walk walk(const Vec3& p, CellIndex start, std::size_t most_steps, const FirstFace& first_face,
             const IsBarrier& is_barrier) const;

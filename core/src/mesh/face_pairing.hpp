@@ -36,7 +36,7 @@ class FacePairing {
     outer,   ///< face of a kept cell, or of no cell if it is on the outside
     inner,   ///< face between two removed cells, of which only the mark waits
     added,   ///< face of a new cell
-    linked,  ///< face that has found its equal
+    linked,  ///< face that has been linked with its equal
   };
   struct Entry {
     FaceKey key;

@@ -17,8 +17,7 @@ namespace geomesh {
 struct MergedFacets {
   PiecewiseLinearComplex plc;
   std::vector<Index> first{0};  ///< facet m of `plc` represents members[first[m]] .. members[first[m + 1] - 1]
-  /// Facets of the complex before merging; the first of each patch is the smallest, and determines the orientation of
-  /// the merged facet.
+  /// Facets of the complex before merging. The first of each patch is the smallest, and orients the merged facet.
   std::vector<Index> members;
 
   bool has_merged() const { return plc.n_facets() < members.size(); }

@@ -75,16 +75,14 @@ class EdgeUses {
   std::vector<EdgeUse> uses_;  ///< sorted
 };
 
-/// Returns whether four points are coplanar. Sides of boxes and horizontal surfaces are recognised without a
-/// determinant.
+/// Returns whether four points are coplanar. For sides of boxes and horizontal surfaces no determinant is needed.
 bool are_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return true;
   return orient3d(a, b, c, d) == Sign::zero;
 }
 
-/// Returns whether exactly two coplanar triangles of one surface, and nothing else, meet at an edge. `provenance` has
-/// an entry per facet.
+/// Returns whether only two coplanar triangles of one surface meet at an edge. `provenance` has an entry per facet.
 bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
                      std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].facet == no_index || uses[1].facet == no_index) return false;

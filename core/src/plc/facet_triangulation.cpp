@@ -13,8 +13,7 @@ namespace geomesh {
 
 namespace {
 
-/// Returns the projection along the coordinate in which the normal is largest. The outer loop is counter-clockwise in
-/// the projection.
+/// Returns the projection along the largest component of the normal in which the outer loop is counter-clockwise.
 PlaneProjection projection_along(const Vec3& normal) {
   using Handedness = PlaneProjection::Handedness;
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);

@@ -137,8 +137,7 @@ double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   return most;
 }
 
-/// Walks along the straight line from v to x. Returns nothing if the line leaves the patch, which only happens because
-/// of rounding of x.
+/// Walks straight from v to x. Returns nothing if the line leaves the patch, which only rounding of x causes.
 std::optional<Index> FlatPatch::walk_from(VertexIndex v, const Vec2& x) const {
   const Vec2 from = flat(v);
   Index at = no_index;

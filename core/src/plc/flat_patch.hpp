@@ -14,8 +14,7 @@
 
 namespace geomesh {
 
-/// Exactly coplanar triangles that are connected by edges. They are oriented like the first one; corner 3 t + k is
-/// vertex k of triangle t.
+/// Exactly coplanar triangles connected by edges, oriented like the first. Corner 3 t + k is vertex k of triangle t.
 class FlatPatch {
  public:
   using Edge = std::array<VertexIndex, 2>;
@@ -42,8 +41,7 @@ class FlatPatch {
 
   /// Returns the triangle that contains the centroid (rounded to doubles) of a triangle inside the patch, whose
   /// vertices are points of the patch or on it. Exact for the rounded centroid. `near` lists the corners of the
-  /// triangle that are vertices of the patch; it may be empty. O(triangles between a corner and the centroid), O(n)
-  /// without a corner.
+  /// triangle that are vertices of the patch, if any. O(triangles from a corner to the centroid), O(n) without one.
   Index triangle_at_centroid(const std::array<Vec3, 3>& corners, std::span<const VertexIndex> near) const;
 
  private:

@@ -43,8 +43,7 @@ struct ModelNames {
   std::vector<std::uint8_t> facet_is_reversed;    ///< whether the outer loop is reversed with respect to the caller's
   std::vector<std::uint8_t> segment_is_reversed;  ///< whether the ends are exchanged with respect to the caller's
 
-  /// Returns whether the upper side of facet f, by its loop in the frame of the model, is its lower side for the
-  /// caller.
+  /// Returns whether the upper side of facet f, by its loop in the model's frame, is its lower side for the caller.
   bool swaps_sides(Index f) const { return (facet_is_reversed[f] != 0) != frame.mirrors(); }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Measures how far patches of coplanar triangles are from Delaunay, which determines whether recovering their inner
-/// edges is worth while.
+/// Measures how far patches of coplanar triangles are from Delaunay, and so the cost of recovering their inner edges.
 #pragma once
 
 #include <span>

@@ -14,8 +14,7 @@ namespace geomesh {
 
 namespace {
 
-/// Largest number of bits of a point's two coordinates in the plane: a millionth of the polygon's size is accurate
-/// enough.
+/// Largest number of bits of a point's two coordinates in the plane: a millionth of the polygon's size suffices.
 constexpr int most_bits = 20;
 
 struct Circle {
@@ -120,8 +119,7 @@ class RoofBuilder {
     }
     return true;
   }
-  /// Returns a point on the line from the triangle to the centre of its circumcircle, at most half as far as the border
-  /// in that direction.
+  /// Returns a point from the triangle towards the centre of its circumcircle, at most half as far as the border.
   Vec3 towards(const Triangle& t, const Vec3& centre) const {
     const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
     double part = 1;

@@ -19,8 +19,7 @@ namespace geomesh {
 struct Roof {
   std::vector<Vec3> inner;   ///< inner points, exactly in the plane of the polygon
   std::vector<double> rise;  ///< distance of each inner point from the border, projected along the axis
-  /// Triangles in the orientation of the polygon. Their vertices are the corners of the polygon, followed by inner
-  /// points.
+  /// Triangles, oriented like the polygon. Their vertices are the polygon's corners, followed by inner points.
   std::vector<Triangle> triangles;
 };
 

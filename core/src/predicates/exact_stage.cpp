@@ -150,8 +150,7 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 }  // namespace
 
 // Error bounds of the dynamic filters. In doubles they are those of filters.hpp, relative to the sum of the magnitudes
-// of the products. In TwoDouble a product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98
-// is used.
+// of the products. In TwoDouble a product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8 < 2^-98.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);

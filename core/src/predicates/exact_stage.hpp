@@ -12,8 +12,7 @@
 namespace geomesh::exact {
 
 /// Exact signs of the predicates, in the conventions of predicates.hpp. Each function first tries differences of
-/// coordinates, which are often exact for points that are near each other, and otherwise uses the coordinates
-/// themselves.
+/// coordinates, which are often exact for points near each other, and otherwise uses the coordinates themselves.
 Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy);
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
@@ -23,8 +22,7 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
 
 namespace geomesh::detail {
 
-/// Apply the dynamic filter, then exact arithmetic. `exact_calls` is incremented if the dynamic filter does not decide
-/// either.
+/// Apply the dynamic filter, then exact arithmetic. `exact_calls` counts undecided dynamic filters.
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls);
 Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                             std::size_t& exact_calls);

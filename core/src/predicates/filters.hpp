@@ -12,9 +12,8 @@
 ///   in_circle: 6 products, 2 differences, lift (2 + product + sum = 4), 2, 1, 2     = 11 u -> 66 u X Y L;
 ///   in_sphere: 24 products, 3 differences, lift (2 + product + two sums = 5), 2x2 (2), 3x3 (product + two sums = 3),
 ///              product, three sums (3)                                              = 17 u -> 408 u X Y Z L.
-/// L is X^2 + Y^2 or X^2 + Y^2 + Z^2, which is at least the lift.
-/// The factors used are about a tenth larger, which covers the terms of second order and the rounding of the bound
-/// itself.
+/// L is X^2 + Y^2 or X^2 + Y^2 + Z^2, which is at least the lift. The factors used are about a tenth larger, which
+/// covers terms of second order and the rounding of the bound.
 #pragma once
 
 #include <cmath>

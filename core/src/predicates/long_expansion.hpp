@@ -61,8 +61,7 @@ class LongExpansion {
   }
 
  private:
-  /// Reduces the sum to as few terms as possible, with the greatest within an ulp of the whole (Shewchuk 1997, figure
-  /// 15).
+  /// Reduces the sum to the fewest terms, with the greatest within an ulp of the whole (Shewchuk 1997, figure 15).
   void compress() {
     if (terms_.size() < 2) return;
     std::vector<double> g;

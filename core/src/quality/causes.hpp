@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds out why an element is bad or an edge is short: because of an input angle or a thin gap that only a change of
-/// the input could widen.
+/// Finds the cause of a bad element or a short edge: an input angle or thin gap, which only another input could widen.
 #pragma once
 
 #include <optional>
@@ -23,8 +22,7 @@ class CauseFinder {
  public:
   /// All arguments must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of an element and the data that belong to it. Angles at a vertex are kept for other elements with
-  /// this vertex.
+  /// Sets the cause of an element and the data that belong to it. Angles at a vertex are kept for its other elements.
   void explain(WorstElement& w);
   /// Sets the cause of an edge that is shorter than `share` of its target size. `cells` are the cells around the edge.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);

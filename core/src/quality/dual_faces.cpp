@@ -34,8 +34,7 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-/// Vertices from `from` up to but excluding `to`, and the parts of dual faces of edges whose first vertex is one of
-/// them.
+/// Vertices in [from, to), and the parts of dual faces of edges whose first vertex is one of them.
 struct Window {
   std::size_t from, to;
   std::vector<std::size_t>& end_of;  ///< for each vertex of the window, the end of its parts in `parts`

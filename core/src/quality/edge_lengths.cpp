@@ -16,8 +16,7 @@ namespace geomesh {
 
 namespace {
 
-/// Number of blocks into which the vertices are divided. Each block in use takes 48 bytes per tetrahedron, divided by
-/// this number.
+/// Number of blocks of vertices. A block in use takes 48 bytes per tetrahedron, divided by this number.
 constexpr std::size_t n_blocks = 8;
 
 /// A combination of group and component that some tetrahedron has.
@@ -26,8 +25,7 @@ struct Part {
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 
-/// The combinations of group and component that occur, in ascending order, and the row of each tetrahedron's
-/// combination.
+/// The combinations of group and component that occur, ascending, and the row of each tetrahedron's.
 struct PartTable {
   explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
     const auto at = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
@@ -56,8 +54,7 @@ std::uint8_t bin_of(double ratio) {
   return static_cast<std::uint8_t>(std::upper_bound(bounds.begin(), bounds.end(), ratio) - bounds.begin());
 }
 
-/// The target size at each vertex. If sizes may jump between components, they are looked up for the component in
-/// question.
+/// The target size at each vertex. If sizes may jump between components, that of a component is looked up.
 class SizesAtVertices {
  public:
   SizesAtVertices(std::span<const Vec3> points, const SizeField* size, unsigned threads)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Shapes of all tetrahedra of a mesh in 18 bytes each: enough to find any percentile exactly by measuring few of them
-/// again.
+/// Shapes of all tetrahedra in 18 bytes each: any percentile is found exactly by measuring few of them again.
 #pragma once
 
 #include <array>
@@ -33,8 +32,7 @@ struct ShapeSums {
   ShapeStatistics statistics() const;
 };
 
-/// Stores each value as one of 65,536 steps of its scale. Steps preserve the order, so a percentile lies in the step of
-/// its rank.
+/// Stores each value as one of 65,536 steps of its scale, which preserve the order: a percentile is in its rank's step.
 class ShapeTable {
  public:
   ShapeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
@@ -47,8 +45,7 @@ class ShapeTable {
   double first_percentile(ShapeMeasure which, std::span<const Index> rows) const;
 
   /// Returns the tetrahedra whose least dihedral angle is below `angle` (degrees), and in any case the `n_least`
-  /// tetrahedra with the least angles. They are ordered by their least angle, then by row. Precondition: all were
-  /// measured.
+  /// tetrahedra with the least angles. They are ordered by least angle, then by row. Precondition: all were measured.
   std::vector<std::pair<double, Index>> with_least_angles(double angle, std::size_t n_least) const;
 
   TetrahedronShape shape(Index row) const;
@@ -56,8 +53,7 @@ class ShapeTable {
  private:
   using Step = std::uint16_t;
   std::size_t values_a_row(ShapeMeasure which) const { return which == ShapeMeasure::solid_angle ? 4 : 1; }
-  /// Returns the step of the value with the given rank among the values in `rows`, and the number of values in lower
-  /// steps.
+  /// Returns the step of the value with a given rank among those in `rows`, and the number of values in lower steps.
   std::pair<Step, std::size_t> step_at(std::size_t rank, ShapeMeasure which, std::span<const Index> rows) const;
 
   std::span<const Vec3> points_;

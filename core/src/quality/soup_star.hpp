@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds the facets and segments of the input at each vertex of a mesh, as the user drew them, regardless of how they
-/// were meshed.
+/// Finds the facets and segments of the input at each vertex of a mesh, regardless of how they were meshed.
 #pragma once
 
 #include <span>

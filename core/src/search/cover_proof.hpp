@@ -19,8 +19,7 @@
 namespace geomesh::search {
 
 struct Cover {
-  /// True if the whole item is within the limit. Otherwise its point `place` is not within the limit, or the proof
-  /// failed there.
+  /// True if the whole item is within the limit. Otherwise its point `place` is not, or the proof failed there.
   bool is_proven = false;
   /// Largest distance of the points examined: corners, midpoints of sides, centroid, corners and centroids of pieces.
   double farthest = 0;
@@ -31,8 +30,8 @@ struct Cover {
 /// distances (some ulps of the coordinates) is not accounted for, so callers must reserve a share of the limit for it.
 class CoverProver {
  public:
-  /// `open_edges` are the open edges of the items of `set` (find_open_edges). If they are given, pieces over a smooth
-  /// surface need no cuts.
+  /// `open_edges` are those of the items of `set` (find_open_edges). With them, pieces over smooth surfaces need no
+  /// cuts.
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 

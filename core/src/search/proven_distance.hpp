@@ -34,9 +34,8 @@ class DistanceProver {
 
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Returns whether all of `triangle` is proven to be within the limit of the set. Returns false if a point of the
-  /// triangle is not, or if the proof fails after halving down to a 16th of the limit or into a hundred pieces.
-  /// O(pieces * set).
+  /// Returns whether all of `triangle` is proven to be within the limit of the set. Returns false if a point is not, or
+  /// if the proof fails after halving down to a 16th of the limit or into a hundred pieces. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
   /// Returns a triangle of the set if the last proof succeeded at once because the set is one smooth surface over all
@@ -54,8 +53,7 @@ class DistanceProver {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// The range in candidates_ of the candidates of one piece. The candidates of the half that is being examined follow
-  /// after it.
+  /// The range in candidates_ of the candidates of one piece. Those of the half that is being examined follow it.
   struct Range {
     std::size_t first, last;
   };

@@ -24,8 +24,7 @@ class RecentPlaces {
     Vec3 place;
     double value = -1;  ///< negative if no value is known
   };
-  /// Returns the value at p. If it is not known, value_at(last) computes it, where `last` has the place and value of
-  /// the previous call.
+  /// Returns the value at p. If it is unknown, value_at(last) computes it; `last` is the previous place with its value.
   template <class ValueAt>
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),

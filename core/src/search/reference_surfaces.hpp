@@ -21,8 +21,7 @@ struct DistanceQuestion {
   Cover answer;
 };
 
-/// Reference surfaces or curves. Each group (a patch, or a class of curves) is a separate reference. All functions may
-/// be called concurrently.
+/// Reference surfaces or curves, one for each group (a patch or a class of curves). All calls may be concurrent.
 class ReferenceSurfaces {
  public:
   using Piece = ClosestPointTrees::Item;

@@ -6,7 +6,7 @@
 /// Consider the part of the surface over triangle F, as seen along the normal of F. Suppose that it is nowhere farther
 /// from F's plane than the limit, nowhere steep, and without border or feature edge there. Then the set of points of F
 /// that have the surface over them is closed. The set is also open in F, because around each point the surface
-/// continues to all sides and remains within the limit. If the set is not empty, it is therefore all of F, because F is
+/// continues to all sides and remains within the limit. Unless it is empty, it is therefore all of F, which is
 /// connected.
 #pragma once
 
@@ -18,8 +18,7 @@
 
 namespace geomesh::search {
 
-/// A triangle of a surface, and its edges across which the surface does not continue smoothly. Bit k is the edge from
-/// corner k to the next.
+/// A triangle of a surface. Bit k is set if the surface does not continue smoothly across the edge from corner k.
 struct SheetTriangle {
   const PreparedTriangle* triangle;
   std::uint8_t open_edges;
@@ -44,8 +43,7 @@ class SheetProof {
   /// Returns whether the triangle has an area.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Returns whether all of F is within the limit, provided that no triangle of the surface that may be over F was
-  /// found to be `border`.
+  /// Returns whether all of F is within the limit, provided that no triangle of the surface over F is `border`.
   bool is_proven() const { return has_seed_; }
 
  private:

@@ -16,8 +16,7 @@ namespace geomesh::search {
 class TriangleSurfaces final : public ReferenceSurfaces {
  public:
   TriangleSurfaces() = default;
-  /// The pieces are all triangles, or all line segments. `normals` are the unit normals by item, which only normal()
-  /// and is_even() need.
+  /// The pieces are all triangles, or all line segments. `normals` (unit length) are only for normal() and is_even().
   TriangleSurfaces(std::vector<Piece> pieces, std::size_t n_groups, std::vector<Vec3> normals = {});
 
   ClosestPoint closest(const Vec3& p, Index group,

@@ -51,8 +51,7 @@ bool begin_at_least(std::span<VertexIndex> loop) {
   return is_reversed;
 }
 
-/// The loops of a complex with renumbered vertices, each starting at its smallest vertex, and the order of the facets
-/// by these loops.
+/// The loops of a complex with renumbered vertices, each from its smallest vertex, and the order of facets by them.
 class TurnedLoops {
  public:
   /// `local` contains the new number of each vertex of the complex.
@@ -80,8 +79,7 @@ class TurnedLoops {
     std::sort(loops.begin() + 1, loops.end(), is_less);
     return loops;
   }
-  /// Returns whether facet f comes before g. Facets are ordered by outer loop, then by holes, then by the caller's
-  /// number.
+  /// Returns whether facet f comes before g. Facets are ordered by outer loop, holes, and the caller's number.
   bool is_before(Index f, Index g) const {
     const auto a = outer(f), b = outer(g);
     if (is_less(a, b)) return true;

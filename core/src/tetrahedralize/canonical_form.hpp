@@ -37,8 +37,7 @@ ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mes
 /// Sorted.
 std::vector<Index> facets_in_callers_terms(std::vector<Index> facets, const ModelNames& names);
 
-/// Converts an error about the canonical form: its data are translated; its text already refers to the caller's items
-/// (recover/messages.hpp).
+/// Translates the data of an error about the canonical form. Its text needs no translation (recover/messages.hpp).
 Error in_callers_terms(const Error& error, const ModelNames& names);
 
 }  // namespace geomesh

@@ -38,8 +38,7 @@ class FrameChoice {
   }
 
  private:
-  /// Returns a hash of the distance of p from the low or the high end of the box along an axis. The distance is +0 at
-  /// the end itself.
+  /// Returns a hash of the distance (+0, never -0) of p from the low or the high end of the box along an axis.
   Hash hash_from_end(const Vec3& p, std::size_t axis, bool from_high) const {
     const double distance = from_high ? box_.max[axis] - p[axis] : p[axis] - box_.min[axis];
     return mixed(std::bit_cast<Hash>(distance * scale_ + 0.0));
@@ -50,8 +49,7 @@ class FrameChoice {
         for (std::size_t end = 0; end < 2; ++end) ends_[axis][end] += hash_from_end(plc_.points[v], axis, end == 1);
   }
 
-  /// Returns the frames in which axes and their directions ascend by signature: only one if no two signatures are
-  /// equal.
+  /// Returns the frames in which axes and their directions ascend by signature: only one if all signatures differ.
   std::vector<AxisFrame> frames_by_ends() const {
     const auto key = [&](std::size_t axis) { return std::minmax(ends_[axis][0], ends_[axis][1]); };
     std::vector<AxisFrame> frames;

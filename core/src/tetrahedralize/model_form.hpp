@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The model as it is meshed: in canonical form, with coplanar triangles merged into polygons if their own
-/// triangulation would be expensive to keep (plc/coplanar_facets.hpp). Results are translated back to the caller's
-/// items.
+/// triangulation would be expensive to keep (plc/coplanar_facets.hpp). Results are translated back.
 #pragma once
 
 #include <optional>

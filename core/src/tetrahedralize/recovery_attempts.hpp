@@ -12,8 +12,7 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  /// Steiner points are doubles from the start, which may lead to a dead end. For conforming mode, and for a single
-  /// attempt.
+  /// Steiner points are doubles from the start, which may lead to a dead end. For conforming mode and single attempts.
   rounded,
   /// Steiner points are exactly on their segments and facets until everything is recovered, and are rounded at the end,
   /// so that recovery always terminates.

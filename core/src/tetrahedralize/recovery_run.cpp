@@ -30,9 +30,8 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
 }
 
 /// Rounds the remaining Steiner points to doubles. Points without a suitable double nearby are first moved off segments
-/// and facets, because their stars are larger inside regions; then all doubles of their stars are tried. Ends the
-/// attempt only if that does not help, because another attempt repeats all of the work. Returns how many points remain
-/// without a double.
+/// and facets, because stars are larger inside regions; then all doubles of their stars are tried. Ends the attempt
+/// only if that does not help, because another attempt repeats all work. Returns the number of points without a double.
 std::size_t round_steiner_points(Recovery& recovery) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned run = 0; run < recover::recovery_budget.rounding_runs; ++run) {
@@ -170,8 +169,7 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
 
 /// Returns the next attempt after a dead end, if there is one. Errors of the model that recovery finds are accepted
 /// without another attempt if the exact search for crossings agrees. Many points without a double make the current
-/// attempt the last one, because another would hardly succeed; many decided orientations do, because another would take
-/// too long.
+/// attempt the last one, because another would hardly succeed; many decided orientations do, as it would take long.
 std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
                                                   const Recovery& recovery) const {
   if (n_without_double_ >= recover::recovery_budget.points_without_double ||

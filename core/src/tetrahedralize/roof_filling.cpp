@@ -21,8 +21,7 @@ enum class RoofSide { above, below };
 /// oriented as seen from that side.
 class RoofOnSide {
  public:
-  /// `star` contains the cells on this side that have a point of the roof, `flat` the positions of these points in the
-  /// plane.
+  /// `star` contains the cells on this side that have a point of the roof, `flat` the points' positions in the plane.
   RoofOnSide(Mesh& mesh, const RoofedPart& part, RoofSide side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
@@ -121,8 +120,7 @@ class RoofOnSide {
   VertexIndex centre_ = no_vertex;  ///< a point under the roof, connected with all of it
 };
 
-/// Cells that have a point of the roof. Two of them are connected if they share a face that has a point of the roof but
-/// is not part of the roof.
+/// Cells that have a point of the roof, connected by the faces that have such a point but are not part of the roof.
 class RoofStar {
  public:
   RoofStar(const Mesh& mesh, const RoofedPart& part, const std::vector<Index>& cells) {
@@ -142,8 +140,7 @@ class RoofStar {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  /// Returns the cells on one side of the roof. The search starts from `out`, the cells with a face of the roof on that
-  /// side.
+  /// Returns the cells on one side of the roof, found from `out`, the cells with a face of the roof on that side.
   std::vector<Index> from(std::vector<Index> out) const {
     std::set<Index> found(out.begin(), out.end());
     for (std::size_t i = 0; i < out.size(); ++i)

@@ -151,8 +151,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   }
   context.note(LogLevel::warning,
                "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
-  // Points that conforming mode has crowded near small angles may leave no room for the missing facets. Without these
-  // points there is room.
+  // There is room for the missing facets without the points that conforming mode has crowded near small angles.
   TetrahedralizeOptions constrained = options;
   constrained.recover.mode = MeshMode::constrained;
   ConstrainedTetrahedralization out = mesh_or_throw(mesh_in_mode(plc, constrained, context, recover_conforming));

@@ -5,8 +5,7 @@
 /// to the caller.
 ///
 /// A plain loop spends its time on branches. Whether a neighbour is in conflict is unpredictable, and each
-/// misprediction costs the latency of a determinant. These loops therefore compute masks and append to lists without
-/// branches.
+/// misprediction costs the latency of a determinant. These loops therefore compute masks and append without branches.
 #pragma once
 
 #include <array>
@@ -39,16 +38,14 @@ struct CavityLists {
   CellIndex* cells = nullptr;  ///< cells in conflict; those before `n_done` have been processed
   CavityFace<3>* faces = nullptr;
   std::size_t n_cells = 0, n_done = 0, n_faces = 0, capacity = 0;
-  /// Result: least squared distance from the point to a vertex of the cavity. The nearest vertex of all is one of
-  /// these.
+  /// Result: least squared distance from the point to a vertex of the cavity, and so to any vertex.
   double nearest = 0;
 };
 
 /// Decides the cases that the filters of the loop leave open.
 class CavityHost {
  public:
-  /// Returns as a mask which of the `undecided` neighbours of `cell` are in conflict. `value[i]` is the determinant for
-  /// neighbour i in doubles.
+  /// Returns a mask of the `undecided` neighbours of `cell` in conflict. `value[i]` is the determinant of neighbour i.
   virtual unsigned decide(const TetMesh::Cell& cell, unsigned undecided, const double* value) = 0;
   /// Enlarges the lists.
   virtual void enlarge(CavityLists& lists) = 0;

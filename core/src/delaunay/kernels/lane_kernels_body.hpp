@@ -47,15 +47,13 @@ GEOMESH_INLINE Lanes greatest(Lanes v) {
   return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
 }
 
-/// Returns an upper bound of the square root, at most 1.07 times it: half the exponent, with the mantissa treated as
-/// linear.
+/// Returns an upper bound, within 7 percent, of the square root: half the exponent, with the mantissa as linear.
 GEOMESH_INLINE Lanes root_bound(Lanes v) {
   using Words __attribute__((vector_size(32), aligned(8), may_alias)) = unsigned long long;
   return reinterpret_cast<Lanes>((reinterpret_cast<Words>(v) + 0x3FF0000000000000ull) >> 1);
 }
 
-/// Four points relative to p, one per lane, with their squared distances `w` from p; `tag` contains ids and parts of
-/// the curve.
+/// Four points relative to p, one per lane, with their squared distances `w` from p. `tag`: ids and parts of the curve.
 struct FourPoints {
   Lanes x, y, z, w;
   Mask tag;
@@ -165,8 +163,7 @@ GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e,
   return {det, error};
 }
 
-/// Appends the faces i of the cell for which bit i of `closed` is set. There must be room for four faces. Returns the
-/// new number of faces.
+/// Appends the faces i of the cell for which bit i of `closed` is set, and returns the new number. Needs room for four.
 GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
                                         std::size_t n_faces) {
   const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
@@ -181,8 +178,7 @@ GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned clos
   return n_faces;
 }
 
-/// Number of cells for which the neighbours are prefetched ahead. Two to four are equally fast; without prefetching the
-/// loop is a tenth slower.
+/// Number of cells whose neighbours are prefetched ahead. Two to four are equally fast; none is a tenth slower.
 constexpr std::size_t look_ahead = 4;
 
 GEOMESH_WHOLE_RECORDS

@@ -29,8 +29,7 @@ class CellQuality {
   QualityMeasure measure() const { return measure_; }
   const LinkKernels& kernels() const { return *kernels_; }
 
-  /// Returns the measure of (a, b, c, p): above 0 and at most `largest` for positive cells, and six times the volume
-  /// for others.
+  /// Returns the measure of (a, b, c, p): in (0, `largest`] for positive cells, six times the volume for others.
   double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
     if (measure_ == QualityMeasure::dihedral) [[likely]]
       return shape_of_cell<DihedralMeasure>(a, b, c, p);
@@ -45,8 +44,7 @@ class CellQuality {
   /// Returns the weight of a cell in a sum over many: its shape, reduced below 12 degrees, so that few slivers are not
   /// accepted in exchange for improving many others.
   double worth(double shape) const { return shape < poor_ ? poor_weight * shape - (poor_weight - 1) * poor_ : shape; }
-  /// Returns the shape that corresponds to a limit given as a dihedral angle in degrees: that of the sliver with this
-  /// least angle.
+  /// Returns the shape that corresponds to a dihedral angle in degrees: that of the sliver with this least angle.
   double of_angle(double degrees) const { return rules_->of_angle(degrees); }
   /// The shape that corresponds to the dihedral angle `bad_angle`.
   double bad() const { return bad_; }

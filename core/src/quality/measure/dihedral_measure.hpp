@@ -4,9 +4,9 @@
 ///
 /// The measure of a tetrahedron is the least sine of its six dihedral angles, the sines of obtuse angles weighted down
 /// (Klingner and Shewchuk 2007, section 2, the "biased minimum sine"). The weight is sin 24.85 / sin 145, so that the
-/// two bounds that users want, 24.85 and 145 degrees, are one value of the measure. Let a tetrahedron be positive, with
-/// det = 6 volume, and e an edge between faces with normals m and n, of length twice the area. The sine at e is det |e|
-/// / (|m| |n|).
+/// two bounds that users want, 24.85 and 145 degrees, are one value of the measure. Let e be an edge of a positive
+/// tetrahedron with det = 6 volume, between faces with normals m and n, of length twice the area. The sine at e is det
+/// |e| / (|m| |n|).
 #pragma once
 
 #include <array>
@@ -26,8 +26,7 @@ struct DihedralMeasure {
 
   /// Returns the value of the measure for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
-  /// Returns an upper bound of the measure of cells with a dihedral angle of this sine, at most 90 degrees. The bound
-  /// is concave in the angle.
+  /// Returns an upper bound, concave in the angle, of the measure of cells with an angle (acute or right) of this sine.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
   /// Returns the measure of a positive cell. Squares of sines are compared, so that one square root is enough.
@@ -36,8 +35,7 @@ struct DihedralMeasure {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// Returns the gradient of the measure with respect to the apex. Each factor of the least sine contributes its own
-  /// logarithmic derivative.
+  /// Returns the gradient with respect to the apex. Each factor of the least sine adds its logarithmic derivative.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Loops that measure the cells over the faces of a vertex's link, four at a time. Smoothing spends most of its time in
-/// them.
+/// Loops that measure the cells over the faces of a vertex's link, four at a time. Smoothing spends most time in them.
 #pragma once
 
 #include <array>
@@ -12,8 +11,7 @@
 
 namespace geomesh::remesh {
 
-/// Four faces, one in each lane, with the values that all tetrahedra over a face share. Base has these values for one
-/// face.
+/// Four faces, one per lane, with the values that all tetrahedra over a face share. Base has them for one face.
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< coordinates by corner and axis

@@ -28,8 +28,7 @@ struct MeanRatioMeasure {
 
   /// Returns the largest value of cells with a given dihedral angle. The best cell with this angle at an edge of length
   /// 2u is symmetric: its other vertices have the distance x from the edge's midpoint. Then 3 volume = u x^2 sin, and
-  /// the sum of the squares is 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 the sum is least if u^3 = q
-  /// / 4.
+  /// the sum of the squares is 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 it is least if u^3 = q / 4.
   static double most_with_angle(double sine, double cosine) {
     return std::numbers::sqrt2 * sine / (1.5 - 0.5 * cosine);
   }

@@ -54,8 +54,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
     squares += length * length;
-    // Computes the angle from its sine and cosine, both scaled by the lengths of the normals. Accurate for flat and for
-    // sharp angles.
+    // Computes the angle from its sine and cosine, both times the normals' lengths. Accurate for flat and sharp angles.
     s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees_per_radian;
     if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
     s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);

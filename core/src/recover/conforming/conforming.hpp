@@ -10,8 +10,7 @@
 ///     so none of them is given up;
 ///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; as many, and
 ///     100,000 more, on the others;
-///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096
-///     ulps of it.
+///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate (4096 ulps).
 #pragma once
 
 #include <array>

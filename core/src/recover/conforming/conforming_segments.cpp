@@ -17,8 +17,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns whether the angle between a and b is smaller than the angle with this cosine, by more than rounding of the
-/// directions explains.
+/// Returns whether the angle between a and b is smaller than that with this cosine, by more than a rounding error.
 bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
   return dot(a, b) > (cosine + recovery_budget.sharp_rounding) * std::sqrt(dot(a, a) * dot(b, b));
 }
@@ -99,8 +98,7 @@ bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
          std::any_of(s.subfacets.begin(), s.subfacets.end(), [&](Index f) { return facet_is_sharp_[f] != 0; });
 }
 
-/// Returns the direction from a border edge into the facet, perpendicular to the edge; zero if the facet lies on both
-/// sides of the edge.
+/// Returns the direction into the facet, perpendicular to a border edge; zero if the facet lies on both sides of it.
 Vec3 ConformingRecovery::inwards(const Subsegment& s, Index f) const {
   const Triangle& t = constraints_.subfacets[f].vertices;
   const Vec3& o = mesh_.point(t[0]);
@@ -210,8 +208,7 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
 
 /// Returns the place at which to split s: a point on a common sphere if there is one. Otherwise it is the projection of
 /// the encroaching vertex, so that points do not cause more distant ones than necessary. If the projection is closer to
-/// an end than half of the vertex's distance from that end, the place is as far from the end as the vertex (Si and
-/// Gaertner 2005).
+/// an end than half of the vertex's distance from it, the place is as far from it as the vertex (Si and Gaertner 2005).
 Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
   const VertexIndex v = encroaching_vertex(s);

@@ -11,8 +11,7 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Lists the inner faces of the cavity, and its edges except most of those that remain in the mesh. The cells of the
-/// cavity must be marked.
+/// Lists the inner faces of the cavity, and its edges except most that remain in the mesh. Its cells must be marked.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();

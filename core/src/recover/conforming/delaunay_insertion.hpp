@@ -19,8 +19,7 @@ struct DelaunayInsertion {
 /// Inserts a point and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
-/// Returns the cells in conflict with p, the one that contains p first; none if p equals a vertex or lies outside the
-/// box.
+/// Returns the cells in conflict with p, first the one that contains p; none if p is a vertex or outside the box.
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
 /// Replaces the cells in conflict with p by the star of p. `cavity` must contain all of them and not be empty.
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);

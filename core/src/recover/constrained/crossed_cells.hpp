@@ -20,9 +20,8 @@ struct CrossingsOnLine {
   double length = 0;
 };
 
-/// Returns the cells at crossing i, and the cells at other crossings and at edges of the crossed face that are as close
-/// to a point x at the crossing as a rounding error. If these cells were kept, the next crossing would be an ulp from
-/// x.
+/// Returns the cells at crossing i, and the cells at other crossings and at edges of the crossed face that are within a
+/// rounding error of a point x at the crossing. If they were kept, the next crossing would be an ulp from x.
 std::vector<CellIndex> cells_near_crossing(const ConstrainedMesh& mesh, const CrossingsOnLine& on, std::size_t i,
                                            const Vec3& x);
 

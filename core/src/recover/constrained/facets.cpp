@@ -68,8 +68,7 @@ class FacetRecovery {
     return true;
   }
 
-  /// Recovers the subfacet by filling the cavity around its piercing edges anew. Only possible for a triangle to which
-  /// no point has been added.
+  /// Recovers the subfacet, a triangle without added points, by filling the cavity around its piercing edges anew.
   bool by_cavity(std::size_t max_nodes) {
     const FacetTrace trace = checked_trace();
     if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
@@ -84,8 +83,7 @@ class FacetRecovery {
 
   /// Recovers the subfacet by points. A trace takes time proportional to the facet's size, and a large polygon may need
   /// as many points. Therefore only its first points are each followed by a trace, which saves some points. After that
-  /// the facet is traced only when the last listed edge has been split, because a point does not change the other edges
-  /// that pierce the facet.
+  /// the facet is traced only when the last listed edge has been split: a point does not change the other edges.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
@@ -259,8 +257,7 @@ class FacetRecovery {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
     if (!is_plain_) {
-      // A face belongs to another facet: rounding has folded two facets that meet at a very small angle onto each
-      // other.
+      // A face belongs to another facet: rounding has folded facets that meet at a tiny angle onto each other.
       for (const Triangle& t : trace.faces)
         if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index)
           return recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));

@@ -117,8 +117,7 @@ namespace {
 
 constexpr double widening_of_rests = 3;
 
-/// Returns the error of a determinant of offsets with these magnitudes (`reach`) and errors (`wrong`) in each
-/// coordinate.
+/// Returns the error of a determinant of offsets with these magnitudes (`reach`) and errors (`wrong`).
 double error_by_rests(const Vec3& reach, const Vec3& wrong) {
   return 8 *
          (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
@@ -168,8 +167,7 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
 }
 
 /// Computes the determinant of the nearest doubles and its error bound. Each coordinate has an error of at most an ulp,
-/// and a difference of two has an error of 2^-51 of the greater one, which is no farther from zero than the sum of d
-/// and the offset from d.
+/// and a difference of two at most 2^-51 of the greater, which is no farther from zero than d plus the offset.
 filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const Vec3& d = points[v[3]];
   const Vec3 a = points[v[0]] - d, b = points[v[1]] - d, c = points[v[2]] - d;
@@ -189,8 +187,7 @@ Sign ExactPlaces::side_of_end(const std::vector<Vec3>& points, const std::array<
 }
 
 /// Returns the orientation if one of the vertices lies between the ends of its line: it is on the side of both ends, or
-/// on the side of one end if the other is in the plane. Returns nothing if the ends lie on different sides, or may have
-/// moved.
+/// of one if the other is in the plane. Returns nothing if the ends lie on different sides, or may have moved.
 std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
                                               const std::array<VertexIndex, 4>& v) const {
   for (std::size_t k = 0; k < 4; ++k) {

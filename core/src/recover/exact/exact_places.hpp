@@ -3,8 +3,7 @@
 /// Vertices of the mesh under recovery whose places are not doubles but exact sums of doubles. A Steiner point at a
 /// dyadic parameter of its segment, or of its facet's plane, lies on it exactly in this form; rounded it would not.
 ///
-/// The nearest doubles of each such place are also stored (ConstrainedMesh::point), for computations that need not be
-/// exact.
+/// The nearest doubles of each such place are also stored (ConstrainedMesh::point), for inexact computations.
 #pragma once
 
 #include <array>

@@ -61,8 +61,7 @@ unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b
 }
 
 CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
-  // Walks in the star of a towards b; a star is small, so if the walk has not arrived soon the star is searched
-  // instead.
+  // Walks in the star of a towards b. If the walk has not arrived soon, the star, which is small, is searched instead.
   CellIndex c = cell_of_[a];
   Random random = walk_choices(a, b);
   for (unsigned step = 0; step < recovery_budget.star_walk; ++step) {

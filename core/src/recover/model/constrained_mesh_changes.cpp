@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implements the changes of ConstrainedMesh: cells are exchanged for others that fill the same region, and the journal
-// undoes exchanges.
+// Implements changes of ConstrainedMesh: exchanges of cells for others in one region, and the journal to undo them.
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
@@ -47,8 +46,7 @@ void ConstrainedMesh::replace_by_star(std::span<const CellIndex> cavity, VertexI
   GEOMESH_CHECK(journal_depth_ == 0);
   created_.clear();
   star_faces_.clear();
-  // The old cells keep their links, so that the algorithm can turn around edges inside the cavity. Outer neighbours are
-  // linked to the new cells.
+  // Outer neighbours are linked to the new cells. The old cells keep their links, for turns around edges in the cavity.
   for (const CellIndex c : cavity)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
@@ -104,8 +102,7 @@ void ConstrainedMesh::roll_back(std::size_t mark) {
     journal_.pop_back();
     cells.clear();
     for (std::size_t i = entry.created; i < journal_created_.size(); ++i) {
-      // Slots are reused, so the cell may be in another slot. A positive cell (a,b,c,d) is the one above its face
-      // a,b,c.
+      // Slots are reused, so the cell may be in another slot. A positive cell (a,b,c,d) lies above its face a,b,c.
       const auto& [t, slot] = journal_created_[i];
       cells.push_back(mesh_.vertices(slot) == t ? slot : find_face(t[0], t[1], t[2]).cell());
     }

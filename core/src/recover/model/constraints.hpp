@@ -29,8 +29,7 @@ struct Subsegment {
 
 using DirectedEdge = std::array<VertexIndex, 2>;
 
-/// A triangle that is a face of the mesh or should become one. If it is a `piece`, it is a part of a facet that any
-/// faces may cover.
+/// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
 struct Subfacet {
   Triangle vertices{};  ///< in the orientation of the facet; for a piece: three of its vertices, which span its plane
   Index facet = no_index;
@@ -40,8 +39,7 @@ struct Subfacet {
 };
 
 /// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle on
-/// whose border points were added. Any mesh faces between its vertices that cover it are accepted, so inner edges
-/// require no points.
+/// whose border points were added. Any mesh faces between its vertices may cover it, so inner edges require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
       border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions

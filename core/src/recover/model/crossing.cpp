@@ -9,8 +9,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns whether b is in the closed cone of cell c at its vertex a, and if so, which simplex of the opposite face the
-/// ray from a to b crosses.
+/// Returns which simplex of the face of cell c opposite a the ray from a to b crosses, if b is in the cell's cone at a.
 bool crossing_in_cell(const ConstrainedMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, Crossing& out) {
   const TetMesh& cells = mesh.cells();
   const unsigned i = cells.index_of(c, a);

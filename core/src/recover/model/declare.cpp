@@ -129,8 +129,7 @@ class Declarer {
     const Triangle& t = draft.triangles.front();
     out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }
-  /// Throws the error of an invalid facet. `other` is a second facet that takes part in the fault, no_index if there is
-  /// none.
+  /// Throws the error of an invalid facet. `other` is a second facet that takes part in the fault, or no_index.
   [[noreturn]] void fail(Index f, const FacetFault& fault, Index other = no_index) const {
     ErrorContext context;
     context.facets = {f};

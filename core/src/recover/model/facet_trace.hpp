@@ -4,7 +4,7 @@
 /// edges pierce it. Because no mesh edge crosses the subfacet's border, the part of the subfacet in a cell is the whole
 /// section of that cell or nothing. After the first piercing edge, found in the ring of a border edge, the sides of the
 /// vertices alone therefore decide: every edge of a pierced cell whose ends lie on different sides of the plane pierces
-/// the subfacet, too.
+/// the subfacet.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,7 @@ namespace geomesh::recover {
 
 struct PiercingEdge {
   VertexIndex below = no_vertex, above = no_vertex;
-  /// A cell that contained the edge when it was found. It is stored because stars of needles are too large to be
-  /// searched.
+  /// A cell that contained the edge when it was found, because stars of needles are too large to be searched.
   CellIndex cell = no_cell;
 };
 
@@ -51,8 +50,7 @@ class FacetSides {
   }
   /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Returns whether v lies to the left of p->q, as seen from above. Precondition: p, q and v are members, and
-  /// is_exact().
+  /// Returns whether v lies left of p->q, as seen from above. Precondition: p, q and v are members, and is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;

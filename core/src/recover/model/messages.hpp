@@ -17,8 +17,7 @@ std::string describe_subfacet(const Recovery& recovery, Index subfacet);
 /// Returns the facets (rows of the PLC) that have this subsegment on their border.
 std::vector<Index> facets_of_subsegment(const Recovery& recovery, Index subsegment);
 
-/// Returns whether all of these vertices are from the input, so that a contradiction among them is an error of the
-/// input.
+/// Returns whether all of these vertices are from the input, so that contradictions are errors of the input.
 bool all_input(const Recovery& recovery, std::initializer_list<VertexIndex> vertices);
 
 Error error_of_vertex_on_segment(const Recovery& recovery, VertexIndex v, Index subsegment);

@@ -11,8 +11,7 @@
 
 namespace geomesh::recover {
 
-/// Returns a cell that contains the subsegment, or no_cell if it is not an edge of the mesh. Both its ends must be in
-/// the mesh.
+/// Returns a cell that contains the subsegment, or no_cell if it is not an edge. Both its ends must be in the mesh.
 CellIndex cell_of_subsegment(ConstrainedMesh& mesh, Constraints& constraints, Index subsegment);
 
 /// Returns the face of a subfacet that is not a piece, seen from the cell above it, or an invalid reference if the mesh

@@ -54,8 +54,7 @@ struct Recovery {
   }
 
   /// Must be called for each point that flips could not avoid. Crossing facets need points without end. If there are
-  /// more points than a valid model usually needs, the model is searched for crossings, and the attempt ends if there
-  /// is one.
+  /// more points than usual for valid models, crossings are searched for, and the attempt ends if one is found.
   void count_added_point();
   /// Returns Error{invalid_input} with both items if two items of the model cross.
   std::optional<Error> describe_crossing() const;
@@ -96,8 +95,7 @@ enum class RefilledCells {
   region_about_star,  ///< also cells around the star
 };
 
-/// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns false if the mesh is
-/// unchanged.
+/// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
 /// Declared subfacets that are not in the mesh.
@@ -112,8 +110,7 @@ void validate_cells(const ConstrainedMesh& mesh);
 /// Checks that each live subsegment is an edge of the mesh; throws InternalError otherwise.
 void validate_segments(Recovery& recovery);
 
-/// Checks that the final cells satisfy every invariant of ConstrainedMesh and contain every constraint; throws
-/// InternalError otherwise.
+/// Throws InternalError unless the final cells satisfy every invariant of ConstrainedMesh and contain every constraint.
 void validate_recovered(Recovery& recovery);
 
 }  // namespace geomesh::recover

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The constants of recovery: they limit how long each step is tried before the next step takes over. None of them
-/// affects correctness, which exact predicates ensure. `recovery_bench` measures their effect on the number of points
-/// and on time.
+/// affects correctness, which exact predicates ensure. `recovery_bench` measures their effect on points and time.
 #pragma once
 
 #include <array>
@@ -15,13 +14,11 @@ struct RecoveryBudget {
   /// Largest number of attempts. Models an ulp thick needed up to 7 in tests. More would only delay a refusal.
   unsigned attempts = 12;
   /// Number of points without a suitable double, over all attempts, at which the model is refused. It equals the number
-  /// of attempts: if each attempt leaves one such point, all attempts are made (soup 7944 with its boundary kept is
-  /// meshed in the ninth). Most models that are too thin leave 7 to 55 points in one attempt, some 1 or 2
-  /// (test_thin_models.cpp).
+  /// of attempts, so that all are made if each leaves one such point (soup 7944 with its boundary kept is meshed in the
+  /// ninth). Most models that are too thin leave 7 to 55 in one attempt, some 1 or 2 (test_thin_models.cpp).
   std::size_t points_without_double = 12;
   /// Number of orientations of exact places for each facet, over all attempts, at which the model is refused. Needle
-  /// plates and walls needed at most 3,600 orientations per facet before their last attempt; eight cracks need 115,000
-  /// in one attempt.
+  /// plates and walls needed at most 3,600 before their last attempt; eight cracks need 115,000 in one attempt.
   std::size_t decisions_per_facet = 500000;
   /// Least distance between rounded points on a segment, in ulps of the largest coordinate. Closer points would crowd.
   double least_spacing_ulps = 64;
@@ -29,8 +26,7 @@ struct RecoveryBudget {
   /// number. Crossing facets need points without end, and a valid model rarely needs so many.
   double doubtful_points = 300;
   double doubtful_points_per_vertex = 0.25;
-  /// Number of added points per vertex after which conforming mode, where many points are normal, searches for
-  /// crossings.
+  /// Number of added points per vertex after which conforming mode, which adds many, searches for crossings.
   double doubtful_points_per_vertex_conforming = 10;
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
@@ -53,8 +49,8 @@ struct RecoveryBudget {
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
   std::size_t ring = 24;  ///< edges with more cells around them are not removed, which costs O(n^3)
-  /// Number of edges and faces that flips try for one segment and all its parts, or for each edge that pierces a facet;
-  /// beyond it, points are added. Segments that flips finally recovered took up to 16,000; 4,000 doubles the time of
+  /// Number of edges and faces that flips try for a segment with its parts, or an edge that pierces a facet, before
+  /// points are added. Segments that flips finally recovered took up to 16,000; 4,000 doubles the time of
   /// chazelle_slits_8.
   std::size_t flips_tried = 16000;
   /// Number of edges tried for the removal of one edge, by depth of recursion. Removals that succeed do so early.
@@ -71,8 +67,7 @@ struct RecoveryBudget {
   std::size_t star_cells = 400;  ///< largest number of cells in the cavity of an insertion
   /// Number of tetrahedra tried by a search for a filling, times the levels of flips. Longer searches find little more.
   std::size_t filling_nodes = 200;
-  /// Number of tetrahedra tried to fill a sector beside a point that is removed, because fillings of regions find the
-  /// rest.
+  /// Number of tetrahedra tried to fill a sector beside a removed point, because fillings of regions find the rest.
   std::size_t filling_nodes_sector = 100;
   std::size_t filling_faces = 90;  ///< largest number of faces of a cavity for which a filling is searched
   unsigned filling_looks = 4;  ///< number of open faces that are examined to find the hardest, which is filled first
@@ -82,8 +77,7 @@ struct RecoveryBudget {
   double least_part = 1e-6;
   double near_crossing = 1e-7;         ///< share of a subsegment: items this close to a new point are removed with it
   std::size_t crossings_flipped = 20;  ///< largest number of crossings at which flips two levels deep are tried again
-  /// Largest number of points on a subsegment, because more would only crowd. Each of its crossings allows
-  /// points_on_crossing more.
+  /// Largest number of points on a subsegment, plus points_on_crossing for each crossing, because more would crowd.
   std::size_t points_on_subsegment = 100;
   std::size_t points_on_crossing = 4;  ///< additional points for each crossing of the subsegment
   /// Relative errors allowed for an exact parameter, tried one after the other. The first is nearly always sufficient.
@@ -93,8 +87,7 @@ struct RecoveryBudget {
   unsigned facet_depth = 3;        ///< levels of flips before a facet gets points
   unsigned facet_depth_first = 2;  ///< levels of flips before the first point on a facet; before others, one level
   /// Largest number of faces and piercing edges found by traces of a facet, which order its flips and points. Without
-  /// such traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 CPU
-  /// seconds.
+  /// such traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
   std::size_t traced_of_facet = 20000;
 
   // Removal of Steiner points (steiner_removal/).
@@ -134,8 +127,7 @@ struct RecoveryBudget {
   unsigned rounding_growths = 30;    ///< number of cells that may be removed for a double beside a star
   // Doubles in thin stars (wide_polyhedron.cpp).
   unsigned analytic_steps = 200;  ///< largest number of steps of Newton's method: about twenty are needed
-  /// Largest number of steps of a basis reduction. About a hundred are needed if a star is 1e15 times longer than
-  /// thick.
+  /// Largest number of steps of a basis reduction. Stars that are 1e15 times longer than thick need about a hundred.
   unsigned lattice_steps = 2000;
   double lattice_layers = 20;      ///< number of layers of a lattice searched on each side of the centre
   std::size_t lattice_lines = 9;   ///< in each layer

@@ -112,8 +112,7 @@ bool Cavity::may_grow_over(const BoundaryFace& side) const {
   return !mesh.cells().is_ghost(n) && !std::binary_search(forbidden_.begin(), forbidden_.end(), n);
 }
 
-/// Adds the cell beyond a face to the cavity. Returns false, with the cavity unchanged, if this would enclose a
-/// constraint.
+/// Adds the cell beyond a face to the cavity. Returns false, changing nothing, if this would enclose a constraint.
 bool Cavity::grow_over(FaceRef face) {
   const std::vector<BoundaryFace> before = boundary_;
   add_cell(recovery_.mesh.cells().mirror(face).cell());

@@ -16,13 +16,12 @@ struct CavityEffort {
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// A cavity: cells to be replaced, with their boundary. No vertex except the dropped one, no subsegment and no locked
-/// face may lie inside.
+/// Cells to be replaced, with their boundary. No subsegment, locked face or vertex but the dropped one is inside.
 class Cavity {
  public:
   /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
-  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()` returns whether the inside may be emptied.
-  /// O(n log n) for n cells.
+  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()`: whether the inside may be emptied. O(n log
+  /// n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
   /// Adds a sheet: a triangle that is a face of every filling, on the side from which it is counter-clockwise.
@@ -66,8 +65,7 @@ class Cavity {
 /// Makes a-b an edge of the mesh, as a side of a triangle a,b,c whose vertex c is already connected with both ends.
 bool recover_segment_by_cavity(Recovery& recovery, VertexIndex a, VertexIndex b, const CavityEffort& effort);
 
-/// Makes the triangle t a face of the mesh. `pierced` are the cells around the edges that pierce it. The edges of t
-/// must be present.
+/// Makes the triangle t, whose edges must be present, a face. `pierced` are the cells around the edges that pierce it.
 bool recover_face_by_cavity(Recovery& recovery, const Triangle& t, std::vector<CellIndex> pierced,
                             const CavityEffort& effort);
 

@@ -14,8 +14,7 @@ namespace geomesh::recover {
 namespace {
 
 LocalTriangle reversed(const LocalTriangle& t) { return {t[0], t[2], t[1]}; }
-/// Returns the same key for the three rotations of a triangle. The key of the reversed triangle differs in the last
-/// bit.
+/// Returns the same key for all rotations of a triangle. The key of the reversed triangle differs in the last bit.
 std::uint32_t key_of(LocalTriangle t) {
   const bool odd = SideMasks::sort(t);
   return static_cast<std::uint32_t>(2 * SideMasks::row_of(t[0], t[1], t[2]) + (odd ? 1 : 0));
@@ -80,8 +79,7 @@ class Corners {
   const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
   VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
 
-  /// Returns whether edge a-b meets triangle t, which has neither a nor b as a vertex, in the interior of both or on
-  /// the border of one.
+  /// Returns whether edge a-b meets triangle t without vertex a or b, in the interior of both or on the border of one.
   bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
     if (mask_of(t) & (bit(a) | bit(b))) return false;
     if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
@@ -133,8 +131,7 @@ class OpenCounts {
   std::vector<Change> changes_;
 };
 
-/// Searches for cells that fill a polyhedron, by backtracking. The open face with the fewest possible vertices is
-/// covered first.
+/// Searches by backtracking for cells that fill a polyhedron. The face with the fewest possible vertices comes first.
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
@@ -202,8 +199,7 @@ class Filler {
         filtered = i;
     return filtered;
   }
-  /// Removes candidates of a face that do not fit the open faces. Such a vertex is impossible deeper in the search,
-  /// too.
+  /// Removes candidates of a face that do not fit the open faces. They are impossible deeper in the search, too.
   void filter(const Front& front, OpenFace& face) {
     for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
       const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));

@@ -24,8 +24,7 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
-/// Positions of the vertices of one polyhedron: offsets between vertices, and error bounds of determinants of such
-/// offsets.
+/// Positions of the vertices of a polyhedron: offsets between vertices, and error bounds of their determinants.
 class LocalPlaces {
  public:
   LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {

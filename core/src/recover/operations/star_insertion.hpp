@@ -20,8 +20,7 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
 
 /// Connects x with the boundary of its Delaunay cavity, which ends at locked faces and shrinks if x does not see its
 /// boundary. If the cavity would enclose a subsegment, the insertion starts from `about` instead, the cells that
-/// contain x inside or on their boundary. Returns false if nothing was changed, because x lies on a locked face or on a
-/// subsegment.
+/// contain x inside or on their boundary. Returns false, changing nothing, if x is on a locked face or subsegment.
 bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x,
                                std::span<const CellIndex> about);
 

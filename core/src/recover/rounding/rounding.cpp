@@ -140,8 +140,7 @@ void make_room(Recovery& recovery, VertexIndex x) {
   }
 }
 
-/// Returns the exact vertices that will be part of the result. Vertices in no cell, or outside the model, are not
-/// changed.
+/// Returns the exact vertices that will be part of the result, without those in no cell or outside the model.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;
@@ -192,8 +191,7 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
   return out;
 }
 
-/// Replaces an inner point by a double beside its star. The star grows across faces that are not visible from this
-/// double.
+/// Replaces an inner point by a double beside its star, which grows across faces that the double does not see.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;

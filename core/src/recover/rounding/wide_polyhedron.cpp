@@ -28,8 +28,7 @@ WidePoint scaled(double factor, const WidePoint& a) {
 }
 WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// QR decomposition of a matrix of three columns: replaces it by a matrix with orthonormal columns, and stores the
-/// upper triangular factor.
+/// QR decomposition: replaces a matrix of three columns by one with orthonormal columns; stores the triangular factor.
 struct Triangular {
   std::array<Row, 3> at{};  ///< at[j][k] is zero for j > k
 
@@ -191,8 +190,7 @@ class ShapedLattice {
   /// Returns the distance of the layers of lattice points that are parallel to the first two basis vectors.
   double third_height() const { return third_height_; }
 
-  /// Returns the point that is `steps` along the basis vectors from the lattice point near the centre, or the origin if
-  /// it is too far away.
+  /// Returns the point `steps` along the basis from the lattice point near the centre; the origin if that is too far.
   Vec3 point(const Row& steps) const {
     Steps there = near_;
     for (std::size_t j = 0; j < 3; ++j)

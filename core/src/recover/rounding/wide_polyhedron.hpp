@@ -27,15 +27,14 @@ struct WidePlane {
 
 /// A bounded polyhedron. The point `inside` is on the positive side of all planes. Places are relative to `origin`.
 struct WidePolyhedron {
-  Vec3 origin;   ///< a multiple of the spacing
+  Vec3 origin;   ///< origin of the frame, whose coordinates are multiples of the spacing
   Vec3 spacing;  ///< powers of two: multiples of them are doubles everywhere in the polyhedron
   std::vector<WidePlane> planes;
   WidePoint inside;
 };
 
-/// Passes points of the lattice that lie in the polyhedron, up to rounding, to `accept` until it returns true. Points
-/// far from all planes tend to come first. Returns false if none was accepted. Bounded work: O(planes^2) for each of at
-/// most a thousand points.
+/// Passes lattice points in the polyhedron, up to rounding, to `accept` until it returns true. Points far from all
+/// planes tend to come first. Returns false if none was accepted. O(planes^2) for each of at most a thousand points.
 bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bool(const Vec3&)>& accept);
 
 }  // namespace geomesh::recover

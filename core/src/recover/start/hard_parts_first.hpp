@@ -4,7 +4,7 @@
 /// by side, an ulp off one plane, are recovered without points in a mesh that contains hardly more than their own
 /// vertices, but rarely if the vertices of everything else lie between them. Items that flips and cavities could not
 /// recover are therefore counted. The vertices of the items with the highest counts are triangulated first, and their
-/// facets are recovered before other vertices are inserted (own design; the counts follow the conflict-driven order of
+/// facets are recovered before other vertices are inserted (own design; the counts follow conflict-driven
 /// satisfiability solvers).
 #pragma once
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The shear that makes a model's facets level. A thin plate that is tilted looks thick along every axis, so that no
-/// scaling of an axis brings its segments into the Delaunay triangulation. If a shear makes it level, scaling one axis
-/// does.
+/// The shear that makes a model's facets level. A tilted thin plate looks thick along every axis, so that no scaling of
+/// an axis brings its segments into the Delaunay triangulation. If a shear makes it level, scaling an axis does.
 #pragma once
 
 #include <array>

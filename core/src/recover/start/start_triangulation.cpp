@@ -75,8 +75,7 @@ class StartSearch {
   }
 
   /// Improves `best` by hill climbing: an axis is scaled by two as long as this saves a twentieth of the missing
-  /// subsegments. Frames without hope according to the forecast are not triangulated. Returns the exponents of the
-  /// scales.
+  /// subsegments. Frames that the forecast excludes are not triangulated. Returns the exponents of the scales.
   std::array<int, 3> climb(Candidate& best) const {
     std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);

@@ -37,8 +37,7 @@ class SectorFilling {
         refilled_(refilled),
         grown_(star) {}
 
-  /// Fills a sector without a point if possible, otherwise with a point moved into it. The cells that are replaced then
-  /// belong to the sector.
+  /// Fills a sector without a point if possible, otherwise with a point moved into it, and adds replaced cells to it.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
     const std::vector<Triangle> boundary = cavity.boundary();
@@ -182,8 +181,7 @@ class PointRemoval {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
   }
-  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the thin rest of the
-  /// same one.
+  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the rest of the facet.
   bool repeats_subfacet() const {
     return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
       return std::any_of(f.triangles.begin(), f.triangles.end(),

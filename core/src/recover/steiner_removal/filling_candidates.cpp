@@ -75,8 +75,7 @@ VertexMask FillingCandidates::crossing(LocalVertex a, const LocalTriangle& t) {
   return ~(above & below);
 }
 
-/// Finds the allowed edges, which cross no boundary triangle and no required edge, as a mask of the other ends at each
-/// vertex.
+/// Finds, as a mask for each vertex, the allowed edges, which cross no boundary triangle and no required edge.
 void FillingCandidates::find_allowed_edges() {
   for (LocalVertex a = 0; a < n_; ++a)
     for (LocalVertex b = 0; b < a; ++b) {
@@ -133,9 +132,8 @@ void FillingCandidates::find_allowed_faces() {
     for (VertexMask of_b = forced_[a] & beyond(a); of_b != 0; of_b &= of_b - 1) forbid_faces_about(a, lowest(of_b));
 }
 
-/// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: all edges of such a face pass a-b
-/// on the same side, and a and b lie on different sides of the face. For each pair c, d all vertices e are handled at
-/// once.
+/// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: its edges pass a-b on the same
+/// side, and a and b lie on different sides of the face. For each pair c, d all e are handled at once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
   std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of the triangles (a, b, c) for all c
   for (LocalVertex c = 0; c < n_; ++c)

@@ -51,8 +51,7 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   return true;
 }
 
-/// Returns the added points inside regions. Points outside the model are ignored, because the outside is not part of
-/// the result.
+/// Returns the added points inside regions, without those outside the model, which are not part of the result.
 std::vector<VertexIndex> inner_points(const Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;

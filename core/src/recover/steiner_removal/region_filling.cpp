@@ -95,8 +95,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 
 namespace {
 
-/// States the formula for the filling of a region and solves it. The first variables of the formula are the candidates
-/// in their order.
+/// States the formula for the filling of a region and solves it. Its first variables are the candidates in their order.
 class RegionFiller {
  public:
   RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}
@@ -194,8 +193,7 @@ void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const st
 
 namespace {
 
-/// Returns a hash of everything that determines a filling: vertices with their places, boundary, segments, and the
-/// preferred cells.
+/// Returns a hash of all that determines a filling: vertices with places, boundary, segments and preferred cells.
 std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
   std::uint64_t key = 0;
   const auto add = [&key](std::uint64_t word) { key = mixed(key ^ word) + word; };
@@ -219,8 +217,7 @@ std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
 
 }  // namespace
 
-// If two regions had the same key and one of them could be filled, a removable point might be kept, but nothing worse
-// would happen.
+// If a region had the same key as one without a filling, a removable point might be kept, but nothing worse.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region) {
   const std::uint64_t key = key_of(recovery.mesh, region);
   if (recovery.refuted_regions.count(key) > 0) return std::nullopt;

@@ -8,8 +8,7 @@
 /// unsatisfiable. Whether a polyhedron has a filling is NP-complete (Ruppert and Seidel 1992); for some tens of
 /// vertices the solver decides it in milliseconds. The search of polyhedron_filling.hpp handles one polyhedron, whereas
 /// a region includes the surroundings: this method fills Schoenhardt's polyhedra whose free diagonals are blocked by
-/// neighbours of the same kind. (Own design; neither in Cavalcanti and Mello 1999 nor, to our knowledge, in other
-/// meshers.)
+/// neighbours of the same kind. (Own design, to our knowledge in no other mesher.)
 #pragma once
 
 #include <optional>
@@ -44,8 +43,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 /// added points, for example a point beyond the new facets of the boundary. O(n^4) for n vertices before the search.
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts);
-/// Does the same as fill_region within recovery's budget. Regions found to have no filling are remembered and not tried
-/// again.
+/// Does the same as fill_region within recovery's budget. Regions without a filling are remembered and not tried again.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
 
 /// Exchanges cells for a filling. Vertices that the filling lacks are removed from the mesh. O(k log k) for k cells.

@@ -109,8 +109,7 @@ void SatSolver::assign(Literal l, std::uint32_t reason) {
   trail_.push_back(l);
 }
 
-/// Propagates all assignments. Returns false on a conflict: conflict_ then contains literals that are all false though
-/// one must be true.
+/// Propagates all assignments. Returns false on a conflict: one literal in conflict_ must be true, but all are false.
 bool SatSolver::propagate() {
   while (propagated_ < trail_.size()) {
     const Literal l = trail_[propagated_++];
@@ -128,8 +127,7 @@ bool SatSolver::imply(Literal cause, Literal effect) {
   return v != 0;
 }
 
-/// After a variable has become true, makes all other variables of its choices false, and the flags of these choices
-/// true.
+/// After a variable has become true, makes the other variables of its choices false and the flags of the choices true.
 bool SatSolver::propagate_choices(std::uint32_t variable) {
   const Literal cause = Literal::yes(variable);
   for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
@@ -263,8 +261,7 @@ void SatSolver::bump(std::uint32_t variable) {
   if (heap_place_[variable] >= 0) heap_up(static_cast<std::size_t>(heap_place_[variable]));
 }
 
-/// Assigns the unassigned variable that comes first in the order of decision. Returns false if all variables are
-/// assigned.
+/// Assigns the unassigned variable that comes first in the order of decision. Returns false if there is none.
 bool SatSolver::decide() {
   while (!heap_.empty()) {
     const std::uint32_t v = heap_[0];

@@ -56,8 +56,7 @@ class SatSolver {
   /// true if one of them is. Must be called before solve().
   void add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag = no_variable);
 
-  /// Decides whether the formula can be satisfied. Returns unknown if this is not decided after `max_conflicts`
-  /// conflicts.
+  /// Decides whether the formula can be satisfied. Returns unknown after `max_conflicts` conflicts.
   Satisfiability solve(std::size_t max_conflicts);
   /// Returns the value of a variable, after solve() has returned satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }

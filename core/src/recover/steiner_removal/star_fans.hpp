@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constraints that meet in an added point (its segment and the facets around it), and their triangulation without
-/// the point.
+/// The constraints that meet in an added point (its segment and the facets around it), triangulated without the point.
 #pragma once
 
 #include <array>

@@ -22,8 +22,7 @@ RimEdges rim_edges(const StarFans& around) {
   return out;
 }
 
-/// Adds to the sector the neighbours of its cell c that no fan separates from c and that are in `left`, the cells
-/// without a sector.
+/// Adds to the sector the neighbours of its cell c that no fan separates from c, if they have no sector yet (`left`).
 void extend(Sector& s, CellIndex c, VertexIndex x, const TetMesh& cells, std::vector<CellIndex>& left,
             const RimEdges& rims) {
   for (unsigned i = 0; i < 4; ++i) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sectors of an added point's star: the parts between the fans of its facets, and the triangles (sheets) that may
-/// divide a sector.
+/// Sectors of an added point's star: the parts between the fans of its facets, and sheets that may divide them.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +30,7 @@ std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, c
 /// Returns the triangles that replace those at x, in the orientation as seen from the sector.
 std::vector<Triangle> sheets_of(const Sector& s, const StarFans& around);
 
-/// Returns vertices of the sector that are connected with both ends of the segment, those that divide the sector most
-/// evenly first.
+/// Returns vertices of the sector that are connected with both ends of the segment, the most even division first.
 std::vector<VertexIndex> sheet_apexes(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                       const Sector& s);
 
