@@ -17,8 +17,8 @@ using recover::Subsegment;
 
 constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index - 2;
 
-/// Numbers the components: cells that locked faces separate from all others are one component. The facets around a
-/// component decide its number.
+/// Assigns each cell to a component. A component is a maximal set of cells that are connected through faces without a
+/// lock. Components are numbered in the order of the facets around them.
 class Components {
  public:
   Components(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
@@ -32,9 +32,10 @@ class Components {
   Index size() const { return n_; }
   Index of(CellIndex c) const { return label_[c]; }
   bool kept(CellIndex c) const { return label_[c] < n_; }
-  /// Returns live subfacets by facet, so that numbers and output do not depend on the course of recovery.
+  /// Returns the live subfacets ordered by facet, so that the numbers of components and the output do not depend on the
+  /// order in which recovery created subfacets.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// Returns the face on the upper side of each of `subfacets()`.
+  /// Returns the mesh face of each of `subfacets()`, seen from its upper side.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
   /// Returns the region seed in each component, or no_index.
@@ -96,7 +97,7 @@ class Components {
   Index n_ = 0;
 };
 
-/// The kept components in plain arrays, rows in the order of the mesh.
+/// Copies the kept components of the mesh into plain arrays, in the order of the mesh.
 class Arrays {
  public:
   Arrays(ConstrainedMesh& mesh, DeclaredModel& model, const Components& components, ConstrainedTetrahedralization& out)
@@ -175,7 +176,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Returns whether some cell at the edge is kept. Both of its ends may be kept although no such cell is.
+  /// Returns whether at least one cell around the edge is kept. If none is, both ends of the edge may still be kept.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;
@@ -188,8 +189,8 @@ class Arrays {
   DeclaredModel& model_;
   const Components& components_;
   ConstrainedTetrahedralization& out_;
-  std::vector<VertexIndex> point_;  ///< rows of the vertices
-  std::vector<Index> tetrahedron_;  ///< rows of the cells
+  std::vector<VertexIndex> point_;  ///< row of each vertex in the output
+  std::vector<Index> tetrahedron_;  ///< row of each cell in the output
 };
 
 }  // namespace
