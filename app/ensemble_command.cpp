@@ -29,7 +29,7 @@ fs::path this_program() {
   return fs::read_symlink("/proc/self/exe", error);
 }
 
-/// Puts the Python package of a build folder first on the path, if this program is in one.
+/// Puts the Python package of a build folder first on Python's path, if this program is in one.
 void set_python_path(const fs::path& program) {
   const fs::path built = program.parent_path().parent_path() / "python";
   std::error_code error;

@@ -37,7 +37,7 @@ std::vector<std::string> leave_out_page(geomodel::Project& project);
 /// Throws Error{usage} if the project requests something that is not supported on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// Runs the serial program's stages from `read` to `verify`, with few points in regions. Throws as run_project.
+/// Runs the serial program's stages from `read` to `verify`, with few points in regions. Errors: those of run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
 /// Sends the model from rank 0 to all ranks. Returns its size in bytes. Target sizes that are a function of position

@@ -31,7 +31,7 @@ using DirectedEdge = std::array<VertexIndex, 2>;
 
 /// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< in the orientation of the facet; for a piece: three of its vertices, which span its plane
+  Triangle vertices{};  ///< three vertices in the facet's orientation; those of a piece span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;

@@ -31,7 +31,7 @@ struct FacetTrace {
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;         ///< faces of the subfacet, in its orientation
-  std::vector<CellIndex> cells;        ///< a cell with each face
+  std::vector<CellIndex> cells;        ///< for each face, a cell that has it
   std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };

@@ -118,7 +118,7 @@ struct RecoveryBudget {
 
   // Rounding (rounding.cpp).
   unsigned rounding_runs = 3;        ///< runs of rounding; points are removed from segments and facets in between
-  unsigned rounding_rounds = 8;      ///< passes over the points of a run: neighbours that have moved leave more room
+  unsigned rounding_rounds = 8;      ///< number of passes in each run: neighbours that have moved leave more room
   unsigned centring_sweeps = 10;     ///< in each round
   unsigned centring_steps = 100;     ///< largest number of steps of the linear program: about ten are needed
   double centring_gain = 1.01;       ///< a point is moved only if its least height grows by more than this factor

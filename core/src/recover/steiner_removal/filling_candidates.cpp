@@ -132,7 +132,7 @@ void FillingCandidates::find_allowed_faces() {
     for (VertexMask of_b = forced_[a] & beyond(a); of_b != 0; of_b &= of_b - 1) forbid_faces_about(a, lowest(of_b));
 }
 
-/// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: its edges pass a-b on the same
+/// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: their edges pass a-b on the same
 /// side, and a and b lie on different sides of the face. For each pair c, d all e are handled at once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
   std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of the triangles (a, b, c) for all c
