@@ -2,8 +2,12 @@
 #include "classify/classify.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "common/flood.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "recover/model/presence.hpp"
 
 namespace geomesh::classify {
@@ -42,7 +46,7 @@ class Components {
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {
-      const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
+      const CellIndex c = locate(seed, "region");
       if (c == no_cell || !kept(c)) {
         context_.note(LogLevel::warning, "a region seed lies outside every region");
         continue;
@@ -58,6 +62,34 @@ class Components {
   }
 
  private:
+  /// Returns a cell that contains the seed, or no_cell if it is outside the box. Throws Error{invalid_input} if the
+  /// seed lies on a facet, because it would then be in the components on both sides.
+  CellIndex locate(const PiecewiseLinearComplex::Seed& seed, const char* kind) const {
+    const CellIndex first = mesh_.locate(seed.point, mesh_.cell_of(0));
+    if (first == no_cell) return no_cell;
+    std::vector<CellIndex> around{first};  // the cells that contain the seed
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      if (mesh_.cells().is_ghost(around[k])) continue;
+      const Tetrahedron v = mesh_.cells().vertices(around[k]);
+      for (unsigned i = 0; i < 4; ++i) {
+        const auto& corners = face_vertices[i];
+        const Vec3 &p = mesh_.point(v[corners[0]]), &q = mesh_.point(v[corners[1]]), &r = mesh_.point(v[corners[2]]);
+        if (orient3d(p, q, r, seed.point) != Sign::zero) continue;
+        const FaceRef face(around[k], i);
+        if (mesh_.is_locked(face)) throw_seed_on_facet(seed, kind);
+        const CellIndex beyond = mesh_.cells().mirror(face).cell();
+        if (std::find(around.begin(), around.end(), beyond) == around.end()) around.push_back(beyond);
+      }
+    }
+    return first;
+  }
+  [[noreturn]] static void throw_seed_on_facet(const PiecewiseLinearComplex::Seed& seed, const char* kind) {
+    ErrorContext context;
+    context.places.push_back(seed.point);
+    throw Error(ErrorKind::invalid_input,
+                std::string("a ") + kind + " seed lies on a facet, so it is on both sides of it; move it into a region",
+                std::move(context));
+  }
   void flood(CellIndex start, Index label) {
     flood_cells(mesh_.cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
   }
@@ -68,7 +100,7 @@ class Components {
     }
   }
   void flood_hole(const PiecewiseLinearComplex::Seed& seed) {
-    const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
+    const CellIndex c = locate(seed, "hole");
     if (c == no_cell || label_[c] == outside) {
       context_.note(LogLevel::warning, "a hole seed lies outside the model");
     } else if (label_[c] == unvisited) {
