@@ -22,13 +22,10 @@ std::size_t take_number(std::string& text, const std::string& mark) {
 NameParts parts_of(const std::string& name, const std::set<std::string>& known) {
   NameParts parts{name};
   if (known.contains(name)) return parts;
-  for (const bool numbered : {true, false}) {
-    parts = {name};
-    if (numbered) parts.number = take_number(parts.base, "__");
-    if (known.contains(parts.base)) return parts;
-    parts.block = take_number(parts.base, "__B");
-    if (known.contains(parts.base)) return parts;
-  }
+  parts.number = take_number(parts.base, "__");
+  if (known.contains(parts.base)) return parts;
+  parts.block = take_number(parts.base, "__B");
+  if (known.contains(parts.base)) return parts;
   parts = {name};
   parts.number = take_number(parts.base, "__");
   return parts;
