@@ -169,7 +169,7 @@ class Outlines {
   }
 
   Index group_of(Index f) const { return group_[f]; }
-  /// Returns the outline of the group whose first facet is f, or null.
+  /// Returns the outline of the group of merged facets whose first facet is f; null if f is not the first of a group.
   const Outline* find(Index f) const {
     const auto at = outlines_.find(f);
     return at == outlines_.end() ? nullptr : &at->second;
@@ -253,7 +253,7 @@ class Outlines {
   std::map<Index, Outline> outlines_;
 };
 
-/// Writes the facet f, or the group whose first facet is f. Returns the index of the written facet.
+/// Adds facet f, or the merged facet with the given outline, to the complex `out`. Returns the index of the new facet.
 Index write_facet(const PiecewiseLinearComplex& plc, Index f, const Outline* outline, PiecewiseLinearComplex& out) {
   if (outline) {
     const Index row = out.add_polygon(outline->loops, plc.facet_provenance[f]);

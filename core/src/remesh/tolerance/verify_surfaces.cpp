@@ -59,7 +59,7 @@ Difference difference(const Items& first, const Items& second, std::size_t n_gro
   return d;
 }
 
-/// For each item, the result of an earlier verification, if it is still valid.
+/// For each face or curve edge, the distance found by an earlier verification, if it is still valid.
 using Known = std::vector<std::optional<search::Cover>>;
 
 struct KnownCovers {
@@ -94,7 +94,7 @@ struct Judge {
   unsigned threads;
   std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results by piece.
+  /// Stores in `covers` how far each piece is from the other model, as in `known` if possible. Returns the largest.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();
