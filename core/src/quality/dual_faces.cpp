@@ -45,7 +45,7 @@ struct Window {
 
 /// For each edge of tetrahedron t whose vertex of lower index is in the window, adds the part of its dual face in t.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
-  // Combines the four tests so that there is one branch instead of four.
+  // The tests of the four vertices are combined with |, so that there is one branch instead of four.
   if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
@@ -88,7 +88,7 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use) {
-  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // number of parts, by the first vertex of the edge
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // parts of dual faces, by lower vertex of their edge
   for (const Tetrahedron& t : tetrahedra)
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;

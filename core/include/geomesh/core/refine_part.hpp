@@ -17,7 +17,7 @@ namespace geomesh {
 /// Tetrahedra with the items that must be kept. Boundary faces and their points are kept too, without being listed.
 struct TetrahedraPart {
   std::vector<Vec3> points;
-  std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it is kept
+  std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it must be kept unmoved
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;                        ///< component of each tetrahedron
   std::vector<Triangle> kept_faces;                    ///< kept faces between two tetrahedra

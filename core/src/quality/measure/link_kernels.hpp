@@ -11,7 +11,7 @@
 
 namespace geomesh::remesh {
 
-/// Four faces, one per lane, with the values that all tetrahedra over a face share. Base has them for one face.
+/// Four faces of a link, one per lane, with the values that all tetrahedra over a face share.
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< coordinates by corner and axis
@@ -41,7 +41,7 @@ namespace detail {
 extern const LinkKernelTable baseline_link_kernels, avx2_link_kernels;
 }
 
-/// Returns the kernels of a measure for this processor; all versions compute the same bits.
+/// Returns the functions of a measure in the version for this processor. All versions compute the same bits.
 const LinkKernels& link_kernels(QualityMeasure measure);
 
 }  // namespace geomesh::remesh

@@ -62,7 +62,7 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
   result.mesh.delaunay = false;
   list_facets_off_delaunay(result.mesh);
   std::vector<Index>& off = result.mesh.recovery.facets_not_recovered;
-  if (off.empty())  // cells may not be Delaunay even if all facets are
+  if (off.empty())  // even if all facets are Delaunay, cells may not be
     for (Index f = 0; f < plc.n_facets(); ++f) off.push_back(f);
   return result;
 }

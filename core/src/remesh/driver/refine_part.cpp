@@ -154,7 +154,7 @@ class Settled {
 
  private:
   std::size_t n_faces_;
-  std::vector<bool> is_free_later_;  // for each kept point, whether it is kept only until release()
+  std::vector<bool> is_free_later_;  // for each kept point, whether it is kept only until release() is called
 };
 
 /// The constraints of a mesh, each list in ascending order: constrained faces on the boundary, constrained faces

@@ -23,7 +23,7 @@ struct SmoothRule {
   double good_enough = 2;  ///< a vertex whose worst shape is above this is not moved any further
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
-  double least_rise = 1.0005;  ///< smallest factor by which the worst shape must rise
+  double least_rise = 1.0005;  ///< a move must raise the worst shape by at least this factor
   double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
   /// If surfaces are kept exactly: whether vertices on input edges may move along these edges.
   bool slides_on_edges = false;

@@ -50,7 +50,7 @@ struct RescueLimits {
   /// edge.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
-  /// With as many bad cells, a trial succeeds if their deficit, the sum of 1 - shape / bad_shape, falls by this.
+  /// With as many bad cells as before, a trial succeeds if the sum of their 1 - shape / bad_shape falls by this.
   double notable_relief = 0.02;
   std::size_t most_given_up = 3;  ///< the repair of bad cells at a place ends once this many could not be improved
   /// Number of openings (random changes that may worsen shapes) in one trial to repair a cell; more hardly ever help.
@@ -85,8 +85,8 @@ struct ImproveSchedule {
   // Parameters of the passes that raise the mean shape.
   unsigned mean_rounds = 1;          ///< rounds that raise the mean before repair, which improves the worst cells only
   unsigned mean_rounds_if_poor = 2;  ///< rounds that raise the mean before and after repair if many cells are poor
-  double mean_floor_angle = 30;      ///< passes that raise the mean shape lower no cell to below this angle
-  double floor_percentile = 0.01;    ///< raising the mean may lower shapes to this percentile (0..1) of all, if less
+  double mean_floor_angle = 30;      ///< raising the mean lowers no cell below this angle (see floor_percentile)
+  double floor_percentile = 0.01;    ///< percentile (0..1) of all shapes to which raising the mean may lower a shape
   double many_poor = 0.1;            ///< share of cells (0..1) below `target_angle` from which many cells count as poor
 
   // Parameters of repair, which treats the worst cells first.

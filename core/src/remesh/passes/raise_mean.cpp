@@ -89,7 +89,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  std::vector<bool> is_left_;  // for each vertex, whether it is left out; empty: no vertex is
+  std::vector<bool> is_left_;  // for each vertex, whether its cells are good enough to be left alone; empty: no
   struct Lists {
     std::vector<CellIndex> star;
     std::vector<std::pair<VertexIndex, CellIndex>> edges;

@@ -12,7 +12,7 @@
 
 namespace geomesh::remesh {
 
-/// The operations around a cell. Each value includes the operations of the values before it.
+/// Kinds of operations by which a cell is repaired. Each value includes the operations of the values before it.
 enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, points };
 
 class WorstFirstRepair {
@@ -45,7 +45,7 @@ class WorstFirstRepair {
     std::uint64_t when = 0;  ///< the mesh's time
     RepairBy what = RepairBy::nothing;
   };
-  std::vector<Attempt> tried_;           // for each cell, the attempts that have failed
+  std::vector<Attempt> tried_;           // for each cell, the kinds of operations that failed
   std::vector<std::uint64_t> smoothed_;  // for each vertex, when moving it last failed
 };
 

@@ -31,7 +31,7 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
 double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
   // Sizes that are too small to be sampled are enlarged 8, 64, 4096 ... times, because their unit may be wrong.
   constexpr double larger = 8;
-  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // evaluated in seconds, or tenths of one
+  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // samples that take about 1.5 s and 0.15 s
   if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
@@ -104,7 +104,7 @@ double middle_edge(const PiecewiseLinearComplex& plc) {
 /// size, the length of most input edges.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
-  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // short_edge: share of the median edge
+  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // short_edge: relative to the median length
   const double estimate = result.statistics.estimated_elements;
   if (!options.size.from_input_edges || !sizes_surfaces(options) || estimate < many) return;
   const bool has_size = options.size.global > 0;

@@ -90,7 +90,7 @@ struct Facing {
 /// planes of their faces intersect. Needles along the curve at which they meet may keep the faces from having common
 /// vertices.
 bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
-  // The surfaces may meet so far from the line in which their planes intersect, relative to the distance of the line.
+  // Surfaces may meet up to this far from the line in which their planes intersect, relative to its distance.
   constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
   const Vec3 down = m - dot(m, n) * n;  // direction in the plane of the face, towards the line of intersection

@@ -223,7 +223,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // only a sample near a removed face must remain near
+      near = !old_faces.is_near(p, limit);  // samples near removed faces must be near the new ones
     });
   });
   return near;

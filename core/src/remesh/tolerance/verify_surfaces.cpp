@@ -83,7 +83,7 @@ KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_gr
   return known;
 }
 
-/// The surfaces whose pieces are verified, and those against which they are verified.
+/// The surfaces whose pieces must be near other surfaces, and these other surfaces.
 struct Judgement {
   const search::ReferenceSurfaces &judged, &set;
   Breach kind;
