@@ -42,8 +42,8 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
 /// neither the sum of what their shapes lack nor the worst of them is worse. Returns whether it was kept.
 bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule);
 
-/// Moves u away from its neighbour v until they are `length` apart, and repairs the cells around without new points.
-/// Kept under the same conditions as collapse_mending. The repair may move u and v closer to each other again.
+/// Moves u away from its neighbour v until they are `length` apart, and repairs the cells around without new points,
+/// which may move u closer again. The result is kept only if bad cells are no more and no worse than before.
 bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length, const RescueRule& rule);
 
 /// State shared by consecutive calls of rescue_cell_by_search, which tries random sequences of operations.

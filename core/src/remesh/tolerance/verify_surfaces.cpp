@@ -66,8 +66,8 @@ struct KnownCovers {
   Known result, input;
 };
 
-/// Collects the earlier results that are still valid: for items of the result that existed before, and for items of the
-/// input near which no item of the result has been added or removed.
+/// Collects the distances found earlier that are still valid: for pieces of the result that existed before, and for
+/// pieces of the input near which no piece of the result has been added or removed.
 KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_groups, const Items& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
   const Difference d = difference(before, now, n_groups);
