@@ -21,7 +21,7 @@ struct TetrahedraPart {
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;                        ///< component of each tetrahedron
   std::vector<Triangle> kept_faces;                    ///< kept faces between two tetrahedra
-  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< kept edges that are in no kept face
+  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges that must be kept, except those of kept faces
   /// For each tetrahedron: not 0 if its shape was repaired before. Its points and faces are kept until the other
   /// tetrahedra are refined; points are added inside it if it is larger than the target size. Empty: none.
   std::vector<std::uint8_t> is_settled;

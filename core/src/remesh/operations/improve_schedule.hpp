@@ -52,7 +52,7 @@ struct RescueLimits {
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
   /// With as many bad cells as before, a trial succeeds if the sum of their 1 - shape / bad_shape falls by this.
   double notable_relief = 0.02;
-  std::size_t most_given_up = 3;  ///< the repair of bad cells at a place ends once this many could not be improved
+  std::size_t most_given_up = 3;  ///< repair around a bad cell ends once this many cells could not be improved
   /// Number of openings (random changes that may worsen shapes) in one trial to repair a cell; more hardly ever help.
   unsigned most_openings = 8;
   std::size_t trials_a_clearing = 4;  ///< one in this many trials first removes all points around the bad cell

@@ -127,7 +127,7 @@ class SurfaceGuard {
   double rounding_ = 0;   // a distance that may be caused by rounding alone
   double tolerance_ = 0;  // largest permitted distance of a sample from the other surface
   std::vector<TightZone> zones_;
-  search::ClosestPointTrees zone_boxes_;  // search tree of the boxes with smaller tolerances
+  search::ClosestPointTrees zone_boxes_;  // search tree of boxes in which smaller tolerances apply
   mutable tbb::enumerable_thread_specific<search::RecentPlaces> recent_{search::RecentPlaces(1)};  // of allowed_
   LocalTolerance allowed_;                                                                         // what is promised
   double reach_ = 0;            // largest tolerance anywhere
