@@ -101,7 +101,7 @@ Vec2 ModelFrame::to_system(const HorizontalCrs& from, const Vec2& p) const {
 void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty()) return;
-  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports positions outside the range of a system
+  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports coordinates outside a system's range
   const bool projected =
       from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
   if (projected && looks_like_degrees(bounds)) {

@@ -32,7 +32,7 @@ struct ZonePrism {
 struct ZoneColumns {
   std::vector<ZoneColumn> columns;
   std::vector<ZonePrism> prisms;
-  /// Row of the zone at each wall face, by the nodes of the face in ascending order.
+  /// Row of the fault zone of each mesh face on one of its walls, by the nodes of the face in ascending order.
   std::map<Triangle, std::size_t> zone_of_wall;
 };
 

@@ -79,7 +79,7 @@ class PartWriter {
     ghost_.tag = ghost_tag();
     if (!ghost_.cells.empty()) entities_.push_back(ghost_);
   }
-  /// Assigns each node to the first entity that contains it; nodes that are in no entity are left out.
+  /// Assigns each node of the part to the first Gmsh entity that contains it; nodes in no entity are left out.
   void share_nodes() {
     std::vector<bool> taken(part_.mesh.n_nodes(), false);
     for (PartEntity& entity : entities_) {

@@ -18,7 +18,7 @@ class SectionText {
  public:
   SectionText(const InputFile& file, const ExtrudeSpec& spec) : file_(file), lines_(file), spec_(spec) {}
 
-  /// Returns an empty list if the file does not have one point of a section per line.
+  /// Reads polylines from a text with one point of a section per line; returns an empty list for any other text.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {

@@ -30,7 +30,7 @@ class PolygonText {
  public:
   explicit PolygonText(const InputFile& file) : file_(file), lines_(file) {}
 
-  /// Returns an empty list if the file does not have one point per line.
+  /// Reads fault polygons from a text with one point per line; returns an empty list for any other text.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {

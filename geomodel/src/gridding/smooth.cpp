@@ -61,7 +61,7 @@ double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, 
   double scale = 0;
   for (const VertexIndex n : s.neighbours[v]) scale = std::max(scale, norm(s.points[n] - s.points[v]));
   if (!(scale > 0)) return 0;
-  m(0, 0) = 1;  // equation of the vertex itself, at height 0
+  m(0, 0) = 1;  // least-squares equation of the vertex itself, whose height is 0
   for (const VertexIndex n : s.neighbours[v]) {
     const Vec3 d = (1 / scale) * (s.points[n] - s.points[v]);
     const Eigen::Vector3d a(1, dot(d, u_axis), dot(d, v_axis));

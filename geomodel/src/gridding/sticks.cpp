@@ -13,7 +13,7 @@ namespace {
 
 struct Stick {
   std::vector<Vec3> points;
-  double place = 0;  ///< position of the stick's midpoint, across the sticks
+  double place = 0;  ///< position of the fault stick's midpoint along the direction across the sticks
 };
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }

@@ -55,7 +55,7 @@ std::vector<MapLocator> locators_of(const std::vector<const TriangulatedSurface*
 /// the box: only its order in the column reveals the error.
 void doubt_units(const Inspected& model, std::vector<Finding>& findings) {
   const std::vector<const TriangulatedSurface*> horizons = horizons_in_column(model);
-  if (horizons.size() < 3) return;  // With two horizons, it is unknown which of them is wrong.
+  if (horizons.size() < 3) return;  // of only two horizons, either could be in the wrong unit, so none is reported
   const std::vector<MapLocator> locators = locators_of(horizons);
   // whether two horizons are in another order than in the column
   const auto is_against = [&](std::size_t one, std::size_t other, const HeightMap& map) {
@@ -102,7 +102,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // names of the nearest column horizons above and below
+    std::string above, below;  // names of the nearest horizons above and below that are in the stratigraphic column
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);
@@ -110,7 +110,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
       if (side < 0) above = names[k];
       if (side > 0 && below.empty()) below = names[k];
     }
-    if (!in_order) continue;  // a surface that crosses the horizons is an isotherm, or a contact of fluids
+    if (!in_order) continue;  // a surface that crosses the column's horizons may be an isotherm or a fluid contact
     left_out.push_back(s.name);
     places += (places.empty() ? "" : ", ") + s.name +
               (above.empty()   ? " above " + below

@@ -109,7 +109,7 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
-    // A box with errors is reported when it is read, so an empty one takes its place.
+    // If the entry `box` has errors, they are reported when it is read, and an empty box takes its place.
     if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
@@ -275,7 +275,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // Keys are only checked against the kind once it is known.
+    spec.kind = SurfaceKind::surface;  // while the kind is unknown, keys that need a certain kind are not rejected
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)

@@ -81,7 +81,7 @@ std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name,
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
-  YAML::Node first;  ///< the first document, or null if the text has none
+  YAML::Node first;  ///< the first YAML document; null if the text has none
   bool has_more = false;
 };
 

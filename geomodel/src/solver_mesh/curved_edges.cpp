@@ -28,7 +28,7 @@ double rounding_at(const Vec3& p) {
 /// by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< signed distance of the plane above the point
+  long double height = 0;  ///< signed height of the plane above `place`, along the normal
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;
@@ -47,12 +47,12 @@ struct Plane {
 struct EdgeOnSurfaces {
   VertexIndex a, b;
   std::vector<std::int32_t> surfaces;  ///< ids of the surfaces at the edge without sides of the model, ascending
-  /// Coordinates of the midpoint that are fixed by a side of the model along the axes.
+  /// For each axis: whether the midpoint keeps its coordinate, because a side of the model there is normal to the axis.
   std::array<bool, 3> fixed{false, false, false};
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  /// Number of times that the distance of the midpoint from the straight edge was halved; `stays`: it is straight.
+  /// Number of times that the midpoint's distance from the straight edge was halved; with `stays`, it is zero.
   int halvings = 0;
   static constexpr int stays = 4;
 
@@ -241,7 +241,7 @@ class EdgeCurver {
     });
   }
 
-  /// Halves the curvature of the edges of elements whose Jacobian is not proven positive. Returns true if any.
+  /// Halves the curvature of edges of elements whose Jacobian is not proven positive; returns whether any edge changed.
   bool straighten_unproven() {
     bool any = false;
     for (bool changed = true; changed;) {

@@ -74,8 +74,8 @@ class AcrossFaces {
     for (const TetrahedronRows& piece : pieces_)
       for (const VertexIndex t : piece) f(number++, tetrahedra_[t]);
   }
-  /// Returns the two smallest vertices of a tetrahedron. The smallest vertex of three of its faces is the first of
-  /// these, that of the fourth face is the second.
+  /// Returns the two smallest vertex numbers of a tetrahedron. The smallest vertex of three of its faces is the first
+  /// of these, that of the fourth face is the second.
   static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
     // Minimum and maximum avoid branches, because it is unpredictable which vertex is smaller.
     const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);

@@ -182,7 +182,7 @@ class FaultSplitter {
     }
     mesh_.faces.insert(mesh_.faces.end(), plus_faces_.begin(), plus_faces_.end());
   }
-  /// Updates the nodes of curves. An edge of a curve remains with the first tetrahedron that has it.
+  /// Updates the nodes of edges of curves after the split: an edge follows the first tetrahedron that has it.
   void move_curves() {
     std::map<std::pair<VertexIndex, VertexIndex>, std::vector<ModelMesh::CurveEdge*>> edges;
     for (auto& e : mesh_.curve_edges) edges[{std::min(e.a, e.b), std::max(e.a, e.b)}].push_back(&e);

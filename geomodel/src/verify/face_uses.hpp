@@ -18,8 +18,8 @@ class FaceUse {
   /// Upper limit on the numbers of points, tetrahedra and listed faces.
   static constexpr std::uint64_t limit = std::uint64_t{1} << 31;
 
-  /// Precondition: the vertices are ascending; vertices and row are below the limit. `even` is whether sorting the
-  /// vertices kept their cyclic order.
+  /// Packs a face into two words. Preconditions: the vertices are ascending; vertices and row are below `limit`. `even`
+  /// is whether sorting the vertices kept their cyclic order.
   FaceUse(const Triangle& vertices, Index row, bool is_listed, bool even)
       : first_(std::uint64_t{vertices[0]} << 32 | vertices[1]),
         last_(std::uint64_t{vertices[2]} << 33 | std::uint64_t{is_listed} << 32 | std::uint64_t{row} << 1 |
@@ -33,7 +33,7 @@ class FaceUse {
   bool even() const { return (last_ & 1) != 0; }
   bool same_triangle(const FaceUse& o) const { return first_ == o.first_ && last_ >> 33 == o.last_ >> 33; }
 
-  /// Orders by vertices; for equal vertices faces of tetrahedra come first, then listed faces, each by index.
+  /// Orders faces by their vertices. Of equal triangles, faces of tetrahedra precede listed faces, each by index.
   friend bool operator<(const FaceUse& p, const FaceUse& q) {
     return p.first_ != q.first_ ? p.first_ < q.first_ : p.last_ < q.last_;
   }

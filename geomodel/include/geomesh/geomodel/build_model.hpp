@@ -27,7 +27,7 @@ struct SoupCurve {
   std::string kind;  ///< as NamedCurve::kind
 };
 
-/// The PLC of a model with everything needed to name the parts of its mesh. Points have the same rows as in the soup.
+/// A PLC with everything needed to name the parts of its mesh. Its points have the same rows as in the polygon soup.
 struct ModelPlc {
   PiecewiseLinearComplex plc;
   /// Soup facets that each facet of the PLC stands for: those of facet f are facet_soup[facet_soup_offsets[f]] ..

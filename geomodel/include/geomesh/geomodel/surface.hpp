@@ -88,7 +88,7 @@ struct GridSummary {
 /// The contents of one input file.
 struct FileContents {
   std::string format;  ///< name of the format: "GOCAD TSurf", "OFF", ...
-  SourceFrame frame;   ///< unit and axes of the first object, if objects differ (a warning then says so)
+  SourceFrame frame;   ///< unit and axes of the first object; a warning says so if other objects differ
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> polylines;
   std::vector<NamedPoint> points;

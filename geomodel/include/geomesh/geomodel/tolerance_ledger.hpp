@@ -51,7 +51,7 @@ class ToleranceLedger {
   double bound() const;
   const std::vector<ToleranceUse>& uses() const { return uses_; }
 
-  /// Sets the tolerance's length where the target size is largest. Does nothing if the tolerance is a constant length.
+  /// Sets the length of a tolerance that is a share of the target size, for the largest target size of the mesh.
   void follow_size(double largest);
   /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);

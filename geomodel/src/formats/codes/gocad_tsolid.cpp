@@ -32,7 +32,7 @@ class SolidFile {
   }
 
  private:
-  /// Nodes are written before the first volume that uses them; later volumes refer to them.
+  /// Writes the volume of a region. A node is written before the first volume that uses it; later volumes refer to it.
   void write_volume(const CellGroup& label, const std::string& name) {
     out_ << "TVOLUME " << name << "\n";
     const auto each = [&](const auto& visit) {

@@ -21,7 +21,7 @@ class NetcdfWriter {
   /// Writes entries [first, first + n) of a variable, counted along its first dimension. Returns false on failure.
   using Put = std::function<bool(std::size_t first, std::size_t n, const void* data)>;
 
-  /// Adds a dimension of a certain length; 0 means the unlimited dimension.
+  /// Adds a netCDF dimension of the given length; 0 means the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t size) { dimensions_.emplace_back(name, size); }
   void add_ints(const std::string& name, const std::string& dimension, std::vector<int> values);
   /// Adds a variable of integers, which `write` provides piece by piece.

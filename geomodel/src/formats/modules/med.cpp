@@ -119,8 +119,8 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes rows of `width` numbers, a limited number at a time, because a copy of all would be as large as the mesh.
-  /// `add(row, list)` appends the numbers of a row, `put(filter, list)` writes them.
+  /// Writes rows of `width` numbers in portions, because a copy of all rows would be as large as the mesh. `add(row,
+  /// list)` appends the numbers of a row to `list`, `put(filter, list)` writes the listed numbers.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;

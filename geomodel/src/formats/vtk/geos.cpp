@@ -23,8 +23,8 @@ namespace {
 using Place = std::tuple<double, double, double>;
 Place place_of(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// The faces of a split fault, each one once. `corners` are positions in `nodes`, which lists for each place all nodes
-/// of the mesh there.
+/// The faces of a split fault, each listed once. `nodes` lists for each place on the fault all nodes of the mesh there;
+/// `corners` has the corners of the faces, as positions in `nodes`.
 struct Fracture {
   std::vector<std::vector<VertexIndex>> nodes;
   std::vector<std::int64_t> corners;

@@ -28,7 +28,7 @@ void offer(Target& target, double edge2, const Target& root) {
   if (root.distance2 <= reach * reach * edge2 && root.distance2 < target.distance2) target = root;
 }
 
-/// Calls visit(vertex, other end, root, isovalue) for both ends of each edge, at each root on the edge.
+/// Calls visit(vertex, other end, root, isovalue) for each root on an edge, once for each end of the edge.
 template <class Visit>
 void for_each_root(const CrossedEdges& edges, const std::vector<double>& values, const MovedVertices& vertices,
                    Visit&& visit) {
@@ -67,7 +67,7 @@ void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const 
                    MovedVertices& vertices) {
   const std::vector<Target> targets = find_targets(mesh, edges, values, vertices);
   const auto has_target = [&](VertexIndex v) { return std::isfinite(targets[v].distance2); };
-  // First entry of the cells around each vertex that will be moved.
+  // For each vertex to be moved, where the list of its cells begins in `about`.
   std::vector<std::size_t> begin(mesh.n_points() + 1, 0);
   for (const BackgroundMesh::Cell& cell : mesh.cells())
     for (const VertexIndex v : cell.v) begin[v + 1] += has_target(v);
