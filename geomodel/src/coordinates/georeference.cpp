@@ -223,7 +223,7 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
   Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
-    constexpr int n_samples = 64;  // sides of a geographic box are curved on the map
+    constexpr int n_samples = 64;  // samples, because sides of a geographic box are curved on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);

@@ -78,7 +78,7 @@ struct ModelRecords {
 /// The result of the meshing stages: the mesh, in unscaled heights.
 struct Meshed {
   RefineResult refined;
-  RefinementSettings used;  ///< requested settings, with derived sizes and the tolerance that remeshing used
+  RefinementSettings used;  ///< requested mesh settings, with derived sizes and the tolerance that remeshing used
   NamingRules naming;       ///< naming rules without topography and floor, because parts beyond these were removed
   /// Volume of each component before surfaces were moved within a tolerance; empty if none was moved.
   std::vector<double> volumes_of_input;

@@ -210,7 +210,7 @@ class EdgeCurver {
     return half_way(mesh_.points[p], mesh_.points[q]);
   }
 
-  /// Straightens the edges of all faces that are not proven to be within the tolerance.
+  /// Straightens the edges of all faces that are not proven to be within the tolerance of their surfaces.
   void straighten_far_faces() {
     for (bool changed = true; changed;) {
       changed = false;

@@ -17,7 +17,7 @@ class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
 
-  /// Reads attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
+  /// Reads VTK attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
   bool take(const std::string& keyword) {
     if (keyword == "metadata") {
       skip_metadata();
@@ -208,7 +208,7 @@ class LegacyReader {
     if (at != block.size()) words_.fail("its cells do not fill their block of numbers (damaged)");
     return lists;
   }
-  /// Reads cells as in files of version 5 and later: `n` offsets from 0, then the corners.
+  /// Reads cells as in legacy VTK files of version 5 and later: `n` offsets from 0, then the corners.
   CellLists read_offsets(std::size_t n, std::size_t n_corners) {
     CellLists lists;
     words_.keyword();

@@ -188,7 +188,7 @@ class ExodusWriter {
     add_list_of_names("coor", "num_dim", {"x", "y", "z"});
   }
 
-  /// Returns the name of an element type. For tetrahedra it is TETRA, which all readers know; one does not know TETRA4.
+  /// Returns the Exodus name of an element type. Linear tetrahedra are TETRA, because one reader does not know TETRA4.
   const char* type_of(const CellBlock& block) const {
     return block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA";
   }

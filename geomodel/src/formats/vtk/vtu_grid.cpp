@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Value of the point array `kind` at midpoint nodes.
+/// Value of the point array `kind`, which says how a point arose, at midpoint nodes of second-order elements.
 constexpr std::uint8_t kind_of_midpoint = 5;
 
 VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
