@@ -227,7 +227,7 @@ class ZoneOpener {
     }
   }
 
-  /// Sets the regions of wall faces. Their normals point into the zone, because it has the highest region id.
+  /// Sets the regions of faces on walls of zones. Normals point into the zone, because it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;

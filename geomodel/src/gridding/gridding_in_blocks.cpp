@@ -159,7 +159,7 @@ class BlockSurfaces {
     return points;
   }
 
-  /// Interpolates the points of one block. Returns nothing if they do not determine a surface.
+  /// Interpolates the points of one fault block. Returns nothing if they do not determine a surface.
   std::optional<TriangulatedSurface> sheet_of(const std::vector<Vec3>& points) const {
     if (points.size() < fewest_points) return std::nullopt;
     GriddingSpec spec = made_.spec;

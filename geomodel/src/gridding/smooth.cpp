@@ -17,7 +17,7 @@ struct WeldedSurface {
   std::vector<VertexIndex> row;  ///< merged vertex of each vertex of the original surface
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
-  std::vector<bool> fixed;                           ///< whether the point is on a border, or in no triangle
+  std::vector<bool> fixed;                           ///< points that do not move: on a border, or in no triangle
 };
 
 WeldedSurface weld(const TriangulatedSurface& surface) {

@@ -219,7 +219,7 @@ class ProjectReader {
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Returns the earlier entry with the same name, if both entries have fields with domains; null if there is none.
+  /// Returns the earlier entry of this surface, if it and this entry have fields with domains; null if there is none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });
@@ -275,7 +275,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // while the kind is unknown, keys that need a certain kind are not rejected
+    spec.kind = SurfaceKind::surface;  // while the surface's kind is unknown, keys for certain kinds are not rejected
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)

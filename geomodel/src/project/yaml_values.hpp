@@ -29,7 +29,7 @@ class YamlValue {
   std::string scalar() const { return node_.IsScalar() ? node_.Scalar() : std::string(); }
   void problem(const std::string& message) const { problems_->add(place_, name_ + ": " + message); }
 
-  /// Returns the text of any scalar that is not empty.
+  /// Returns the text of a YAML scalar; nothing if the value is no scalar or empty.
   std::optional<std::string> text() const;
   /// Returns a finite decimal number; reports numbers with a leading zero (octal in older YAML) or in quotes.
   std::optional<double> number() const;

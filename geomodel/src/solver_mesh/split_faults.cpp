@@ -201,7 +201,7 @@ class FaultSplitter {
           edges.erase(found);
         }
   }
-  /// Updates the nodes of curved edges. Copies of an edge on both sides of a fault have the same curvature.
+  /// Updates the nodes of curved edges after faults are split. Copies of an edge on both sides have the same curvature.
   void move_curved_edges() {
     if (before_.curved_edges.empty()) return;
     std::map<std::pair<VertexIndex, VertexIndex>, const CurvedEdge*> before, now;

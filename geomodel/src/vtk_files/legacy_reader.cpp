@@ -144,7 +144,7 @@ class LegacyReader {
       words_.fail("its third line says " + in_quotes(coding) + "; ASCII or BINARY was expected");
     words_.binary = coding == "binary";
     words_.line();
-    if (words_.next_keyword() == "field") {  // field data before the keyword DATASET
+    if (words_.next_keyword() == "field") {  // field data of a VTK file, before its keyword DATASET
       words_.keyword();
       attributes_.read_field(data_.field_data, 0);
     }

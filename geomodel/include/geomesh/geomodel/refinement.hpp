@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 /// A target edge length near a point.
 struct PlaceSize {
-  Vec3 place;  ///< position in the project's coordinates
+  Vec3 place;  ///< place of the target size, in the project's coordinates
   AskedSize asked;
 };
 

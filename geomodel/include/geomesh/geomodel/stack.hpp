@@ -55,7 +55,7 @@ struct SettledHorizon {
 /// One unit between two horizons after horizons were put in order.
 struct SettledUnit {
   std::string name, top, base;
-  double area = 0;         ///< area over which the unit is present
+  double area = 0;         ///< map area over which the unit is present
   double area_merged = 0;  ///< area over which the top and the base of the unit coincide
   double volume = 0;       ///< volume between the two horizons of the unit inside the model volume
   /// Number of islands of the unit that were removed because they were too small to be merged or kept.

@@ -46,7 +46,7 @@ class CrossedEdges {
   void solve(std::size_t row_of_value, const MovedVertices& vertices, const ScalarField* field,
              const std::vector<double>& values, const CrossedEdges* known);
   bool is_known(const Edge& edge, const MovedVertices& vertices) const;
-  /// Returns the part of an edge in which the root of an isovalue lies, above that of the previous isovalue.
+  /// Returns the part of an edge in which an isosurface crosses it: above the crossing of the previous isosurface.
   Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
                   const std::vector<double>& values) const;
 

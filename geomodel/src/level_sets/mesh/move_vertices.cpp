@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of an edge's length within which a root attracts the vertex at its end, as for Labelle and Shewchuk's lattice.
+/// Largest distance, as a share of an edge's length, from which the edge's end is moved to a root of an isovalue on it.
 constexpr double reach = 0.25;
 /// Least share of its volume that every cell keeps when vertices are moved, so that none is inverted.
 constexpr double least_volume_share = 0.1;

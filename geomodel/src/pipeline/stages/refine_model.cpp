@@ -283,7 +283,7 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.segment_curve = segment_curves(model.arranged.plc);
   if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
-    // Other points inside a box side remain from pieces of surfaces that were cut off there, and may move.
+    // Only these points are fixed: others inside a box side remain from removed pieces of surfaces and may move.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)

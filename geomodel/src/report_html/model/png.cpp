@@ -19,7 +19,7 @@ std::string big_endian(std::uint32_t value) {
 std::string chunk(const std::string& kind, const std::string& body) {
   const std::string checked = kind + body;
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()),
-                         static_cast<uInt>(checked.size()));  // safe, because a PNG is smaller than 4 GB
+                         static_cast<uInt>(checked.size()));  // safe cast: a PNG is smaller than 4 GB
   return big_endian(static_cast<std::uint32_t>(body.size())) + checked + big_endian(static_cast<std::uint32_t>(sum));
 }
 
