@@ -95,7 +95,7 @@ class PartWriter {
     }
   }
 
-  /// Writes the bounding box of an entity of the whole mesh. For a region it is that of its faces, which every part
+  /// Writes the bounding box of a Gmsh entity of the whole mesh. For a region it is that of its faces, which every part
   /// has.
   void write_parent_box(GmshNumbers& numbers, const CellBlock& block) const {
     if (block.shape != CellShape::tetrahedron) return write_box(numbers, block, whole_);

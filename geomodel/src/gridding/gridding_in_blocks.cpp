@@ -19,8 +19,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Fewest points from which the surface of a block is made. A plane passes through any three points, so their distances
-/// from it do not reveal how wrong the plane is farther away.
+/// Fewest points from which the surface of a fault block is made. A plane passes through any three points, so their
+/// distances from it do not reveal how wrong the plane is farther away.
 constexpr std::size_t fewest_points = 4;
 
 /// Divides each triangle into n * n equal ones; neighbouring triangles share the new points on their common edge.
@@ -229,8 +229,8 @@ std::vector<GriddedInBlocks> grid_in_blocks(std::vector<TriangulatedSurface>& su
     return {};
   const FaultBlocks blocks(surfaces, rules);
   if (blocks.n_blocks() < 2) return {};
-  // Each block's surface may end up to one triangle side before the fault. Horizons are continued over twice that
-  // length, which closes the gap.
+  // The surface of a fault block may end up to one triangle side before the fault. Horizons are continued over twice
+  // that length, which closes the gap.
   const double step = how.within_of_horizons / 2;
   std::vector<GriddedInBlocks> told;
   for (const auto& [row, points] : made) {

@@ -63,8 +63,8 @@ class SolidFile {
     }
     sidecar_.push_back({"surface", 2, 0, name, label.full_name, label.members});
   }
-  /// Writes a region with one part of a surface that bounds it, and the side of this part on which the region lies.
-  /// Normals of faces point from the minus to the plus side.
+  /// Writes a region of a GOCAD TSolid with one part of a surface that bounds it, and the side of this part on which
+  /// the region lies. Normals of faces point from the minus to the plus side.
   void write_region(const SidecarGroup& group) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const bool minus = parts_[p]->region_minus == group.id, plus = parts_[p]->region_plus == group.id;

@@ -19,8 +19,8 @@ inline constexpr std::size_t n_vtu_cell_kinds = 5;
 
 class VtuLayout {
  public:
-  /// Lays out the cells of a mesh or of one part, which has only tetrahedra. For the whole mesh `part` is null. Mesh
-  /// and part must outlive this object.
+  /// Lays out the cells of a VTU file: those of a mesh, or of one part, which has only tetrahedra. For the whole mesh
+  /// `part` is null. Mesh and part must outlive this object.
   VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
 
   std::size_t n_nodes() const { return n_nodes_; }
