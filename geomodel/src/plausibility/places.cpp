@@ -201,7 +201,7 @@ Finding finding_of(const Outside& group, const Box3& box, const std::string& uni
   return finding;
 }
 
-/// Returns a text if all horizons of the column, or all surfaces, lie outside the model; empty otherwise.
+/// Returns a text if all horizons of the stratigraphic column, or all surfaces, lie outside the model; else empty.
 std::string nothing_left(const Inspected& model, const std::vector<std::string>& outside) {
   const auto is_outside = [&](const std::string& name) {
     return std::find(outside.begin(), outside.end(), name) != outside.end();

@@ -210,7 +210,7 @@ void read_colours(const YamlValue& value, Project& project) {
 
 namespace {
 
-/// Checks that the units which a fault cuts are consecutive in the column.
+/// Checks that the units which a fault cuts are consecutive in the stratigraphic column.
 void check_units(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
   std::vector<std::size_t> rows;
   for (const std::string& unit : spec.rules.cut_units) {

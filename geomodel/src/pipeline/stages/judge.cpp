@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the units of the column that the model may contain: below its topography and above its base.
+/// Returns the units of the stratigraphic column that the model may contain: below its topography and above its base.
 std::vector<std::string> column_inside(const NamingRules& naming) {
   std::vector<std::string> column = naming.column;
   const auto bottom = std::find(column.begin(), column.end(), naming.floor);

@@ -67,7 +67,7 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
                        SizeOptions& size) {
   const NamedSizes& asked = model.arranged.refinement.size;
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
-  std::vector<std::string> told_later;  // warnings of this naming, dropped because naming the final mesh repeats them
+  std::vector<std::string> told_later;  // warnings of naming, dropped because naming the final mesh repeats them
   const Column column = make_column(rules.column, model.arranged.surfaces, told_later);
   const NamingRules naming = with_heights(rules, model.arranged.surfaces, model.built.rows, model.built.rules);
   const NamedRegions named = name_regions(
