@@ -273,7 +273,7 @@ class EdgeCurver {
   std::map<std::int32_t, SurfaceDistance> nearest_;
   std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
   std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
-  // for each face: how often its edges had been halved in curvature when it was last proven
+  // for each face: how often its edges' curvature had been halved when the face was last proven close
   std::vector<std::array<int, 3>> proven_;
 };
 

@@ -126,7 +126,7 @@ struct ArrangementResult {
   /// surface n + i.
   std::vector<TriangulatedSurface> box_sides;
   Displacement rounding;
-  /// Result of merging surfaces where they are nearer to each other than `tolerance`, or too near for any rounding.
+  /// Result of merging surfaces nearer to each other than `tolerance`, or so near that rounding cannot keep them apart.
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;

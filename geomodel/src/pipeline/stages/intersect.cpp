@@ -151,7 +151,7 @@ std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   return walls;
 }
 
-/// Drops findings that horizons coincide if these were put in order: this is intended where a unit pinches out.
+/// Drops findings that horizons coincide if these were put in order: they are meant to where a unit pinches out.
 void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   const auto is_settled = [&](Index s) {
     return s < built.surfaces.size() &&

@@ -22,7 +22,7 @@ constexpr unsigned most_tries = 3, most_tries_asked = 5;
 /// succeed later either, and each round takes as long as the first.
 constexpr unsigned most_rounds = 4;
 
-/// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding.
+/// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding to doubles.
 ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   ToleranceUse use{"merging", merging.displacement.largest};
   use.moved = use.taken;
