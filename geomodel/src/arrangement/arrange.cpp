@@ -74,7 +74,7 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
                                     std::to_string(contacts.overlaps.size()) + " overlaps");
 }
 
-/// Throws a ModelError that names the surfaces at which rounding does not converge.
+/// Throws a ModelError that names surfaces that still cross after all rounds, because rounding makes new crossings.
 [[noreturn]] void refuse(const SurfaceList& surfaces, const Complex& complex, const Contacts& contacts) {
   ErrorContext context;
   ModelItems items;
@@ -186,7 +186,7 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
   return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
 }
 
-/// Limits on the numbers of facets and contacts. If mending makes more, it will not terminate.
+/// Limits on the numbers of facets and contacts. Beyond them, repairing what rounding breaks is given up as endless.
 class MendingBounds {
  public:
   MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)
@@ -194,7 +194,7 @@ class MendingBounds {
         fewest_contacts_(contacts.facets.size()),
         most_rounds_(most_rounds) {}
   bool grows(const Complex& complex) const { return complex.facets.size() > most_facets_; }
-  /// Returns whether the state after a round shows that rounding does not converge.
+  /// Returns whether there are so many rounds, facets or contacts that repairing crossings seems to have no end.
   bool has_no_end(unsigned round, const Complex& complex, const Contacts& contacts) {
     const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
     fewest_contacts_ = std::min(fewest_contacts_, n);

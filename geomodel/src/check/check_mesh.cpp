@@ -327,7 +327,7 @@ void check_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
-/// Checks the elements of a solver's file itself, and all else through the .vtu beside it, which must be equal.
+/// Checks cells, second-order elements and regions of a solver's file, and all else in the equal .vtu beside it.
 void check_by_vtu(const CheckRequest& request, const MeshFile& file, Specification specification, CheckResult& result) {
   CheckResult own;
   CheckedMesh mesh{file, file.tetrahedra, {}, true};

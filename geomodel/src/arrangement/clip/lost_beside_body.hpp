@@ -11,7 +11,7 @@ namespace geomesh::geomodel::arrangement {
 
 /// Facets of one surface, as indices in the arrangement.
 struct CutOff {
-  std::vector<Index> gone, left;  ///< facets that a body cut off, and facets that were kept
+  std::vector<Index> gone, left;  ///< the surface's facets that a body cut off, and those that were kept
 };
 
 /// A body in its original shape, before anything was merged within `tolerance`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Lists the edges of a soup with the facets at each.
+/// Lists the edges of a polygon soup with the facets at each.
 #pragma once
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace {
 constexpr double nothing = 1e-3;      // of the distance
 constexpr double most_on_edge = 256;  // places
 
-/// A surface that lost facets.
+/// A surface that lost facets: the vanished ones, and those that it still has.
 struct Surface {
   std::vector<const VanishedFacet*> vanished;
   std::vector<Triangle> left;

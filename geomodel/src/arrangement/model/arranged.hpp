@@ -45,13 +45,14 @@ struct Arranged {
   std::vector<std::array<Index, 2>> contact_ends;
 };
 
-/// Arranges a complex with its contacts. Throws Error{cannot_mesh} if that would need more than `max_bytes` of memory.
+/// Cuts the facets of a complex along their contacts, so that they meet only in shared vertices and edges. Throws
+/// Error{cannot_mesh} if that would need more than `max_bytes` of memory.
 Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context,
                        std::size_t max_bytes = no_memory_bound);
 
 /// Coplanar facets that overlap, split into pieces together with all contacts on them.
 struct ClusterPieces {
-  static constexpr Index made_here = 0x80000000u;  ///< bit that marks an index into `made` rather than a vertex
+  static constexpr Index made_here = 0x80000000u;  ///< bit that is set in the indices of points in `made`
   std::vector<Triangle> facets;
   OriginLists origins;
   std::vector<ExactPoint> made;

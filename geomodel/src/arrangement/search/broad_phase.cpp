@@ -32,7 +32,7 @@ std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& fac
   return boxes;
 }
 
-/// The input and the limits of a search for pairs of facets.
+/// A complex in which pairs of facets that may meet are sought, the run that may be cancelled, and a memory limit.
 struct Limits {
   const Complex& complex;
   const RunContext& context;

@@ -80,7 +80,7 @@ class ChartFinder {
   }
 
  private:
-  /// Number of facets below which it takes longer to prove a chart than the chart saves.
+  /// Smallest number of facets of a chart. For fewer, proving that they do not cross takes longer than testing pairs.
   static constexpr std::size_t least_facets = 24;
 
   void try_chart(Index seed, double least_cosine) {

@@ -47,8 +47,8 @@ class SidePlaces {
     return corner.place ? corner.place : edge.place ? edge.place : side.place;
   }
 
-  /// Returns a side's facet that the end of a surface passes within reach: both ends of the edge are within reach of
-  /// the facet's plane, wherever they are along it. Returns no_index if there is none.
+  /// Returns a facet of a side of the volume along which the edge e, an end of a surface, runs: both ends of e are
+  /// within reach of the facet's plane, even if they are beside the facet. Returns no_index if there is none.
   Index followed_by(const SurfaceEnd& e) const {
     const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
@@ -82,7 +82,7 @@ class SidePlaces {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::optional<Vec3> place{};
-    /// Considers moving the point p to the place `at`; `reach()` returns the distance from which p may move there.
+    /// Replaces `place` by `at` if `at` is nearer to p, and p may move as far as that according to `reach()`.
     void see(const Vec3& p, const Vec3& at, auto reach) {
       const double d = length(p - at);
       if (!(d < distance) || !(d < reach())) return;

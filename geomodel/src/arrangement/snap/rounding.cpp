@@ -36,7 +36,7 @@ class Anchors {
   }
 
  private:
-  /// Returns the nearest anchor within the snapping distance of p that lies on all of p's box planes, or null.
+  /// Returns the nearest stored place within the snapping distance of p that lies on all box planes of p, or null.
   const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;

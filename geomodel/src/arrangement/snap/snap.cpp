@@ -131,11 +131,11 @@ class Snapper {
   SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
-  /// Active facets; those of them that have three distinct corners after merging.
+  /// Facets to be snapped; those of them that have three distinct corners after vertices were merged.
   std::vector<Index> facets_, active_facets_;
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;
-  std::set<Index> touched_;  ///< facets with a merged corner
+  std::set<Index> touched_;  ///< facets of which a corner was merged with another vertex
   SnapOutcome outcome_;
   MovesOfStep moves_;
 };

@@ -31,7 +31,7 @@ struct SnapOutcome {
   /// Facets that cannot be split at vertices near them, so that their edges are kept whole; as indices before snapping.
   std::vector<Index> facets_left_alone;
   std::vector<VanishedFacet> vanished;
-  Displacement moved;  ///< movement of merged vertices, and of edges and facets at inserted vertices
+  Displacement moved;  ///< movement of vertices merged with others, and of edges and facets to inserted vertices
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 

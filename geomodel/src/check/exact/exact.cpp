@@ -113,7 +113,7 @@ Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, c
   const Exact pj = Exact(a[j]) + Exact(b[j]) + Exact(c[j]) - three * Exact(u[j]);
   const Sign s = sign_of(di * pj - dj * pi);
   if (s != Sign::zero) return s;
-  const Sign first = sign_of(u[j] - v[j]);  // ties: derivative of the determinant along the first axis
+  const Sign first = sign_of(u[j] - v[j]);  // ties: the centroid is shifted by an infinitesimal (e, e^2)
   return first != Sign::zero ? first : sign_of(v[i] - u[i]);
 }
 

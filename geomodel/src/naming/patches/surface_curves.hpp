@@ -14,7 +14,6 @@ namespace geomesh::geomodel {
 SoupCurve curve_of(const std::vector<Index>& rows, std::size_t n_facets,
                    const std::vector<TriangulatedSurface>& surfaces);
 
-/// Curves together with their edges in a mesh.
 struct MeshCurves {
   struct Edge {
     VertexIndex a, b;  ///< rows of ModelMesh::points
