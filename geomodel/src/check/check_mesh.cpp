@@ -239,7 +239,7 @@ struct GivenFiles {
   MeshFile mesh;
   std::optional<FacesFile> faces;
   std::optional<CurvesFile> curves;
-  /// Returns null if the mesh has no faces, or if one of the face arrays is missing.
+  /// Returns the faces file; null if the mesh has none, or if one of its face arrays is missing.
   const FacesFile* complete_faces() const { return faces && faces->missing_arrays.empty() ? &*faces : nullptr; }
 };
 

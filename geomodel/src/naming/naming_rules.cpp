@@ -228,7 +228,7 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   });
   std::vector<Index> rank(facts.size());
   for (Index k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  for (Index c : order) {  // A component only joins a larger one, so chains are finite.
+  for (Index c : order) {  // components are only merged into larger ones, so chains of merges end
     if (facts[c].volume >= min_volume) continue;
     double best = 0;
     for (auto at = shared.lower_bound({c, 0}); at != shared.end() && at->first.first == c; ++at)

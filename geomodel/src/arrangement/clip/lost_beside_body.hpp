@@ -17,7 +17,7 @@ struct CutOff {
 /// A body in its original shape, before anything was merged within `tolerance`.
 class BodyAsGiven {
  public:
-  /// Precondition: `body` outlives this object. O(n log n).
+  /// Prepares queries of the body, which must outlive this object. O(n log n).
   BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance);
 
   /// Returns the largest distance from the kept facets of points that were outside the body and lie on edges of removed

@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Edges of a soup in buckets by their smaller vertex, each bucket sorted. Built in linear time.
+/// Edges of a polygon soup in buckets by their smaller vertex index, each bucket sorted. Built in linear time.
 class EdgeBuckets {
  public:
   explicit EdgeBuckets(const PolygonSoup& soup) : begin_(soup.points.size() + 1, 0), edges_(3 * soup.facets.size()) {

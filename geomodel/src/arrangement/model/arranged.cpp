@@ -137,7 +137,7 @@ class Places {
   std::vector<Symbol> symbols_;
 };
 
-/// Clusters of facets that overlap, and facets that only cross others, in the order of their smallest facets.
+/// Clusters of facets that overlap, and facets that only cross others, in the order of their least facet indices.
 class Clusters {
  public:
   Clusters(const Complex& complex, const Contacts& contacts) {
@@ -184,7 +184,7 @@ class Clusters {
   }
 
  private:
-  std::vector<std::pair<Index, Index>> members_;  ///< pairs of a cluster's smallest facet and one of its facets, sorted
+  std::vector<std::pair<Index, Index>> members_;  ///< sorted (least facet index of a cluster, one of its facets)
   std::vector<std::size_t> begin_;
 };
 

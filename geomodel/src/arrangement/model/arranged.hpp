@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Vertices of a round: those below n_given are points of the complex, the others were constructed.
+/// Vertices of an arrangement round: those below n_given are points of the complex, the others were constructed.
 class ExactVertices {
  public:
   ExactVertices(const std::vector<Vec3>& given, ExactFrame frame) : given_(given), frame_(frame) {}
@@ -32,7 +32,7 @@ class ExactVertices {
   std::vector<Vec3> made_rounded_;
 };
 
-/// Result of a round. Vertices at equal places share one index in `facets` and `segments`; vertices may be unused.
+/// Result of an arrangement round. Vertices at equal places have one index in `facets` and `segments`; some are unused.
 struct Arranged {
   ExactVertices vertices;
   std::vector<Triangle> facets;
@@ -41,7 +41,7 @@ struct Arranged {
   std::vector<std::uint8_t> changed;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// Per facet contact: the one or two distinct vertices of its ends; the second is no_index if there is only one.
+  /// For each facet contact (a point or a segment): the vertices of its ends; the second is no_index for a point.
   std::vector<std::array<Index, 2>> contact_ends;
 };
 

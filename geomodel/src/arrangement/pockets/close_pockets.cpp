@@ -56,7 +56,7 @@ Triangle sorted_corners(Triangle t) {
   return t;
 }
 
-/// The ends of an edge, the smaller first, and a surface at it.
+/// The vertex indices of an edge, the smaller first, and a surface at the edge.
 using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;
 
 /// For each triangle of the input, the part of its surface to which it belongs.

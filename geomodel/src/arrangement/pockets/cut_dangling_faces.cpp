@@ -65,8 +65,8 @@ class SurfaceFacets {
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
   /// Removes and returns the dangling pieces of the surface that are within the distance of their hinge (the edges
-  /// along which they are attached). If pieces share a hinge, the one whose free border begins with the smaller edge
-  /// comes first.
+  /// along which they are attached). If pieces share a hinge, the one with the first free edge, in the order of vertex
+  /// indices, comes first.
   std::vector<DanglingPiece> take_dangling_pieces(double distance) {
     std::vector<DanglingPiece> pieces;
     for (std::vector<Index>& facets : pieces_that_end()) {

@@ -56,7 +56,7 @@ struct View {
   double least_cosine;
 };
 
-/// Finds charts among the facets begin .. end - 1, and numbers them from 0 in the order of their smallest facets.
+/// Finds charts among the facets begin .. end - 1, and numbers them from 0 in the order of their least facet indices.
 class ChartFinder {
  public:
   ChartFinder(const Complex& complex, const Neighbours& neighbours, Index begin, Index end,

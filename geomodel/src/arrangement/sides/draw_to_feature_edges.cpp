@@ -39,7 +39,7 @@ class Drawing {
     edges_.insert(crease);
   }
 
-  /// Splits facets at the collected vertices. Returns nothing, without a change, if none is beside a feature edge.
+  /// Splits facets at the collected vertices; changes and returns nothing if all are exactly on their edges and facets.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
     if (!is_any_beside_) {

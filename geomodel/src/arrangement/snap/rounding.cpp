@@ -26,7 +26,7 @@ class Anchors {
     if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) cells_[cell_of(p)].push_back(p);
   }
 
-  /// Returns the rounded place of a constructed point p: a near anchor, otherwise p itself, which becomes an anchor.
+  /// Returns the rounded place of a constructed point p: a stored place near it, or p itself, which is then stored.
   Vec3 place(const Vec3& p) {
     if (snap_ == 0) return p;
     const Vec3* const anchor = !options_.onto_sides_alone || is_beside_side(p) ? nearest(p) : nullptr;

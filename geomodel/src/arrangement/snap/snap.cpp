@@ -52,7 +52,7 @@ class Snapper {
         marks_of_vertices());
   }
 
-  /// Marks the vertices of active facets, segments and points; empty if all facets are active.
+  /// Marks the vertices of segments, points and facets to be snapped; empty if all facets are to be snapped.
   std::vector<std::uint8_t> marks_of_vertices() const {
     if (facets_.size() == complex_.facets.size()) return {};
     std::vector<std::uint8_t> marks(complex_.points.size(), 0);

@@ -45,7 +45,7 @@ struct SnapOutcome {
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// Vertices inserted in edges and facets; those on an edge are in order from its smaller end.
+/// Vertices inserted in edges and in facets; those on an edge are in order from its end with the smaller index.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
   std::map<Index, std::vector<VertexIndex>> in_facet;
