@@ -57,7 +57,7 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
-  // Factor on the tolerance, because merging may have moved a corner one tolerance farther than its neighbours.
+  // Dangling faces up to this multiple of the tolerance are cut: merging may move a corner farther than its neighbours.
   constexpr double dangling_of_tolerance = 2;
   const CutDanglingFaces cut = cut_dangling_faces(complex, std::max(dangling_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
@@ -166,7 +166,7 @@ std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, con
   return planes;
 }
 
-/// Marks the facets that take part in a contact or an overlap.
+/// Marks the facets that touch, cross or overlap others.
 std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
   std::vector<std::uint8_t> marks(complex.facets.size(), 0);
   for (const FacetContact& c : contacts.facets) {
@@ -326,7 +326,7 @@ class Arrangement {
   SurfaceList surfaces_;
   Ingested ingested_;
   std::optional<Box3> bounds_;
-  std::optional<Box3> planes_;  ///< those planes of the bounding box that contain triangles of sides
+  std::optional<Box3> planes_;  ///< planes of the bounding box that contain triangles of the volume's sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
   std::size_t n_booked_ = 0;  ///< number of vanished facets whose movement was recorded

@@ -20,7 +20,7 @@ struct MergingBook {
   void take(const SnapOutcome& outcome);
 };
 
-/// The input of one arrangement. Holds references, which must stay valid.
+/// The input of one arrangement, which it merges within a distance. Holds references, which must stay valid.
 class InputJoiner {
  public:
   InputJoiner(Ingested& ingested, const SurfaceList& surfaces, const ArrangementOptions& options,

@@ -108,7 +108,7 @@ bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b)
   return true;
 }
 
-/// Adds spots for places where surfaces coincide: in the input, or because rounding or the tolerance merged them.
+/// Adds findings (Spot) of places where surfaces coincide: in the input, or as rounding or the tolerance merged them.
 void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
   std::map<std::pair<SurfacePair, bool>, Spot> overlaps;
   for (Index f = 0; f < soup.facets.size(); ++f) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Describes the places where surfaces cross, touch, overlap or dangle, as spots and in a geologist's words.
+/// Describes the places where surfaces cross, touch, overlap or dangle as findings (Spot), in a geologist's words.
 #pragma once
 
 #include "arrangement/model/arranged.hpp"

@@ -167,7 +167,8 @@ class PocketRound {
   }
 
  private:
-  /// Returns whether a shell encloses a space that is thin on average and has no dangling faces in it.
+  /// Returns whether a shell (facet sides around a space) encloses a space that is thin on average, without dangling
+  /// faces.
   bool is_thin(const std::vector<FacetSide>& shell) const {
     if (shell.size() < 4) return false;
     for (std::size_t k = 0; k + 1 < shell.size(); ++k)

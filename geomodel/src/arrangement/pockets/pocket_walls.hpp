@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the two walls of a closed space.
+/// Finds the two walls of a thin void, a closed space between surfaces.
 #pragma once
 
 #include <optional>

@@ -43,7 +43,7 @@ bool is_finite(const Vec3& p);
 /// Returns true if sorting the corners of `t` takes an odd number of exchanges.
 bool is_odd(const Triangle& t);
 Triangle sorted(Triangle t);
-/// Returns the face, oriented outwards as seen from its even (odd) tetrahedron.
+/// Returns the face, with its normal out of its tetrahedron `even` (`odd`).
 inline Triangle outward_of_even(const FacePair& f) { return f.key; }
 inline Triangle outward_of_odd(const FacePair& f) { return {f.key[0], f.key[2], f.key[1]}; }
 inline bool is_boundary(const FacePair& f) { return (f.even == no_index) != (f.odd == no_index); }

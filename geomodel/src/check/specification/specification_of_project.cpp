@@ -156,7 +156,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // settled regions are units in fault blocks, and small regions were merged into others
+  if (built.stack.settled) {  // if horizons were put in order, regions are units in fault blocks without small parts
     specification.names.fault_blocks = true;
     specification.names.merges_small = true;
     if (!(specification.names.min_volume > 0))

@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the curve to which an edge belongs that is not inside a patch (docs/output-files.md). `rows` are the
-/// ascending indices in `surfaces` of the surfaces whose `n_facets` facets meet at the edge.
+/// Returns the curve at an edge, which must not be inside a patch (docs/output-files.md). `rows` are the ascending
+/// indices in `surfaces` of the surfaces whose `n_facets` facets meet at the edge.
 SoupCurve curve_of(const std::vector<Index>& rows, std::size_t n_facets,
                    const std::vector<TriangulatedSurface>& surfaces);
 
