@@ -25,7 +25,8 @@ struct SettledFrom {
   std::function<bool(const Vec3&)> counts{};  ///< whether a place of the map frame counts; empty: all places count
 };
 
-/// Returns the report without names, numbers of triangles and changes along faults, which the caller adds.
+/// Reports what changed when the horizons were put in order, without names, numbers of triangles and changes along
+/// faults.
 SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
 /// Returns one sentence for each horizon that was moved and each unit that thins out.

@@ -13,7 +13,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Continues a connected part of a horizon in its block.
 class Continuation {
  public:
   Continuation(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet)

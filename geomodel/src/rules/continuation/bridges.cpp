@@ -165,7 +165,7 @@ class Gaps {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // Segments begin and end a little inside, because triangles may begin at the tip of a bounding surface.
+      // The tested segments are a little shorter than the edges, whose ends may be the tip of a bounding surface.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);

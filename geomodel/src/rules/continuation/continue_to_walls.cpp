@@ -72,7 +72,6 @@ class Continuing {
     finish();
   }
 
-  /// Fills the holes of a horizon at places that `counts` accepts; go_on_in() fills the gaps in other blocks.
   void fill_holes(const Walls& cutters, const std::function<bool(const Vec3&)>& counts) {
     const auto first = static_cast<Index>(surface().triangles.size());
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts, true});
@@ -218,7 +217,6 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
   return built.surfaces[row].triangles.empty() || !rules.of(row).continues_by_default();
 }
 
-/// Continues horizons in the fault blocks that faults, bodies and unconformities form.
 class HorizonContinuation {
  public:
   /// `built` contains the surfaces that bound the blocks, and must outlive this object; its BuiltRows::overshooting is

@@ -36,7 +36,7 @@ ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules,
 
 /// Faults, and those parts of their borders that remain free.
 struct EndedFaults {
-  std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; the faults are as end_faults() will leave them
+  std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; those of faults end where other faults truncate them
   std::vector<FaultTip> tips;
 };
 /// Determines where faults end, from an arrangement of the faults with the sides of the model, because outside the

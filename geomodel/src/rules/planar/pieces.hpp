@@ -33,9 +33,9 @@ struct WorkingSoup {
   PolygonSoup result() const;
 };
 
-/// Whether a piece that continues, in the map, beyond an edge at which the cutting surface ends has a side of it there.
-/// Pieces of faults have one, since they stand on that edge. Those of a horizon cut by a horizon have none: a fault may
-/// separate the two.
+/// Whether an edge at which the cutting surface ends shows on which side of it a piece lies that continues beyond that
+/// edge in the map. It does for pieces of faults, which stand on the edge. It does not for horizons cut by horizons,
+/// which a fault may separate.
 enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
 
 struct Piece {

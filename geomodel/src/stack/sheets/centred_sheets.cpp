@@ -166,7 +166,8 @@ class Centring {
     return sums;
   }
 
-  /// Moves the horizons at v by at most `most`, in order. Returns false if one is pushed farther than allowed.
+  /// Moves the horizons at vertex v by at most `most` towards their data, then restores their order. Returns false if
+  /// this pushes one farther than it may move.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };

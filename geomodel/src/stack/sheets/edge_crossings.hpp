@@ -23,7 +23,8 @@ struct EdgeCrossing {
   double height;  ///< of the data
 };
 
-/// Calls f with each crossing, horizon by horizon. Cost: linear in the data and the crossings.
+/// Calls f with each crossing of an edge of a horizon's data with a side of a triangle of the map, horizon by horizon.
+/// Cost: linear in the data and the crossings.
 template <class F>
 void for_each_crossing(const GrowingTriangulation& map, const MapSamples& samples, F&& f) {
   for (std::size_t k = 0; k < samples.n_surfaces(); ++k) {
