@@ -79,7 +79,7 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
       const auto [at, is_new] = at_edge.emplace(e, t);
       if (!is_new) {
         joined.unite(at->second, t);
-        is_held[e] = true;  // an edge between two triangles without a block is not at the border of their set
+        is_held[e] = true;  // edges inside a set of triangles without a block
       }
     });
   std::map<Index, bool> is_enclosed;

@@ -82,8 +82,8 @@ class Gaps {
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
       if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
-        // The triangle's circumscribed disc lies in the gap, unless its centre lies beyond a border, inside the
-        // surface.
+        // A triangle with a large circumscribed disc spans a wide gap and is left out, unless the disc's centre lies
+        // beyond a border edge, inside the surface.
         const auto side = side_before_centre(corners);
         if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
       }

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// The crossing of an edge of a horizon's data with a side of a triangle of the map.
 struct EdgeCrossing {
   std::size_t horizon;
-  Index cell;          ///< the triangle of the map that the edge leaves
+  Index cell;          ///< triangle of the map that the data's edge leaves at this crossing
   VertexIndex a, b;    ///< the side
   double along;        ///< position of the crossing on the side, as a fraction of the way from a to b
   double from_vertex;  ///< distance in m of the crossing from the nearer of a and b
