@@ -19,7 +19,7 @@ double map_area(Vec2 a, Vec2 b, Vec2 c) {
 
 /// Places where a layer is thinner than required, at the points of the common triangulation of its two horizons.
 struct ThinPlaces {
-  double area = 0;   ///< area in the map of triangles that are thin at all corners
+  double area = 0;   ///< area in the map of triangles at all corners of which the layer is thin
   double least = 0;  ///< least thickness of the layer; negative where the horizons cross
   Vec3 place;
   bool any = false;

@@ -42,7 +42,7 @@ class BlockPlaces {
   const SheetBorder& border() const { return border_; }
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
-  double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
+  double distance(Index v) const { return distance_[v]; }  ///< distance in m from the horizon's border, in the map
   /// Returns whether the place is in the block and may be filled. It may not where the surface already reaches a wall
   /// (bounding surface) before its border, or beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }

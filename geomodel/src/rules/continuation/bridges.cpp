@@ -181,7 +181,7 @@ class Gaps {
   const TriangulatedSurface& surface_;
   Frame frame_;
   std::vector<VertexIndex> rows_;
-  std::vector<Vec3> points_;  ///< points of the border, followed by fault tips
+  std::vector<Vec3> points_;  ///< points of the surface's border, followed by fault tips
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_border_;
   std::vector<Corners> gaps_;

@@ -173,8 +173,8 @@ class Continuing {
   struct Run {
     double length, farthest;
     Vec3 place;
-    std::vector<Index> before;   ///< bounding surfaces in front of the border
-    std::vector<Index> through;  ///< bounding surfaces that the continuation crosses
+    std::vector<Index> before;   ///< bounding surfaces in front of the surface's border
+    std::vector<Index> through;  ///< bounding surfaces that the surface's continuation crosses
   };
   void book(const Run& run) {
     ledger_.length += run.length;

@@ -31,7 +31,7 @@ class SheetBorder {
 
   struct Place {
     Vec3 at;            ///< the place, with the height extrapolated from the border
-    double distance;    ///< distance from the border in the map
+    double distance;    ///< distance of the place from the horizon's border, in the map
     Vec2 slope;         ///< slope of the horizon at the nearest border; zero if that is farther than `within`
     bool has_met_wall;  ///< whether the nearest border edge lies on or beyond a bounding surface
     Vec3 inside;        ///< the centroid of the triangle at the nearest border

@@ -44,8 +44,8 @@ struct Piece {
   Index largest = no_index;  ///< facet
   /// Length of edges at which the piece meets the cutting surface from above and from below.
   double above = 0, below = 0;
-  double free_border = 0;  ///< length of edges at which no other facet of any surface lies
-  double contact = 0;      ///< length of edges that lie on other surfaces
+  double free_border = 0;  ///< length of the piece's edges at which no other facet of any surface lies
+  double contact = 0;      ///< length of the piece's edges that lie on cutting surfaces
 };
 
 /// Returns pieces of surface `x`: its facets joined across edges at which no facet of a surface in `cutters` lies.
