@@ -62,7 +62,7 @@ class CutOffBorder {
         if (!is_border[v] && !is_border[w]) continue;
         const Index a = is_border[v] ? v : inner, b = is_border[w] ? w : inner;
         if (joined_.find(a) == joined_.find(b)) continue;
-        // Tests both directions, because a segment that begins on a bounding surface does not count as meeting it.
+        // Tests the edge in both directions, because a segment that begins on a bounding surface does not meet it.
         if (!walls.first_surface(s.points[v], s.points[w], row) && !walls.first_surface(s.points[w], s.points[v], row))
           joined_.unite(a, b);
         else
@@ -80,7 +80,7 @@ class CutOffBorder {
   std::vector<VertexIndex> merged_;
   UnionFind joined_;
   Index inner_ = 0;
-  std::set<Index> cut_off_;  ///< union-find representatives of the cut-off vertices
+  std::set<Index> cut_off_;  ///< union-find roots of the border vertices that bounding surfaces cut off
 };
 
 struct WallSearch {
@@ -108,9 +108,9 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
-/// Returns the positions on a border edge (0 to 1) from which bounding surfaces are searched. This is `middle`, unless
-/// bounding surfaces separate it from those ends that are connected with the surface: then the midpoints between these
-/// ends and the bounding surfaces, as far as they lie in the box.
+/// Returns the positions on a border edge (0 to 1) from which bounding surfaces in front of the edge are searched. This
+/// is `middle`, unless bounding surfaces cut it off from the ends of the edge that are connected with the surface: then
+/// the midpoints between these ends and the cuts, as far as they lie in the box.
 std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle, const Box3& box,
                                         const WallSearch& search) {
   const Vec3 &a = s.points[e.a], &b = s.points[e.b], m = (1 - middle) * a + middle * b;
@@ -175,7 +175,7 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
   return chain;
 }
 
-/// Cuts a loop of border edges into chains, at edges that have no bounding surface.
+/// Divides a loop of border edges into chains, separated by edges that have no bounding surface in front of them.
 void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
   const std::size_t n = loop.size();
   const auto keep = [&](const std::vector<LoopEdge>& run) {
