@@ -61,7 +61,7 @@ struct Specification {
   std::vector<TrimRules> trims;
   double within = 0;  ///< largest distance between surfaces and their input, in both directions, beyond rounding
   bool within_by_count = false;  ///< whether the distance `within` follows from a requested number of elements
-  double merging = 0;            ///< distance within which features were merged (the project's `tolerance`)
+  double merging = 0;            ///< distance within which features were merged (the project's `merge_within`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
   bool named = false;                    ///< whether mesh files and `surfaces` use the same names, as with a project

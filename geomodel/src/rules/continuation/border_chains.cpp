@@ -23,6 +23,7 @@ struct LoopEdge {
   bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this edge
   std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
   bool is_beyond = false;    ///< whether the edge lies outside the model
+  bool enters = false;       ///< whether the edge lies on a side of the box, with its triangle outside of it
   bool counts = true;  ///< false for edges outside the model, where the continuation will be cut off with the surface
   std::optional<Walls::Hit> hit{};  ///< the nearest bounding surface in front of the edge; `share` is its distance in m
 };
@@ -92,17 +93,20 @@ struct WallSearch {
 /// Returns the nearest bounding surface in front of a place on a border edge, with the distance from the edge as its
 /// `share`. The search begins at the distance `rounding` inside the surface, because a segment that begins on a
 /// bounding surface does not count as meeting it; an edge that lies on its bounding surface then has it at distance 0.
+/// If the edge enters the box, the search begins inside the box, because the side on which the edge lies does not end
+/// the surface.
 std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, double share,
                                       const WallSearch& search) {
   const auto& [row, walls, within, rounding] = search;
+  const double begin = e.enters ? rounding : -rounding;
   const Vec3 out = outward(s, e), along = normalized(s.points[e.b] - s.points[e.a]);
-  const Vec3 start = (1 - share) * s.points[e.a] + share * s.points[e.b] - rounding * out;
+  const Vec3 start = (1 - share) * s.points[e.a] + share * s.points[e.b] + begin * out;
   std::optional<Walls::Hit> nearest;
   for (const double turn : {0.0, 1.0, -1.0}) {
     const double length = within + rounding;
     std::optional<Walls::Hit> hit = walls.first_hit(start, start + length * normalized(out + turn * along), row);
     if (!hit) continue;
-    hit->share = std::max(0.0, hit->share * length - rounding);
+    hit->share = std::max(0.0, hit->share * length + begin);
     if (!nearest || hit->share < nearest->share) nearest = hit;
   }
   return nearest;
@@ -255,6 +259,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
         loop.push_back(e);
         continue;
       }
+      const Vec3 in_front = middle + 2 * rounding * outward(surface, e);
+      e.enters = !is_within(box, middle, 0) && is_within(box, in_front, 0);
       e.cut_off = static_cast<std::uint8_t>((cut_off.holds(a) ? 1 : 0) + (cut_off.holds(b) ? 2 : 0));
       e.goes_on = e.cut_off != 3;
       if (!e.goes_on)
@@ -264,7 +270,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
           if (const auto hit = wall_before(surface, e, place, search); hit && (!e.hit || hit->share < e.hit->share))
             e.hit = hit;
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
-      e.is_beyond = !is_within(box, middle, 0);
+      e.is_beyond = !e.enters && !is_within(box, middle, 0);
       if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};
         e.counts = false;
