@@ -56,7 +56,7 @@ class StagedFiles {
     if (ranks.rank() == 0) fs::remove_all(folder_);
     ranks.wait_for_all();
     if (failure) std::rethrow_exception(failure);
-    if (has_failed) ranks.wait_for_all();  // waits until the failed rank has ended all
+    if (has_failed) ranks.wait_for_all();  // waits until the rank that failed has ended the program on all ranks
     return named;
   }
 

@@ -114,7 +114,7 @@ GlobalNumbers find_numbers(const RankModel& model, const RankMesh& mesh, const M
   return numbers;
 }
 
-/// Returns the mesh data that all parts share.
+/// Returns a mesh with the data that the file of every rank contains: the model's points, faces, curves and names.
 geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& numbers) {
   geomodel::ModelMesh out;
   const geomodel::ModelMesh& in = model.sparse.mesh;

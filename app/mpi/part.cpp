@@ -48,7 +48,7 @@ class BorderHalver {
                     "a tetrahedron between two ranks is too flat to be divided; take another number of ranks");
     }
   }
-  /// Returns the tetrahedra that were divided.
+  /// Returns the tetrahedra that were divided because an edge on the border between ranks was halved.
   const std::set<Index>& touched() const { return touched_; }
 
  private:
@@ -219,7 +219,7 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
 /// moved. These and their neighbours are marked if they are as small as requested, or have only points of the model.
 /// Tetrahedra in `divided` have changed since and are not marked.
 void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
-  constexpr double poor = 30;       // angle in degrees, close to that which the serial program repairs
+  constexpr double poor = 30;       // dihedral angle in degrees below which a tetrahedron counts as poor
   constexpr double as_asked = 1.6;  // largest edge, as a multiple of the target size
   std::vector<bool> is_about(mesh.points.size(), false);
   const auto corners = [&](const Tetrahedron& t) {

@@ -124,9 +124,9 @@ class _Sequence:
 
     def __init__(self, model):
         self.model = model
-        self._column = []  # The units and horizons added so far: unit, horizon, unit, ... horizon.
-        self._reaching = None  # The unit above, if its base is below its whole domain: it then has the next base.
-        self._is_complete = False  # Whether nothing in the box is older.
+        self._column = []  # Names of the units and horizons added so far, alternately, from the youngest unit on.
+        self._reaching = None  # Unit that extends below its domain, so that the next base is its base; or None.
+        self._is_complete = False  # Whether the units added so far fill the box down to its bottom.
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
         """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
@@ -281,7 +281,7 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    # (unit, feature, value) of each surface; the unit whose base is not known yet; the name of each surface
+    # (unit, feature, value) of each surface; a unit for which no base has been found yet; names of the surfaces
     surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}

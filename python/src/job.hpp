@@ -24,7 +24,7 @@ namespace geomesh::python {
 
 namespace py = pybind11;
 
-/// Arguments of a caller in Python besides the data.
+/// Callbacks and number of threads that a caller in Python passes to every function that does long work.
 struct JobRequest {
   py::object progress = py::none();  ///< called as progress(stage, done, total); total is 0 if it is not known
   py::object log = py::none();       ///< called as log(level, text): "debug", "info", "warning"

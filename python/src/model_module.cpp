@@ -51,7 +51,7 @@ Given grid(const std::string& name, const HeightArray& heights, const std::array
   return share(given_grid(name, g));
 }
 
-/// Arguments of a project job besides the project.
+/// Options with which Python runs a project: callbacks, size function, and output folder.
 struct RunArguments {
   JobRequest job;
   py::object size_function;  ///< None, or f(x, y, z) in the project's coordinates

@@ -13,7 +13,7 @@ namespace geomesh {
 /// Use one object per thread. Calls take constant time unless the table grows; at most half of its slots are used.
 class EpochMarks {
  public:
-  /// Takes all marks off.
+  /// Clears the marks of all cells or vertices.
   void begin() {
     n_ = 0;
     if (++epoch_ < epochs) return;
@@ -40,7 +40,7 @@ class EpochMarks {
 
  private:
   struct Entry {
-    std::uint32_t index = 0, stamp = 0;  ///< `stamp` is twice the epoch, plus 1 if marked
+    std::uint32_t index = 0, stamp = 0;  ///< `stamp`: 2 * (epoch of the entry) + (1 if `index` is marked)
   };
   static constexpr std::uint32_t epochs = std::uint32_t{1} << 31;
   static constexpr unsigned first_bits = 9;

@@ -36,7 +36,6 @@ class Cavity {
     cells_.push_back(c);
   }
 
-  /// Removes the cell in row i of the list from the cavity.
   void erase(std::size_t i) {
     marks_.unmark(cells_[i]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -55,9 +54,9 @@ class Cavity {
       }
   }
 
-  /// Removes cells with a border face for which sees(face) is false, then cells with such faces that have become border
-  /// because of the removals, and finally cells that are separated from the bases. Faces for which may_cross is false
-  /// count as border, except those for which is_inner(face) is true. Returns false if a base would have to be removed.
+  /// Repeatedly removes cells of the cavity with a face on its border for which sees(face) is false, then cells that
+  /// are not connected with the initial cells any more. A face for which may_cross is false counts as on the border,
+  /// unless is_inner(face) is true. Returns false if an initial cell would have to be removed.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -37,7 +37,7 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    // Sorts the uses by their first vertex in one pass, then the few uses of each vertex.
+    // Sorts the uses of edges by facets by the edge's smaller vertex in one pass, then the few uses of each vertex.
     std::vector<Index> end(plc_.points.size() + 2, 0);
     for_each_use([&](VertexIndex a, VertexIndex b, Index, VertexIndex) { ++end[std::min(a, b) + 2]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
@@ -159,7 +159,7 @@ class PatchFinder {
   std::span<const Index> provenance_;
   EdgeUses edges_;
   std::vector<Index> patch_;  ///< union-find over facets
-  std::vector<Index> row_;    ///< row in patches_ of the patch that begins with each facet
+  std::vector<Index> row_;    ///< for each facet that is the first of its patch, the patch's row in patches_
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
   std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge

@@ -119,7 +119,8 @@ class RoofBuilder {
     }
     return true;
   }
-  /// Returns a point from the triangle towards the centre of its circumcircle, at most half as far as the border.
+  /// Returns a point on the line from the triangle's centroid to the centre of its circumcircle: that centre, unless it
+  /// is too near the polygon's border; then a point at half of the centroid's distance from the border.
   Vec3 towards(const Triangle& t, const Vec3& centre) const {
     const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
     double part = 1;
@@ -172,7 +173,7 @@ class RoofBuilder {
   bool is_turned_ = false;              ///< whether the corners have the opposite orientation to the polygon
   std::vector<VertexIndex> given_row_;  ///< by corner
   std::vector<Vec3> flat_;              ///< the points, projected
-  std::vector<Vec3> inward_;            ///< inward unit normal of each side, projected
+  std::vector<Vec3> inward_;            ///< inward unit normal of each side of the polygon, in the projection
 };
 
 }  // namespace

@@ -93,7 +93,7 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  // alternately the polygon before and after it is cut at a side of F
+  // the part of the surface's triangle over F is found by cutting it at F's sides, from one array into the other
   std::array<std::array<Point, most_corners>, 2> parts;
   if (is_beside(corners, parts[0])) return Over::nothing;
   for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);

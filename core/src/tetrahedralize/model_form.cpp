@@ -22,7 +22,8 @@ AxisFrame compose(const AxisFrame& outer, const AxisFrame& inner) {
   return out;
 }
 
-/// Returns the names that `outer` gives to the items of `inner`, which is a form of the merged complex.
+/// Composes two index maps: `inner` into the complex with merged facets, `outer` from the unmerged complex to the
+/// caller's.
 ModelNames compose(const ModelNames& outer, const ModelNames& inner, const MergedFacets& merged) {
   ModelNames out;
   out.frame = compose(outer.frame, inner.frame);

@@ -30,14 +30,14 @@ struct Attempt {
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
 
-  /// Returns in a few words how the attempt differs from those before it.
+  /// Returns a short text for the log: how this attempt at recovery differs from those before it.
   const char* difference() const;
 };
 
 /// Returns attempt `number`. `hard_parts` contains what earlier attempts have learned.
 Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
-/// Returns the next attempt; nothing after the last.
+/// Returns the settings of the next attempt at recovery; nothing if this was the last one allowed.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts);
 

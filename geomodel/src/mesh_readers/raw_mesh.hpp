@@ -38,9 +38,9 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit on cells and nodes in sets by what one more file allows.
+  /// Increases the limit on cells and nodes in sets for one more file of this size in bytes.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Uses up `n` items of the limit; returns false if they exceed it.
+  /// Counts `n` more cells or nodes of sets; returns false if they exceed the limit.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;

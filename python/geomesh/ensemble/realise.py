@@ -169,7 +169,7 @@ class Realiser:
 
 
 def failure_of(error):
-    """Returns the description of an error for a record."""
+    """Returns status, kind and message of the error with which a realisation failed, for the record of its result."""
     if isinstance(error, OutOfTime):
         return {"status": "failed", "failure": {"kind": "time", "message": str(error)}}
     if isinstance(error, MemoryError):

@@ -26,8 +26,8 @@ namespace geomesh::recover {
 enum class GivenUpFor : std::uint8_t {
   points,     ///< too many points (max_steiner_per_facet) on the facet or on one of its segments
   shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
-  place,      ///< the place of a point equals a vertex, or rounding has made the draft invalid
-  budget,     ///< the total number of points for such facets and segments is exhausted
+  place,      ///< a new point equals a vertex, or rounding has made the facet's own 2D triangulation invalid
+  budget,     ///< no more points are allowed on all facets and segments together
 };
 inline constexpr std::size_t n_reasons_given_up = 4;
 
@@ -42,7 +42,7 @@ class ConformingRecovery {
   /// Returns the facets that were given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- protected:  // used by the refinement that keeps the mesh Delaunay (remesh/conforming/conforming_refiner.hpp)
+ protected:
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();
@@ -78,7 +78,7 @@ class ConformingRecovery {
   bool is_within_budget() const {
     return !recovery_.has_ended() && n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_;
   }
-  /// Restarts the count of points for the total budget.
+  /// Sets the counts of added points, which are limited over all facets and segments together, to zero.
   void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
   bool too_short(const Vec3& a, const Vec3& b) const;
 
@@ -107,7 +107,7 @@ class ConformingRecovery {
   std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
   /// for each vertex of the model, whether segments meet there at less than 60 degrees
   std::vector<std::uint8_t> vertex_is_sharp_;
-  std::vector<std::uint8_t> facet_is_sharp_;       ///< whether the budget of points applies to each subfacet
+  std::vector<std::uint8_t> facet_is_sharp_;       ///< for each subfacet, whether its number of added points is limited
   std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;

@@ -10,9 +10,9 @@
 namespace geomesh::recover {
 
 struct DelaunayInsertion {
-  VertexIndex vertex = no_vertex;  ///< no_vertex if the point equals a vertex or lies outside the box
+  VertexIndex vertex = no_vertex;  ///< the new vertex; no_vertex if the point equals a vertex or lies outside the box
   std::vector<std::array<VertexIndex, 2>>
-      edges;                    ///< all edges that were removed, and some that still exist; some occur more than once
+      edges;                    ///< edges that the insertion removed, some repeatedly, and a few that it did not remove
   std::vector<Triangle> faces;  ///< faces that were removed: those between two cells in conflict
 };
 

@@ -112,7 +112,7 @@ class FacetRecovery {
     return {t.begin(), t.end()};
   }
 
-  /// Returns whether flips and points may be ordered by a new trace each time.
+  /// Returns whether traces of this facet have found so few faces and edges that it may be traced again.
   bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
@@ -225,7 +225,7 @@ class FacetRecovery {
     }
   }
 
-  /// Adds a point on the first edge that admits one, and removes that edge from the list.
+  /// Adds a point to the facet on the first piercing edge that can be split; removes that edge from the list.
   bool split_one(std::vector<Piercing>& left) {
     for (std::size_t i = 0; i < left.size(); ++i) {
       const PiercingEdge e = left[i].edge;
@@ -278,9 +278,9 @@ class FacetRecovery {
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
   bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
-  bool has_been_split_ = false;  ///< whether this object has added a point
-  std::size_t n_traced_ = 0;     ///< faces and edges traced, limited by traced_of_facet in the budget
-  std::size_t work_left_ = 0;    ///< remaining work of flips, from flips_tried in the budget
+  bool has_been_split_ = false;  ///< whether a point has been added to this facet
+  std::size_t n_traced_ = 0;     ///< number of faces and piercing edges that traces of this facet have found
+  std::size_t work_left_ = 0;    ///< number of edges and faces that flips for this facet may still try
 };
 
 }  // namespace

@@ -27,7 +27,7 @@ struct ExactPlace {
   bool is_on_line() const { return frame[1] != no_vertex && frame[2] == no_vertex; }
   bool is_in_plane() const { return frame[2] != no_vertex; }
   Vec3 nearest() const { return {coordinates[0].estimate(), coordinates[1].estimate(), coordinates[2].estimate()}; }
-  /// Returns whether products of three differences of such coordinates are exact (long_expansion.hpp).
+  /// Returns whether products of three differences of coordinates of this size and precision can be computed exactly.
   bool is_safe() const;
 };
 
@@ -73,7 +73,7 @@ class ExactPlaces {
     Vec3 rest;                     ///< place minus its nearest double, rounded
     bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
   };
-  /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
+  /// Six times a tetrahedron's volume in doubles with its error bound, and two terms of the next filter's bound.
   struct Rough {
     filter::Estimate plain;
     double product = 0, by_rests = 0;
@@ -88,7 +88,7 @@ class ExactPlaces {
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
   VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
-  std::vector<Index> row_of_;      ///< row of each vertex from first_ on
+  std::vector<Index> row_of_;      ///< row in rows_ of vertex first_ + k; no_index if its place is a double
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

@@ -61,7 +61,8 @@ unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b
 }
 
 CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
-  // Walks in the star of a towards b. If the walk has not arrived soon, the star, which is small, is searched instead.
+  // Walks from cell to cell of the star of a towards b. If the walk takes too many steps, all cells of the star are
+  // searched.
   CellIndex c = cell_of_[a];
   Random random = walk_choices(a, b);
   for (unsigned step = 0; step < recovery_budget.star_walk; ++step) {

@@ -109,7 +109,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   /// Collects all cells with v (including ghosts). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
-  /// Returns temporary marks on cells, which star() uses, too.
+  /// Returns marks on cells for temporary use by the caller. Each call of star() clears them.
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
@@ -125,9 +125,10 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
   /// Returns the face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
-  /// Returns the same face as find_face, starting from a `cell` that has a and b. O(cells around a-b).
+  /// Returns the face a,b,c from the cell above it, or an invalid reference, by turning around a-b from `cell`, which
+  /// has a and b. O(cells around a-b).
   FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
-  /// Returns the same face as find_face, for a `cell` that has all three vertices.
+  /// Returns the face a,b,c from the cell above it. `cell` has all three vertices and may be above or below the face.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
   /// Returns the exit of a walk in the star of a towards b: a face of cell c at a beyond whose plane b lies. `random`
@@ -149,7 +150,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// undo may be open. O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Sets the marks of find_cavity on the cells of a cavity again; unmark_cavity removes them.
+  /// Sets the flags by which replace_by_star recognises the cells of a cavity; unmark_cavity removes them.
   void mark_cavity(std::span<const CellIndex> cavity) {
     for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
   }
@@ -162,8 +163,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
-  /// Returns the number of changes so far, and its value after the last change of a cell with v. Changes that were
-  /// rolled back do not count.
+  /// n_changes() counts the changes of the mesh that were not rolled back. last_change(v) is this count after the last
+  /// change of a cell that has v.
   std::size_t n_changes() const { return n_changes_; }
   std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
 

@@ -42,10 +42,10 @@ struct Subfacet {
 /// whose border points were added. Any mesh faces between its vertices may cover it, so inner edges require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
-      border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions
+      border;  ///< edges with the piece on their left, seen from above; an inner segment in both directions
   std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
   std::vector<Triangle> seen{};      ///< faces that covered the piece when it was last found (presence.hpp)
-  std::vector<CellIndex> seen_in{};  ///< cells that contained these faces
+  std::vector<CellIndex> seen_in{};  ///< for each face of `seen`, the cell in which it was found
 };
 
 /// A segment of the model: a facet's border or one that the caller lists.
@@ -98,9 +98,9 @@ class Constraints {
   }
   bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
 
-  /// Converts a triangle to a piece, which happens when the first point is added to it.
+  /// Converts a triangular subfacet to a piece: a part of a facet with any border and inner points.
   void make_piece(Index subfacet);
-  /// Declares x to lie inside piece f.
+  /// Declares that vertex x lies inside subfacet f, which must be a piece.
   void add_member(Index f, VertexIndex x) {
     pieces_[subfacets[f].piece].members.push_back(x);
     pieces_[subfacets[f].piece].seen.clear();

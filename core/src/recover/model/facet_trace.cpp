@@ -110,8 +110,8 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Finds a member of the facet on the line of p-q, up to rounding, which therefore has no direction: its face with
-  /// the edge is a part of the facet of zero width.
+  /// Finds a vertex of the facet that lies, up to rounding, on the line of p-q. The triangle that it forms with p and q
+  /// is a part of the facet without width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -218,7 +218,7 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Accepts as part of the facet the face of p, q and vertex i of the ring around them.
+  /// Adds a mesh face to the faces that make up the facet: that of p, q and vertex i of the ring around edge p-q.
   void accept(VertexIndex p, VertexIndex q, std::size_t i) {
     const VertexIndex v = ring_.ring[i];
     const CellIndex cell = ring_.cells[i];

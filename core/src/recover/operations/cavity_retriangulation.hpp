@@ -16,7 +16,7 @@ struct CavityEffort {
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// Cells to be replaced, with their boundary. No subsegment, locked face or vertex but the dropped one is inside.
+/// Cells to be replaced. They surround no subsegment, locked face or vertex, except a vertex that is to be removed.
 class Cavity {
  public:
   /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
@@ -43,7 +43,7 @@ class Cavity {
 
  private:
   struct BoundaryFace {
-    Triangle triangle;  ///< counter-clockwise as seen from inside the cavity
+    Triangle triangle;  ///< corners, counter-clockwise as seen from inside the cavity
     FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
   };
 

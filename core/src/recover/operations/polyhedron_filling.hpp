@@ -19,7 +19,6 @@
 
 namespace geomesh::recover {
 
-/// Returns the vertices of the triangles, sorted.
 std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary);
 
 struct FillingLimits {

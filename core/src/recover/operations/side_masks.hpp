@@ -61,7 +61,7 @@ class LocalPlaces {
   }
 
  private:
-  std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex, and the rest
+  std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex' place, and the place minus that double
   VertexMask exact_ = 0;           ///< vertices whose places are not doubles
   ErrorBound error_bound_;
 };
@@ -88,7 +88,7 @@ class SideMasks {
     return odd;
   }
 
-  /// `vertices` are at most max_vertices vertices in the mesh's numbering.
+  /// `vertices` are at most max_vertices vertices of the mesh. Their positions in this list are their local numbers.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
@@ -107,11 +107,11 @@ class SideMasks {
     }
   }
 
-  /// @name Masks of increasing triples, valid after decide_all
+  /// @name Vertices above and below the plane of three vertices; decide_all() must have been called
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
-  /// Returns the same as sides({i, j, k}), for i < j and any other vertex k, without sorting the three vertices.
+  /// Returns the vertices above and below the plane of (i, j, k), for i < j and any other k.
   Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
     if (k < i) return of_sorted(k, i, j);
     if (k > j) return of_sorted(i, j, k);
@@ -135,7 +135,7 @@ class SideMasks {
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
   /// Returns the vertices v for which (t, v) is negative.
   VertexMask below(const LocalTriangle& t) { return sides(t).second; }
-  /// Returns the sign of (a, b, c, d), as -1, 0, 1.
+  /// Returns the orientation of the tetrahedron (a, b, c, d): 1 if positive, 0 if flat, -1 if negative.
   int sign(LocalVertex a, LocalVertex b, LocalVertex c, LocalVertex d) {
     const auto [above, below] = sides({a, b, c});
     return above & bit(d) ? 1 : below & bit(d) ? -1 : 0;
@@ -208,9 +208,9 @@ class SideMasks {
   const ConstrainedMesh& mesh_;
   const std::vector<VertexIndex>& vertices_;
   const LocalPlaces places_;
-  std::vector<std::uint32_t> row_;  ///< row of each sorted triple in known_, plus 1; 0 if it is not decided yet
+  std::vector<std::uint32_t> row_;  ///< for each triple of vertices, its row in known_ plus 1; 0 if it is undecided
   std::vector<Masks> known_;
-  std::vector<Vec3> offsets_;  ///< offsets from one vertex, for decide_all
+  std::vector<Vec3> offsets_;  ///< vectors from one vertex to the others
 };
 
 }  // namespace geomesh::recover

@@ -191,7 +191,7 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
   return out;
 }
 
-/// Replaces an inner point by a double beside its star, which grows across faces that the double does not see.
+/// Replaces an inner point by a double outside its star, which grows across faces not visible from the new point.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;

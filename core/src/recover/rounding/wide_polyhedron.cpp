@@ -30,7 +30,7 @@ WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1
 
 /// QR decomposition: replaces a matrix of three columns by one with orthonormal columns; stores the triangular factor.
 struct Triangular {
-  std::array<Row, 3> at{};  ///< at[j][k] is zero for j > k
+  std::array<Row, 3> at{};  ///< upper triangular factor: row j, column k
 
   explicit Triangular(std::vector<Row>& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +72,7 @@ class AnalyticCentre {
     heights_ = heights_at(place_);
   }
 
-  /// Finds the centre by Newton's method. Returns false if rounding prevents progress.
+  /// Finds the analytic centre by Newton's method. Returns false if rounding prevents progress.
   bool find() {
     for (unsigned i = 0; i < recovery_budget.analytic_steps; ++i) {
       const auto rows = rows_in_round_frame();
@@ -91,7 +91,7 @@ class AnalyticCentre {
   const std::vector<double>& heights() const { return heights_; }
 
  private:
-  /// Newton decrement at which the search ends, within a tenth of the ellipsoid
+  /// Newton's method ends if a step is shorter than this share of the inner ellipsoid's radius in its direction.
   static constexpr double near_enough = 0.1;
 
   std::vector<double> heights_at(const WidePoint& p) const {
@@ -99,9 +99,9 @@ class AnalyticCentre {
     for (const WidePlane& plane : planes_) out.push_back((plane.at + dot(plane.normal, p)).hi);
     return out;
   }
-  /// Returns the normals divided by the heights, in a frame in which the ellipsoid is a ball. The frame is found in
-  /// rounds. Two-doubles preserve the digits that doubles lose in a frame that is not close to it yet, so that each
-  /// round gains the digits of a double.
+  /// Returns each plane's normal divided by its height, in a frame in which the inner ellipsoid is a ball. The frame is
+  /// found in rounds of a QR decomposition in doubles. It is stored in twice that precision, so that each round gains
+  /// the digits of a double.
   std::optional<std::vector<Row>> rows_in_round_frame() {
     constexpr unsigned most_rounds = 8;
     constexpr double nearly = 1e-3;
@@ -162,8 +162,8 @@ class AnalyticCentre {
   std::vector<double> heights_;
 };
 
-/// The lattice of doubles, measured by the shape of the polyhedron. Each row of numbers belongs to a plane, in units of
-/// the centre's height over the plane.
+/// The lattice of points with double coordinates. A lattice vector is described by how much it changes the height over
+/// each plane of the polyhedron, relative to the height of the polyhedron's centre.
 class ShapedLattice {
  public:
   ShapedLattice(const WidePolyhedron& polyhedron, const AnalyticCentre& centre)
@@ -238,7 +238,7 @@ class ShapedLattice {
       find_rows();
       std::vector<Row> scratch = rows_;
       const Triangular r(scratch);
-      if (!r.is_regular(k)) return false;  // the other vectors may look dependent until the first ones are reduced
+      if (!r.is_regular(k)) return false;  // only the first k basis vectors, because unreduced ones may seem dependent
       third_height_ = r.at[2][2];
       if (k == 3) return true;
       bool changed = false;
@@ -331,7 +331,7 @@ bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bo
   for (const double z : layers.integers(std::numeric_limits<std::size_t>::max())) {
     std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) at[i] = near[i] + z * slopes[i][2];
-    Interval lines;  // the lines of this layer that have a point above all planes
+    Interval lines;  // numbers of the lattice lines in this layer that meet the polyhedron
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double p = slopes[i][0], q = slopes[j][0];

@@ -16,7 +16,7 @@ struct StartTriangulation {
   TetMesh mesh;
   std::vector<Vec3> points;  ///< the model's vertices, followed by the eight of the box
   DelaunayStatistics statistics;
-  std::size_t missing_edges = 0;  ///< missing edges of the unscaled Delaunay triangulation
+  std::size_t missing_edges = 0;  ///< segments that are no edges of the unscaled Delaunay triangulation
   std::size_t missing_facets = 0;
   std::size_t tetrahedra = 0;  ///< number of finite cells without vertices of the box
 };

@@ -52,7 +52,7 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
   return false;
 }
 
-/// Removes an edge that connects the neighbours of x on its segment and therefore runs beside x.
+/// Removes the mesh edge, if there is one, between the two neighbours of the point x on its segment.
 void clear_chord(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() == 2 && recovery.mesh.find_edge(ends[0], ends[1]) != no_cell)

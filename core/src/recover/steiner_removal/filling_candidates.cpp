@@ -135,7 +135,7 @@ void FillingCandidates::find_allowed_faces() {
 /// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: their edges pass a-b on the same
 /// side, and a and b lie on different sides of the face. For each pair c, d all e are handled at once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
-  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of the triangles (a, b, c) for all c
+  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // about[c]: vertices above and below plane (a, b, c)
   for (LocalVertex c = 0; c < n_; ++c)
     if (c != a && c != b) about[c] = sides_.of_edge(a, b, c);
   for (LocalVertex c = 0; c < n_; ++c) {
@@ -169,7 +169,7 @@ void FillingCandidates::gather() {
     }
 }
 
-/// Collects the cells of face a, b, c and a vertex after c.
+/// Collects the possible tetrahedra (a, b, c, d) with d > c.
 void FillingCandidates::gather_above_face(LocalVertex a, LocalVertex b, LocalVertex c) {
   const SideMasks::Masks& abc = sides_.of_sorted(a, b, c);
   for (VertexMask of_d = thirds(a, b) & thirds(a, c) & thirds(b, c) & (abc.first | abc.second) & beyond(c); of_d != 0;

@@ -72,7 +72,7 @@ class FillingCandidates {
   SideMasks sides_;
   std::vector<LocalTriangle> boundary_;
   std::vector<VertexMask> forced_;   ///< the other ends of required edges at each vertex
-  std::vector<VertexMask> allowed_;  ///< the other ends of possible edges at each vertex
+  std::vector<VertexMask> allowed_;  ///< for each vertex, those with which a filling may connect it
   std::vector<VertexMask> thirds_;   ///< for each pair of vertices, those with which it may form a face
   std::vector<std::uint8_t> is_required_;
   std::vector<Cell> cells_;

@@ -64,7 +64,7 @@ class SatSolver {
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
   static constexpr std::uint32_t by_literal =
-      0x80000000u;  ///< bit of a reason that is the literal with the code in the lower bits
+      0x80000000u;  ///< bit of a stored reason: set if the reason is a literal instead of a clause
 
   /// The two watches of clause c are 2c and 2c + 1, stored in linked lists, because each clause always has two of them
   /// and they only change places.
