@@ -28,7 +28,7 @@ class StagedFiles {
  public:
   StagedFiles(fs::path stem, const Ranks& ranks)
       : stem_(std::move(stem)), folder_(stem_.parent_path() / ("." + stem_.filename().string() + ".unfinished")) {
-    ranks.wait_for_all();  // nothing is created before all ranks have something to write
+    ranks.wait_for_all();  // no folder is created before all ranks have meshed their parts
     if (ranks.rank() == 0) {
       fs::create_directories(stem_.parent_path());
       fs::remove_all(folder_);

@@ -25,7 +25,7 @@ class BorderHalver {
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
       : mesh_(mesh), size_(size), stays_(std::move(stays)), cells_at_(mesh.points.size()) {}
 
-  /// `border` contains triangles between parts; `kept` are sorted edges that are not halved.
+  /// Halves long edges. `border` contains the triangles between parts, `kept` the edges, sorted, that are not halved.
   void run(const std::vector<OpenFace>& border, const std::vector<Edge>& kept) {
     kept_ = &kept;
     std::vector<bool> at_border(mesh_.points.size(), false);
@@ -54,7 +54,7 @@ class BorderHalver {
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of the edge's ends
+    Vec3 low, high;  // positions of the two ends of the edge, in increasing order
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;
@@ -124,7 +124,7 @@ class BorderHalver {
   const SizeField& size_;
   std::vector<bool> stays_;  // for each point: whether it is a point of the model
   const std::vector<Edge>* kept_ = nullptr;
-  std::vector<std::vector<Index>> cells_at_;  // cells at each point of the border
+  std::vector<std::vector<Index>> cells_at_;  // for each point on the border between ranks, the tetrahedra that have it
   struct BorderTriangle {
     Triangle corners;
     Index component;

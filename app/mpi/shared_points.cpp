@@ -76,7 +76,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
 std::vector<Across> match_faces(const RankMesh& mesh, const std::vector<OpenFace>& faces, const Ranks& ranks) {
   const auto n_ranks = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<PlacedFace>> asked(n_ranks);
-  // for each face, the rank that keeps its place, and the face's position in the message to that rank
+  // for each face, the rank that compares faces at this place, and the face's position in the message to that rank
   std::vector<std::pair<std::size_t, std::size_t>> sent;
   for (const OpenFace& face : faces) {
     const PlacedFace f = placed(mesh, face);

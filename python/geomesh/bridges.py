@@ -305,7 +305,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has removed this surface
+            continue  # the surface lies on the removed side of the unconformity that bounds its feature
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 

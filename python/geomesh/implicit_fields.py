@@ -173,7 +173,7 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
     for side in itertools.product((True, False), repeat=len(faults)):
         nodes = numpy.ones(values.shape, dtype=bool)
         for fault, is_positive in zip(faults, side):
-            rounding = 1e-9 * numpy.abs(fault.values).max()  # a node on the fault has the value of one side or the other
+            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes this near to a fault belong to neither side
             nodes &= (fault.values > rounding) if is_positive else (fault.values < -rounding)
         if not numpy.isfinite(values[nodes]).any():
             continue

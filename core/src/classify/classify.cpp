@@ -35,7 +35,7 @@ class Components {
   /// Returns the live subfacets ordered by facet, so that the numbers of components and the output do not depend on the
   /// order in which recovery created subfacets.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// Returns the mesh face of each of `subfacets()`, seen from its upper side.
+  /// Returns for each of subfacets() its face in the mesh, as a face of the cell above it.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
   /// Returns the region seed in each component, or no_index.
@@ -176,7 +176,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Returns whether at least one cell around the edge is kept. If none is, both ends of the edge may still be kept.
+  /// Returns whether the output contains at least one cell around the subsegment.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;

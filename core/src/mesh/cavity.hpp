@@ -21,7 +21,7 @@ namespace geomesh {
 /// A cavity that is stored in a list and in marks of the caller, which are set for exactly the cells in the list.
 class Cavity {
  public:
-  /// Starts with the cells `bases`, which remain in the cavity. The mesh must not change while the cavity is used.
+  /// Starts a cavity with the cells `bases`, which are never removed from it. The mesh must not change meanwhile.
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());

@@ -57,7 +57,7 @@ class EditableMesh {
   void begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
   void grow_star(VertexIndex v, std::size_t k, EpochMarks& marks, std::vector<CellIndex>& out) const;
 
-  /// The end of a walk from cell to cell towards a point.
+  /// The result of a walk from cell to cell towards a point: why and in which cell it ended.
   struct Walk {
     enum class End { found, outside, at_barrier, too_long };
     End end;

@@ -18,7 +18,7 @@ struct FaceKey {
   friend constexpr auto operator<=>(const FaceKey&, const FaceKey&) = default;
 };
 
-/// The key of the face opposite vertex i.
+/// Returns the hash key of the face of a tetrahedron opposite its vertex i.
 inline FaceKey face_key(const Tetrahedron& t, unsigned i) {
   const VertexIndex a = t[face_vertices[i][0]], b = t[face_vertices[i][1]], c = t[face_vertices[i][2]];
   const VertexIndex less = a < b ? a : b, more = a < b ? b : a;
@@ -85,7 +85,7 @@ class FacePairing {
     e.role = Role::linked;
     return &met_;
   }
-  /// Number of faces of kept cells (outer) and of new cells (added) that have not found an equal face.
+  /// Numbers of faces of kept cells (outer) and of new cells (added) for which no equal face has been found yet.
   std::size_t n_outer_waiting() const { return n_outer_; }
   std::size_t n_added_waiting() const { return n_added_; }
 

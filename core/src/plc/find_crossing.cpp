@@ -70,7 +70,7 @@ class CrossingSearch {
     return out;
   }
   void collect() {
-    // Whether each facet has points or segments inside, at which other facets and segments may end.
+    // For each facet, whether it has points or segments inside. Other facets and segments may end at these.
     std::vector<bool> has_parts(plc_.n_facets(), false);
     for (const auto& p : plc_.facet_points) has_parts[p.facet] = true;
     for (const auto& s : plc_.facet_segments) has_parts[s.facet] = true;

@@ -29,8 +29,8 @@ class FlatPatch {
   /// Returns the vertices of triangle t of the patch, in the orientation that all its triangles have in common.
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
-  /// The edge that begins at `corner` is reversed in the triangle on its other side. Returns the corner of that
-  /// triangle at which the reversed edge begins, or no_index on the border.
+  /// Returns the corner at which the edge that begins at `corner` begins, reversed, in the adjacent triangle; no_index
+  /// if the edge is on the border of the patch.
   Index opposite(Index corner) const { return opposite_[corner]; }
   /// Returns positive if a, b, c have the orientation of the triangles.
   Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }

@@ -40,7 +40,7 @@ struct ModelNames {
   std::vector<VertexIndex> vertex;
   std::vector<Index> facet;
   std::vector<Index> segment;
-  std::vector<std::uint8_t> facet_is_reversed;    ///< whether the outer loop is reversed with respect to the caller's
+  std::vector<std::uint8_t> facet_is_reversed;    ///< whether a facet's outer loop is the reverse of the caller's
   std::vector<std::uint8_t> segment_is_reversed;  ///< whether a segment's ends are in reverse of the caller's order
 
   /// Returns whether the upper side of facet f, by its loop in the model's frame, is its lower side for the caller.

@@ -166,11 +166,11 @@ class RoofBuilder {
     return out;
   }
 
-  std::vector<Vec3> points_;            ///< corners, followed by inner points
+  std::vector<Vec3> points_;            ///< corners of the polygon, followed by inner points
   std::size_t n_;                       ///< of corners
   std::array<std::size_t, 3> base_{};   ///< corners
-  std::size_t axis_ = 0;                ///< axis along which the plane is projected
-  bool is_turned_ = false;              ///< whether the corners have the opposite orientation to the polygon
+  std::size_t axis_ = 0;                ///< axis along which the polygon is projected
+  bool is_turned_ = false;              ///< whether the stored corners are in reverse of the polygon's order
   std::vector<VertexIndex> given_row_;  ///< by corner
   std::vector<Vec3> flat_;              ///< the points, projected
   std::vector<Vec3> inward_;            ///< inward unit normal of each side of the polygon, in the projection

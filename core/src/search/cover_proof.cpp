@@ -13,14 +13,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;      ///< a piece with at most this many items near it is cut without being halved first
+constexpr std::size_t few = 24;      ///< a triangle with more items of the set near it is halved before it is cut
 constexpr std::size_t most_cut = 4;  ///< a piece is cut along the sides of one of this many nearest triangles
 /// A triangle may be cut into pieces_besides pieces, and pieces_per_item more for each triangle of the set near it.
 constexpr std::size_t pieces_per_item = 8;
 constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece =
     1.0 / 64;  ///< pieces of a smaller radius, relative to the distance limit, are not halved
-/// points within this share of the piece's radius from a plane count as on the plane
+/// corners of a piece that are nearer to a cutting plane than this share of its radius count as on the plane
 constexpr double on_plane = 1e-9;
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }

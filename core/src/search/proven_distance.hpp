@@ -46,7 +46,7 @@ class DistanceProver {
  private:
   struct Spot {
     double distance;
-    Vec3 point;  ///< point of the set's triangle that is nearest to a corner
+    Vec3 point;  ///< point of a triangle of the set that is nearest to a corner of the piece
   };
   /// A triangle of the set that may be near a piece, and its points nearest to the corners of that piece.
   struct Candidate {

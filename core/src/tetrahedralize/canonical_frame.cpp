@@ -92,7 +92,7 @@ class FrameChoice {
     for (const VertexIndex v : used_) sum += hash_of_point(f, v);
     return sum;
   }
-  /// Facets are hashed by their edges, the other items by their vertices.
+  /// Returns a sum of hashes of the facets, by their edges, and of segments and points, by their vertices.
   Hash signature_of_items(const AxisFrame& f) const {
     std::vector<Hash> of_point(plc_.points.size());
     for (const VertexIndex v : used_) of_point[v] = hash_of_point(f, v);

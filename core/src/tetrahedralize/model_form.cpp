@@ -66,7 +66,7 @@ class MemberNaming {
       triangles.push_back({loop[0], loop[1], loop[2]});
     }
     const std::optional<FlatPatch> patch = FlatPatch::of(plc_.points, std::move(triangles));
-    GEOMESH_CHECK(patch);  // the patch was valid when it was merged
+    GEOMESH_CHECK(patch);  // these triangles formed a valid patch when they were merged
     for (Face& face : faces) {
       const Index t = triangle_of(face, *patch);
       face.facet = members[t];

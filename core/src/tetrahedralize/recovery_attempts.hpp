@@ -12,7 +12,7 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  /// Steiner points are doubles from the start, which may lead to a dead end. For conforming mode and single attempts.
+  /// Steiner points have double coordinates from the start. For conforming mode and single attempts; may fail.
   rounded,
   /// Steiner points are exactly on their segments and facets until everything is recovered, and are rounded at the end,
   /// so that recovery always terminates.

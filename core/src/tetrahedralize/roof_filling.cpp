@@ -152,7 +152,7 @@ class RoofStar {
   }
 
  private:
-  std::vector<std::array<Index, 2>> pairs_;  ///< pairs of cells that share a face, in both orders
+  std::vector<std::array<Index, 2>> pairs_;  ///< cells of the star that share a face, each pair in both orders, sorted
 };
 
 }  // namespace

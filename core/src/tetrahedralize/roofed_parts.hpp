@@ -19,9 +19,9 @@ namespace geomesh {
 
 /// A convex part of a plane patch, and a Delaunay triangulation of it with inner points (its roof, later lifted off).
 struct RoofedPart {
-  std::vector<Index> facets;        ///< facets of the given complex
+  std::vector<Index> facets;        ///< rows in the given complex of the facets that make up the part
   std::vector<Triangle> as_given;   ///< corners of these facets, in the orientation of the complex
-  std::vector<Triangle> triangles;  ///< corners in the orientation of the part
+  std::vector<Triangle> triangles;  ///< corners of these facets, in the orientation of the part
   std::vector<bool> is_turned;      ///< whether each facet has the opposite orientation in the complex
   std::vector<VertexIndex> inner;   ///< the points of the roof that are inside the part, ascending
   std::vector<double> rise;         ///< relative heights by which the points of `inner` are lifted

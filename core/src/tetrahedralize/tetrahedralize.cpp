@@ -157,7 +157,7 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   ConstrainedTetrahedralization out = mesh_or_throw(mesh_in_mode(plc, constrained, context, recover_conforming));
   out.recovery.facets_not_recovered = outcome.given_up;
   list_facets_off_delaunay(out);
-  if (out.recovery.facets_not_recovered.empty())  // the cells between facets may not be Delaunay
+  if (out.recovery.facets_not_recovered.empty())  // although all facets are Delaunay, cells between them may not be
     for (Index f = 0; f < plc.n_facets(); ++f) out.recovery.facets_not_recovered.push_back(f);
   return out;
 }

@@ -41,7 +41,7 @@ struct MeshFile {
   /// Row in the input of each mesh point; -1 for added points. Empty if the file has no array of these rows.
   std::vector<std::int32_t> input_vertex;
   std::vector<std::string> missing_arrays;  ///< names of required point arrays that the file lacks (VTK files only)
-  std::vector<std::int32_t> kind;           ///< kind of each mesh point; empty if the file has no array of kinds
+  std::vector<std::int32_t> kind;           ///< kind of each mesh point (array point_kind); empty if the file has none
   /// Values of cell arrays for each tetrahedron, except for the array "region" (VTK files only).
   std::map<std::string, std::vector<double>> cell_values;
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)

@@ -24,7 +24,7 @@ struct RawCells {
 
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< id of the set in the file; 0 if it has none
+  std::int32_t id = 0;  ///< number of the set in the file; 0 if it has none
   int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };

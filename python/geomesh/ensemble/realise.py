@@ -122,7 +122,7 @@ class Realiser:
                 moved[horizon] = self._as_in_file(horizon, picked, points), triangles
 
     def _now(self, surface, picked, moved):
-        """Returns the elevations of a surface after the displacements so far."""
+        """Returns a surface (points with z upwards, triangles) with the displacements made in this realisation so far."""
         if surface not in moved:
             return self._elevations(surface, picked)
         points, triangles = moved[surface]

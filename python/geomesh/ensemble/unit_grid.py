@@ -6,7 +6,7 @@ import zlib
 import numpy
 
 OUTSIDE = 255
-_MOST_PAIRS = 2_000_000  # number of pairs of tetrahedra and cells that are handled at a time
+_MOST_PAIRS = 2_000_000  # pairs of a tetrahedron and a grid cell that are tested at a time, to bound memory
 
 
 def units_at(mesh, grid, names):

@@ -125,8 +125,8 @@ void ConformingRecovery::insert_into_facet(Index f) {
   if (!draft.build()) return give_up_facet(f, GivenUpFor::place);
   const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
   if (edges.empty()) return give_up_facet(f, GivenUpFor::place);
-  // The draft is updated once in a round. A point near another one that was inserted in this round is left out, because
-  // the other point may have made it unnecessary.
+  // The facet's 2D triangulation is updated once in a round. A point near another one inserted in this round is left
+  // out, because the other point may have made it unnecessary.
   std::vector<Vec3> added;
   for (const DirectedEdge& e : edges) {
     const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;

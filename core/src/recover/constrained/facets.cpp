@@ -102,7 +102,7 @@ class FacetRecovery {
  private:
   struct Piercing {
     PiercingEdge edge;
-    /// one more than the mesh's number of changes when flips last failed to remove the edge; 0 if they were not tried
+    /// 0 if flips have not been tried on this edge; else 1 + the mesh's number of changes when they last failed
     std::size_t tried;
   };
 

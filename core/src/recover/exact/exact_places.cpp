@@ -117,7 +117,7 @@ namespace {
 
 constexpr double widening_of_rests = 3;
 
-/// Returns the error of a determinant of offsets with these magnitudes (`reach`) and errors (`wrong`).
+/// Returns the error bound of a 3 x 3 determinant whose columns have entries up to `reach` with errors up to `wrong`.
 double error_by_rests(const Vec3& reach, const Vec3& wrong) {
   return 8 *
          (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +

@@ -70,7 +70,7 @@ class ExactPlaces {
  private:
   struct Row {
     ExactPlace place;
-    Vec3 rest;                     ///< place minus its nearest double, rounded
+    Vec3 rest;                     ///< exact place minus the nearest point with double coordinates, rounded
     bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
   };
   /// Six times a tetrahedron's volume in doubles with its error bound, and two terms of the next filter's bound.

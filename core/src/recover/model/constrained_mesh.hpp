@@ -131,8 +131,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Returns the face a,b,c from the cell above it. `cell` has all three vertices and may be above or below the face.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// Returns the exit of a walk in the star of a towards b: a face of cell c at a beyond whose plane b lies. `random`
-  /// chooses one of several. Returns 4 if the cone of c at a contains b.
+  /// Makes one step of a walk in the star of a towards b: returns a face of cell c at vertex a beyond whose plane b
+  /// lies, chosen by `random` from several. Returns 4 if the cone of c at a contains b.
   unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
   /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from its finite neighbour
@@ -211,8 +211,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes_ = 0;
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star, the face of the removed cell that is its base
-  std::vector<CellIndex> tested_;    ///< cells found to be outside during the search for a cavity
+  std::vector<FaceRef> star_faces_;  ///< for each new cell of a star, its face on the former cavity's boundary
+  std::vector<CellIndex> tested_;    ///< cells that the search for a cavity has examined and left out
   EpochMarks marks_;
   Random random_;
 };

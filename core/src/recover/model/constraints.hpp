@@ -31,7 +31,7 @@ using DirectedEdge = std::array<VertexIndex, 2>;
 
 /// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< three vertices in the facet's orientation; those of a piece span its plane
+  Triangle vertices{};  ///< corners in the facet's orientation; for a piece any three that span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
@@ -43,8 +43,8 @@ struct Subfacet {
 struct FacetPiece {
   std::vector<DirectedEdge>
       border;  ///< edges with the piece on their left, seen from above; an inner segment in both directions
-  std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
-  std::vector<Triangle> seen{};      ///< faces that covered the piece when it was last found (presence.hpp)
+  std::vector<VertexIndex> members;  ///< all vertices of the piece, on its border and inside
+  std::vector<Triangle> seen{};      ///< mesh faces that covered the piece when it was last found
   std::vector<CellIndex> seen_in{};  ///< for each face of `seen`, the cell in which it was found
 };
 

@@ -125,7 +125,7 @@ class LineWalk {
         cross_edge(at, c, v[k], d);
         return true;
       }
-    return false;  // the line runs through vertex d
+    return false;  // the line runs through d, the vertex opposite the face
   }
 
   bool leave_edge(Crossing& at) {

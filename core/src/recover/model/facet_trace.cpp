@@ -8,7 +8,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Records why the trace has ended. If it has touched a vertex, the first such contact is kept.
+/// Records why the search for a facet's faces has ended. A vertex found in the facet first is not overwritten.
 void fail(FacetTrace& out, FacetTrace::Status status, VertexIndex culprit = no_vertex) {
   if (out.status == FacetTrace::Status::touched) return;
   out.status = status;
@@ -187,8 +187,8 @@ class Tracer {
     VertexIndex right;
   };
 
-  /// Finds what lies to the left of p->q, as seen from above: a face of the facet, or a cell that the facet cuts. The
-  /// corner `right` of the face on the right is never accepted, however rounding turns that face.
+  /// Follows the facet across its edge p->q to the left, as seen from above: into a mesh face in the facet, or into a
+  /// cell that the facet cuts. The third corner `right` of the face on the right is never accepted.
   void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
@@ -204,8 +204,8 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Finds what lies to the left of p->q with exact signs: in the ring around p-q exactly one face, edge or vertex lies
-  /// on the left in the plane.
+  /// Follows the facet across its edge p->q to the left with exact signs, by which exactly one vertex or edge of the
+  /// ring around p-q lies there in the facet's plane.
   void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
     const std::size_t n = ring_.ring.size();
     for (std::size_t i = 0; i < n; ++i) {

@@ -24,13 +24,13 @@ struct PiercingEdge {
 
 struct FacetTrace {
   enum class Status {
-    complete,  ///< the faces cover the subfacet
+    complete,  ///< the mesh faces that were found cover the subfacet
     pierced,   ///< edges pierce the subfacet
-    touched,   ///< `culprit` lies in the subfacet but is not declared to be part of it
+    touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
-  std::vector<Triangle> faces;         ///< faces of the subfacet, in its orientation
+  std::vector<Triangle> faces;         ///< mesh faces in the subfacet, in its orientation
   std::vector<CellIndex> cells;        ///< for each face, a cell that has it
   std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;

@@ -43,7 +43,7 @@ struct RecoveryBudget {
   std::size_t crossings_loss = 4;
   /// Slopes of a shear are multiples of this number, because the tilted plates of test models have simple slopes.
   double slope_step = 0x1p-10;
-  std::size_t forecast_sample = 300;  ///< number of segments of each kind that a forecast examines
+  std::size_t forecast_sample = 300;  ///< number of missing segments, and of present ones, that a forecast examines
   double forecast_reach = 1e6;        ///< largest distance of an empty sphere's centre from a segment, in half lengths
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
@@ -55,7 +55,7 @@ struct RecoveryBudget {
   /// Number of edges tried for the removal of one edge, by depth of recursion. Removals that succeed do so early.
   std::array<unsigned, 4> edges_by_depth{1, 40, 160, 600};
   unsigned flips_of_segment = 200;  ///< largest number of flips for one segment, from both ends
-  unsigned sideways_flips = 3;      ///< flips allowed that leave as many crossings of a segment as before
+  unsigned sideways_flips = 3;      ///< flips allowed that do not reduce the number of items a segment crosses
 
   /// Largest number of steps of a walk in a vertex' star towards a neighbour; then all cells of the star are searched.
   unsigned star_walk = 24;
@@ -73,8 +73,8 @@ struct RecoveryBudget {
   // Points on segments (segments_by_points.cpp, crossed_cells.cpp).
   /// Share of a subsegment next to its ends in which no point is added, because rounded points would crowd there.
   double least_part = 1e-6;
-  double near_crossing = 1e-7;         ///< share of a subsegment: items this close to a new point are removed with it
-  std::size_t crossings_flipped = 20;  ///< largest number of crossings at which flips two levels deep are tried again
+  double near_crossing = 1e-7;         ///< as a share of a subsegment: cells this near to a new point join its cavity
+  std::size_t crossings_flipped = 20;  ///< segments that cross more items get flips one level deep, not two
   /// Largest number of points on a subsegment, plus points_on_crossing for each crossing, because more would crowd.
   std::size_t points_on_subsegment = 100;
   std::size_t points_on_crossing = 4;  ///< points allowed on a subsegment for each mesh item that it crosses
@@ -83,7 +83,7 @@ struct RecoveryBudget {
 
   // Limits for the recovery of facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of recursion of flips before points are added to facets
-  unsigned facet_depth_first = 2;  ///< levels of flips before the first point on a facet; before others, one level
+  unsigned facet_depth_first = 2;  ///< levels of recursion of flips before the first point on a facet, else 1
   /// Largest number of faces and piercing edges found by traces of a facet, which order its flips and points. Without
   /// such traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
   std::size_t traced_of_facet = 20000;
@@ -91,10 +91,10 @@ struct RecoveryBudget {
   // Removal of Steiner points (steiner_removal/).
   unsigned removal_passes = 8;     ///< largest number of passes over all added points, while any is removed
   unsigned removal_effort = 2;     ///< number of passes over added points before the greatest effort is made
-  unsigned star_rounds = 8;        ///< rounds of flips at an inner point, each with an attempt to fill its star
+  unsigned star_rounds = 8;        ///< rounds of flips at an inner point; after each, its removal is tried
   unsigned star_edges = 60;        ///< number of edges tried to reduce a point's degree by one
   unsigned link_edges = 200;       ///< number of attempts at a point's removal, each after another link edge is removed
-  unsigned link_edge_effort = 40;  ///< number of edges tried to remove one edge of a point's link
+  unsigned link_edge_effort = 40;  ///< number of edges tried to remove one edge of a point's link by flips
   unsigned link_edge_depth = 1;    ///< levels of flips for an edge of a link, 0 to 3: each costs ten times more
   unsigned chord_effort = 200;     ///< edges tried to remove a chord: an edge beside the point, between its neighbours
   unsigned chord_depth = 2;        ///< levels of recursion of flips that remove a chord
@@ -115,11 +115,11 @@ struct RecoveryBudget {
   std::size_t region_conflicts = 2000;  ///< number of conflicts allowed to the solver: most formulas need a few
 
   // Rounding (rounding.cpp).
-  unsigned rounding_runs = 3;        ///< runs of rounding; points are removed from segments and facets in between
-  unsigned rounding_rounds = 8;      ///< number of passes in each run: neighbours that have moved leave more room
+  unsigned rounding_runs = 3;        ///< how often all Steiner points are rounded, with removals in between
+  unsigned rounding_rounds = 8;      ///< passes over the Steiner points in each run of rounding
   unsigned centring_sweeps = 10;     ///< in each round
   unsigned centring_steps = 100;     ///< largest number of steps of the linear program: about ten are needed
-  double centring_gain = 1.01;       ///< a point is moved only if its least height grows by more than this factor
+  double centring_gain = 1.01;       ///< a point is moved only if its star's least height grows by this factor
   double least_centring_part = 0.1;  ///< least part of a centring step; if only less is possible, the height was wrong
   int ulps = 2;                      ///< largest distance of a rounded point from the nearest double, in ulps
   unsigned rounding_growths = 30;    ///< cells that may be added to a star to replace its point by one outside it
@@ -127,7 +127,7 @@ struct RecoveryBudget {
   unsigned analytic_steps = 200;  ///< largest number of steps of Newton's method: about twenty are needed
   /// Largest number of steps of a basis reduction. Stars that are 1e15 times longer than thick need about a hundred.
   unsigned lattice_steps = 2000;
-  double lattice_layers = 20;      ///< number of layers of a lattice searched on each side of the centre
+  double lattice_layers = 20;      ///< lattice planes that are searched on each side of a polyhedron's centre
   std::size_t lattice_lines = 9;   ///< in each layer
   std::size_t lattice_points = 3;  ///< on each line
 
@@ -135,7 +135,7 @@ struct RecoveryBudget {
   double sharp_cosine = 0.5;     ///< cosine of 60 degrees: segments at a smaller angle meet sharply
   double sharp_rounding = 1e-9;  ///< error of a cosine that rounding of the directions may cause
   int least_edge = -40;          ///< shortest edge, as a power of two relative to the largest coordinate: 4096 ulps
-  std::size_t points_per_vertex = 30;  ///< points allowed per vertex at sharp angles, and as many elsewhere
+  std::size_t points_per_vertex = 30;  ///< added points allowed per vertex near sharp angles, and as many elsewhere
   std::size_t sharp_points = 3000;     ///< additional points allowed at sharp angles, in all
   std::size_t other_points = 100000;   ///< additional points allowed elsewhere, where refinement terminates by itself
 };

@@ -36,15 +36,15 @@ class Cavity {
   /// Returns the vertices connected with v by an edge of the boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
-  /// Returns cells that connect all of the boundary with y, a point that no cell has yet. The cavity, which must be
-  /// valid, grows across faces that y does not see.
+  /// Returns cells that connect all boundary faces of the cavity with y, a point that no cell has yet. The cavity,
+  /// which must be valid, grows across faces that are not visible from y.
   std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
   std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
 
  private:
   struct BoundaryFace {
     Triangle triangle;  ///< corners, counter-clockwise as seen from inside the cavity
-    FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
+    FaceRef inner;      ///< this face in its cell inside the cavity; invalid for a triangle added as a constraint
   };
 
   bool may_grow_over(const BoundaryFace& side) const;

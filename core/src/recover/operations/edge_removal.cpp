@@ -79,7 +79,7 @@ bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   return false;
 }
 
-/// Counts one edge or face as tried. Returns false if the work allowed is used up.
+/// Counts one more edge or face that flips try to remove. Returns false if no more are allowed.
 bool EdgeRemover::spend() {
   if (!work_left_) return true;
   if (*work_left_ == 0) return false;

@@ -58,7 +58,7 @@ class Corners {
     return count;
   }
 
-  /// Returns whether the cell with the face t and the given side faces contains another vertex.
+  /// Returns whether the tetrahedron with the face t and the three other faces `side` contains another vertex.
   bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
     return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
              mask_of(side[0])) &

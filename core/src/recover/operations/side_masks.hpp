@@ -36,8 +36,8 @@ class LocalPlaces {
     }
     if (vertices.empty()) return;
     const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
-    // Two vertices are at most twice as far from each other as from the first vertex. Two offsets are multiplied, so
-    // the error grows by a factor of four.
+    // The error bound holds for vectors from the first vertex. Vectors between other vertices are at most twice as
+    // long, and products of two of them four times as large.
     error_bound_ = {error.widening, 4 * error.slack};
   }
 
@@ -62,7 +62,7 @@ class LocalPlaces {
 
  private:
   std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex' place, and the place minus that double
-  VertexMask exact_ = 0;           ///< vertices whose places are not doubles
+  VertexMask exact_ = 0;           ///< set of vertices whose coordinates are not doubles
   ErrorBound error_bound_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// The unknowns of the linear program: a displacement and, last, the least height.
 using Unknowns = std::array<double, 4>;
 
-constexpr double no_length = 1e-12;  ///< a projected unit vector shorter than this is due to rounding
+constexpr double no_length = 1e-12;  ///< a unit vector whose projection is shorter than this counts as perpendicular
 
 double dot(const Unknowns& u, const Unknowns& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]; }
 

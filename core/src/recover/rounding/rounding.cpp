@@ -126,7 +126,7 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
 
 namespace {
 
-/// Centres the rounded Steiner points beside x again, each at another double, which can give x more room.
+/// Moves the rounded Steiner points beside x to better centred doubles, which can give x more room.
 void make_room(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   for (const VertexIndex y : mesh.neighbors(x)) {

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 using WidePoint = std::array<exact::TwoDouble, 3>;
 
-/// The half-space at + normal . y > 0.
+/// The half-space of the points y with at + normal . y > 0.
 struct WidePlane {
   WidePoint normal;
   exact::TwoDouble at;

@@ -50,8 +50,8 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   return true;
 }
 
-/// Collects the vertices of the cells that a missing subsegment crosses. For a present subsegment, collects those of
-/// the cells around it and of their neighbours.
+/// Collects the vertices of the cells that a subsegment crosses if it is no edge of the triangulation; otherwise those
+/// of the cells around it and of their neighbours.
 void gather_about(ConstrainedMesh& mesh, const Subsegment& s, CellIndex cell, std::vector<VertexIndex>& out) {
   const TetMesh& cells = mesh.cells();
   out.clear();

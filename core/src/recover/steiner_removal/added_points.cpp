@@ -60,8 +60,8 @@ void clear_chord(Recovery& recovery, VertexIndex x) {
         .remove(ends[0], ends[1], recovery_budget.chord_depth, nullptr, recovery_budget.chord_effort);
 }
 
-/// Tries to take x off its segment or facet. Effort 0 uses the star of x only; 1 also makes flips at x; 2 also uses the
-/// cells around the star and flips of its link.
+/// Tries to remove the Steiner point x from its segment or facet: with effort 0 by filling its star anew, with 1 also
+/// after flips at x, with 2 also together with cells around the star and after flips of edges of its link.
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   if (take_point_off_boundary(recovery, x)) return true;
   if (effort == 0) return false;

@@ -37,7 +37,7 @@ std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
   return lost;
 }
 
-/// Adds neighbours to the cells, and their vertices to `vertices`, as long as there is room.
+/// Adds neighbouring cells to a region, and their vertices to `vertices`, up to `max_vertices` vertices.
 void spread(const ConstrainedMesh& mesh, std::span<const CellIndex> forbidden, std::vector<CellIndex>& cells,
             std::vector<VertexIndex>& vertices, std::size_t max_vertices) {
   std::vector<CellIndex> in = cells;

@@ -66,8 +66,8 @@ class SatSolver {
   static constexpr std::uint32_t by_literal =
       0x80000000u;  ///< bit of a stored reason: set if the reason is a literal instead of a clause
 
-  /// The two watches of clause c are 2c and 2c + 1, stored in linked lists, because each clause always has two of them
-  /// and they only change places.
+  /// Entry of the list of clauses that watch a literal. Clause c has the entries 2c and 2c + 1, one for each of its two
+  /// watched literals.
   struct Watch {
     Literal blocker;  ///< another literal of the clause: if it is true the clause need not be examined
     std::uint32_t next;
@@ -116,7 +116,7 @@ class SatSolver {
   std::vector<Clause> clauses_;
   std::vector<Watch> watches_;
   std::vector<std::uint32_t> first_watch_;  ///< for each literal: watches of the clauses that watch its negation
-  std::vector<std::uint32_t> chosen_;       ///< variables of all choices, choice by choice
+  std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
   std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable

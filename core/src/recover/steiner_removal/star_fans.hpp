@@ -20,7 +20,7 @@ struct Fan {
       rim;
   bool is_closed = false;
   std::vector<Index> subfacets;
-  std::vector<Triangle> triangles;  ///< triangles that replace the subfacets
+  std::vector<Triangle> triangles;  ///< triangles without x that replace the subfacets
   /// Returns whether the facet has only one triangle at x, flat up to rounding, which is removed without replacement.
   bool is_thin() const { return rim.size() < 3; }
 };
