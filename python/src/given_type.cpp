@@ -21,7 +21,6 @@ py::capsule owner_of(const Given& given) {
   return {held, [](void* p) { delete static_cast<std::shared_ptr<const FileContents>*>(p); }};
 }
 
-/// Returns (name, points, triangles) of each surface.
 py::list surfaces_of(const Given& given) {
   const py::capsule owner = owner_of(given);
   py::list list;

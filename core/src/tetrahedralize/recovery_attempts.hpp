@@ -34,7 +34,7 @@ struct Attempt {
   const char* difference() const;
 };
 
-/// Returns attempt `number`. `hard_parts` contains what earlier attempts have learned.
+/// Returns the settings of attempt `number`. `hard_parts` contains what earlier attempts have found hard to recover.
 Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
 /// Returns the settings of the next attempt at recovery; nothing if this was the last one allowed.

@@ -28,7 +28,6 @@ Vec3 extents_of_segments(const PiecewiseLinearComplex& plc) {
   return box.max - box.min;
 }
 
-/// Returns the part with its vertex indices replaced: vertex v by row[v].
 RoofedPart in_rows(RoofedPart part, const std::vector<VertexIndex>& row) {
   for (std::vector<Triangle>* triangles : {&part.as_given, &part.triangles, &part.roof})
     for (Triangle& t : *triangles)

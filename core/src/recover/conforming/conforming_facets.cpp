@@ -17,7 +17,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The draft of a facet: a constrained Delaunay triangulation of the facet's vertices in a frame of its plane.
+/// A constrained Delaunay triangulation of a facet's vertices in a frame of its plane.
 class Draft {
  public:
   Draft(const ConstrainedMesh& mesh, const Triangle& plane, const FacetPiece& piece) : piece_(piece) {
@@ -55,8 +55,8 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
-/// Returns the longest missing edge of each draft triangle that is not a mesh face, or its three edges if none is
-/// missing. The longest edges come first.
+/// Returns the edges at which points are added to a facet: of each triangle of its own triangulation that is not a mesh
+/// face, the longest edge missing in the mesh, or all three if none is missing. The longest edges come first.
 std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
   const auto squared_length = [&mesh](const DirectedEdge& e) {
     const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);

@@ -91,7 +91,7 @@ class Constraints {
   /// Adds a piece of a facet, given by its border. The edges of the border must be subsegments.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
-  /// Remembers the faces that cover a piece, and the cells that contain them (presence.hpp).
+  /// Stores the mesh faces that cover a piece of a facet, and cells that contain them, for later searches.
   void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
     pieces_[subfacets[subfacet].piece].seen = faces;
     pieces_[subfacets[subfacet].piece].seen_in = cells;

@@ -18,9 +18,9 @@ struct DeclaredModel {
   std::size_t n_facets = 0;
 };
 
-/// Declares the segments and facets of a complex. Polygons become the triangles of their draft triangulation. Facets
-/// that are not exactly planar are reported in the log with their deviation. Throws Error{invalid_input} for polygons
-/// that cannot be triangulated, with items named by `names`.
+/// Declares the segments and facets of a complex. Polygons become the triangles of their constrained Delaunay
+/// triangulation. Facets that are not exactly planar are reported in the log with their deviation. Throws
+/// Error{invalid_input} for polygons that cannot be triangulated, with items named by `names`.
 DeclaredModel declare_constraints(const PiecewiseLinearComplex& plc, const ModelNames& names,
                                   const RunContext& context);
 

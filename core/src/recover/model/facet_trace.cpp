@@ -37,7 +37,7 @@ class PiercingSearch {
   PiercingSearch(ConstrainedMesh& mesh, const FacetSides& sides, FacetTrace& out)
       : mesh_(mesh), sides_(sides), out_(out) {}
 
-  /// Adds to the trace a piercing edge and all that are connected with it.
+  /// Records a mesh edge that pierces the facet, and all other such edges that are connected with it through cells.
   void follow(VertexIndex below, VertexIndex above, CellIndex cell) {
     std::vector<PiercingEdge> queue;
     add({below, above, cell}, queue);
@@ -154,7 +154,7 @@ class LeftOfEdge {
   VertexIndex right_;
 };
 
-/// Traces the faces of a facet from its border inwards, edge by edge.
+/// Finds the mesh faces of a facet from its border inwards, edge by edge.
 class Tracer {
  public:
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)

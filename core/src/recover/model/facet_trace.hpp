@@ -88,7 +88,8 @@ class FacetSides {
   bool is_exact_ = false;
 };
 
-/// Traces a subfacet through the mesh. `border` contains directed edges of the mesh with the subfacet on their left.
+/// Finds the mesh faces that lie in a subfacet and the mesh edges that pierce it. `border` contains directed edges of
+/// the mesh with the subfacet on their left.
 FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -53,8 +53,8 @@ struct Recovery {
     if (!dead_end) dead_end = std::move(why);
   }
 
-  /// Must be called for each point that flips could not avoid. Crossing facets need points without end. If there are
-  /// more points than usual for valid models, crossings are searched for, and the attempt ends if one is found.
+  /// Must be called for each point that flips could not avoid. If there are more points than valid models usually need,
+  /// crossings of input items are searched for, and the attempt ends if one is found.
   void count_added_point();
   /// Returns Error{invalid_input} with both items if two items of the model cross.
   std::optional<Error> describe_crossing() const;

@@ -65,7 +65,7 @@ struct RecoveryBudget {
   std::size_t star_cells = 400;  ///< largest number of cells in the cavity of an insertion
   /// Number of tetrahedra tried to fill a cavity, per level of recursion of the flips that failed before.
   std::size_t filling_nodes = 200;
-  /// Number of tetrahedra tried to fill a sector beside a removed point, because fillings of regions find the rest.
+  /// Number of tetrahedra tried to fill a part of a removed point's star, because fillings of regions find the rest.
   std::size_t filling_nodes_sector = 100;
   std::size_t filling_faces = 90;  ///< largest number of faces of a cavity for which a filling is searched
   unsigned filling_looks = 4;  ///< number of open faces that are examined to find the hardest, which is filled first
@@ -84,8 +84,9 @@ struct RecoveryBudget {
   // Limits for the recovery of facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of recursion of flips before points are added to facets
   unsigned facet_depth_first = 2;  ///< levels of recursion of flips before the first point on a facet, else 1
-  /// Largest number of faces and piercing edges found by traces of a facet, which order its flips and points. Without
-  /// such traces chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
+  /// Largest number of mesh faces and piercing edges that repeated searches may find for a facet, to order flips and
+  /// points. Without such searches chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points
+  /// took over 85 s.
   std::size_t traced_of_facet = 20000;
 
   // Removal of Steiner points (steiner_removal/).
@@ -107,8 +108,8 @@ struct RecoveryBudget {
   double sheet_point_reach = 0.25;    ///< first distance of a point from a segment, relative to the shorter subsegment
   double sheet_point_least = 1e-12;   ///< least distance of a point from a segment, relative to the shorter subsegment
   double sheet_point_part = 0.25;     ///< ratio of successive distances tried of a point from a segment
-  /// Directions of points beside a segment, in sixths of a turn from a facet attached to the segment. No attempt
-  /// follows the first point, because it leaves a sector of 240 degrees; the following points halve the rest.
+  /// Directions of points placed beside a segment, in sixths of a turn from a facet attached to the segment. After the
+  /// first point nothing is tried yet, because it leaves a sector of 240 degrees; the following points halve the rest.
   std::array<double, 5> sheet_turns{2, 4, 3, 1, 5};
   /// Numbers of vertices of the regions that are filled by formulas; 52 would cost a quarter more.
   std::array<std::size_t, 3> region_vertices{20, 28, 40};

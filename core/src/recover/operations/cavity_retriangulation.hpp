@@ -20,11 +20,11 @@ struct CavityEffort {
 class Cavity {
  public:
   /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
-  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()`: whether the inside may be emptied. O(n log
-  /// n) for n cells.
+  /// of the boundary, so the caller must close the gaps by triangles (add_sheet). `is_valid()`: whether the inside may
+  /// be emptied. O(n log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds a sheet: a triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  /// Adds a triangle that must be a face of every filling, with a cell on the side from which it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
   /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }

@@ -18,8 +18,8 @@ namespace geomesh::recover {
 
 class HardPartsFirst {
  public:
-  /// Must be called after a failed attempt. Later attempts insert the vertices of the facets that flips and cavities
-  /// did not recover, and of the facets around such segments, one stage earlier. O(facets).
+  /// Must be called after a failed attempt. Later attempts insert earlier the vertices of facets that flips and
+  /// cavities did not recover, and of the facets around such segments: by one stage for each call. O(facets).
   void learn(const Recovery& recovery, const DeclaredModel& model);
   bool has_learned() const { return !stage_.empty(); }
 

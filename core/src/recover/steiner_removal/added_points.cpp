@@ -30,7 +30,7 @@ std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   return out;
 }
 
-/// Calls `attempt` after the removal of each edge of the link of x; failed attempts are undone.
+/// Removes each edge of the link of x in turn and then calls `attempt`; undoes the removal if that returns false.
 template <class Attempt>
 bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt) {
   ConstrainedMesh& mesh = recovery.mesh;

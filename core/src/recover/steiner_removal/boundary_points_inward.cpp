@@ -24,7 +24,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Finds cells that fill the sectors of an added point's star, one sector after the other.
+/// Finds cells that fill the star of an added point without it, one sector (part between facets) after the other.
 class SectorFilling {
  public:
   SectorFilling(Recovery& recovery, VertexIndex x, const StarFans& around, RefilledCells refilled,

@@ -205,8 +205,8 @@ void FillingCandidates::list_by_side() {
     for (const std::uint32_t side : cells_[row].sides) rows_[end_[side]++] = row;
 }
 
-/// Removes cells that have no cell on the other side of one of their inner faces, then the cells that needed these, and
-/// so on. Then the lists are rebuilt. Returns false if a boundary face has no cell left.
+/// Removes tetrahedra that have no other one across one of their inner faces, then those that needed these, and so on.
+/// Then the lists are rebuilt. Returns false if a boundary face has no tetrahedron left.
 bool FillingCandidates::prune() {
   std::vector<std::uint32_t> n_beside(is_required_.size()), emptied;
   std::vector<std::uint8_t> is_gone(cells_.size(), 0);

@@ -29,13 +29,13 @@ class FillingCandidates {
 
   FillingCandidates(const ConstrainedMesh& mesh, const Constraints& constraints, const Region& region);
 
-  /// Finds the candidates. Returns false if it is already evident that there is no filling, because a boundary face has
-  /// no candidate on its inner side. O(n^4) for n vertices.
+  /// Finds all tetrahedra of which a filling can consist. Returns false if it is evident that there is no filling,
+  /// because a boundary face has no such tetrahedron on its inner side. O(n^4) for n vertices.
   bool find();
 
   /// Returns the cells in increasing order of vertices.
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Returns the rows of the candidates on a side of a face.
+  /// Returns the rows of the possible tetrahedra that lie on this side of a face.
   std::span<const std::uint32_t> beside(std::uint32_t side) const {
     return {rows_.data() + begin_[side], rows_.data() + end_[side]};
   }

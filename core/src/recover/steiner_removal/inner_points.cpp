@@ -14,7 +14,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Fills the star of x without x: by a fan from a neighbour of x, or else by a search.
+/// Fills the star of x without x: by connecting its boundary with a neighbour of x, or else by a search.
 bool empty_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<CellIndex> star;

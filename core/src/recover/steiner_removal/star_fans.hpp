@@ -16,7 +16,7 @@ namespace geomesh::recover {
 struct Fan {
   Index facet = no_index;  ///< the facet; no_index for a triangle that only divides the star
   std::vector<VertexIndex>
-      /// vertices opposite x in the facet's orientation; the last is connected with the first if the fan is closed
+      /// link vertices of x in the facet, in its orientation; the last is connected with the first if x is inside
       rim;
   bool is_closed = false;
   std::vector<Index> subfacets;

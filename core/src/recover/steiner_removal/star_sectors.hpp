@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sectors of an added point's star: the parts between the fans of its facets, and sheets that may divide them.
+/// Sectors of an added point's star: the parts into which facets at the point, and additional triangles, divide it.
 #pragma once
 
 #include <algorithm>
