@@ -37,8 +37,7 @@ ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mes
 /// Sorted.
 std::vector<Index> facets_in_callers_terms(std::vector<Index> facets, const ModelNames& names);
 
-/// Converts the row numbers and coordinates in an error's data from the canonical form to the caller's model. The text
-/// of the error needs no conversion (recover/messages.hpp).
+/// Converts an error's rows and coordinates to the caller's model; its text needs no conversion (recover/messages.hpp).
 Error in_callers_terms(const Error& error, const ModelNames& names);
 
 }  // namespace geomesh

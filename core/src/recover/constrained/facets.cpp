@@ -81,10 +81,9 @@ class FacetRecovery {
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
-  /// Recovers the subfacet by points where mesh edges pierce it. A search for these edges takes time proportional to
-  /// the facet's size, and a large polygon may need as many points. Therefore the search is repeated only after the
-  /// first points, which saves some, and then only when the last listed edge has been split: a point does not change
-  /// the other edges.
+  /// Recovers the subfacet by points where mesh edges pierce it. Finding these edges takes time proportional to the
+  /// facet's size, and a large polygon may need as many points. So they are found again only after the first points,
+  /// and later when the last one found has been split: a point does not change the other edges.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();

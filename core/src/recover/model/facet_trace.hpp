@@ -88,8 +88,7 @@ class FacetSides {
   bool is_exact_ = false;
 };
 
-/// Finds the mesh faces that lie in a subfacet and the mesh edges that pierce it. `border` contains directed edges of
-/// the mesh with the subfacet on their left.
+/// Finds mesh faces in a subfacet and mesh edges that pierce it. `border`: directed mesh edges with it on their left.
 FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -84,9 +84,8 @@ struct RecoveryBudget {
   // Limits for the recovery of facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of recursion of flips before points are added to facets
   unsigned facet_depth_first = 2;  ///< levels of recursion of flips before the first point on a facet, else 1
-  /// Largest number of mesh faces and piercing edges that repeated searches may find for a facet, to order flips and
-  /// points. Without such searches chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points
-  /// took over 85 s.
+  /// Largest number of faces and piercing edges that repeated searches may find for a facet. Without such searches
+  /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
   std::size_t traced_of_facet = 20000;
 
   // Removal of Steiner points (steiner_removal/).
