@@ -28,7 +28,7 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false, solver = false;
-  double within = -1;        ///< negative: the project's tolerance is used
+  double within = -1;        ///< largest distance of surfaces from the input; negative: the project's tolerance
   double displacement = -1;  ///< largest displacement of surfaces by rounding; negative: computed from the mesh
   std::optional<std::filesystem::path> report;
 };

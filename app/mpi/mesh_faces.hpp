@@ -12,7 +12,7 @@ namespace geomesh::app {
 /// A face that only one tetrahedron of this rank has.
 struct OpenFace {
   Index cell;
-  unsigned opposite;  ///< vertex of the cell opposite the face
+  unsigned opposite;  ///< position in its cell (0 to 3) of the vertex opposite the face
   Triangle vertices;  ///< corners of the face, counter-clockwise as seen from its cell
 };
 
@@ -29,7 +29,7 @@ struct MeshFaces {
   explicit MeshFaces(const RankMesh& mesh, Which which = Which::all);
   std::vector<OpenFace> open;  ///< by cell
 
-  /// Returns the corners of open faces, ascending.
+  /// Returns the corners, ascending, of all faces that only one tetrahedron has.
   std::vector<VertexIndex> open_corners() const;
   /// Calls visit(InnerFace) for each inner face, in the order of their corners.
   template <class Visit>

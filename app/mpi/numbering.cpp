@@ -27,7 +27,7 @@ struct GhostCell {
   std::array<std::int64_t, 4> points{};
 };
 
-/// Ghost points and tetrahedra that one rank sends to another.
+/// Points and tetrahedra at the border between two ranks, of which one rank sends copies (ghosts) to the other.
 struct GhostMessage {
   std::vector<GhostCell> cells;
   std::vector<GhostPoint> points;

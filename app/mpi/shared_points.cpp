@@ -50,7 +50,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
   const std::vector<std::vector<Vec3>> came = ranks.exchange(asked);
   Sharers at;
   for (std::size_t r = 0; r < n_ranks; ++r)
-    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // ascending, because r is ascending
+    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // each list of ranks is sorted
   // Answers, in the order of each rank's questions: how many ranks share the point, and which.
   std::vector<std::vector<std::int32_t>> answers(n_ranks);
   for (std::size_t r = 0; r < n_ranks; ++r)

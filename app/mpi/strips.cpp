@@ -60,7 +60,7 @@ class Takers {
 /// For each point of a rank's mesh, whether it has lain on a border between ranks in every round so far.
 using Pending = std::vector<bool>;
 
-/// Tetrahedra that are sent to another rank.
+/// Tetrahedra, with their points, that are sent to another rank, which will improve them.
 struct Parcel {
   std::vector<Vec3> points;
   std::vector<std::uint8_t> is_pending, may_be_outside;

@@ -207,7 +207,7 @@ def _fields_of_gempy(geo_model, extent, column):
 
 
 class _FeatureField:
-    """Evaluates a feature of LoopStructural, also beyond unconformities."""
+    """The scalar field of a feature of LoopStructural as a function, also beyond unconformities that bound it."""
 
     def __init__(self, model, feature):
         self.model, self.feature = model, feature
@@ -288,7 +288,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
         cut = {value for found in bounds.values() for key in ("above", "below") for of, value in found[key] if of == group}
         lowest = [value for value in units if not numpy.isfinite(value)]
         if lowest and cut and min(cut) < min((v for v in units if numpy.isfinite(v)), default=numpy.inf):
-            units[min(cut)] = units.pop(lowest[0])  # an unconformity is the base of the group
+            units[min(cut)] = units.pop(lowest[0])  # the unconformity is the base of the lowest unit of the group
         for value in sorted(set(units) | cut, reverse=True):
             if not numpy.isfinite(value):
                 if open_unit is not None:
@@ -336,7 +336,7 @@ def surfaces_of_gmsh(gmsh, entities=None):
     """
     found = []
     for dimension, tag in (gmsh.model.getEntities(2) if entities is None else entities):
-        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # 2: triangles of three nodes
+        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # gmsh's element type 2: triangles of three nodes
         if len(nodes) == 0:
             continue
         tags, coordinates, _ = gmsh.model.mesh.getNodes(dimension, tag, True)

@@ -9,7 +9,7 @@ import numpy
 
 
 class Lattice(NamedTuple):
-    """A regular grid of nodes."""
+    """A regular 3D grid of nodes: origin, spacing and counts along x, y, z."""
     origin: Any  # the first node
     spacing: Any  # along x, y, z
     shape: Tuple[int, int, int]
@@ -191,6 +191,6 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
 
 
 def takes(values: Any, value: float, nodes: Any) -> bool:
-    """Returns whether the values on some nodes lie on both sides of a given value."""
+    """Returns whether a field's values at the given nodes lie on both sides of `value`."""
     known = values[nodes & numpy.isfinite(values)]
     return known.size > 0 and bool(known.min() < value < known.max())

@@ -40,7 +40,7 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// Runs `work(context)`; rethrows its exceptions.
+  /// Runs `work(context)` in a thread of its own, waits for its end and rethrows its exceptions.
   template <class Work>
   auto run(Work&& work) {
     using Result = decltype(work(std::declval<const RunContext&>()));

@@ -189,8 +189,8 @@ class Arrays {
   DeclaredModel& model_;
   const Components& components_;
   ConstrainedTetrahedralization& out_;
-  std::vector<VertexIndex> point_;  ///< row of each vertex in the output
-  std::vector<Index> tetrahedron_;  ///< row of each cell in the output
+  std::vector<VertexIndex> point_;  ///< for each vertex of the mesh, its row in the output
+  std::vector<Index> tetrahedron_;  ///< for each cell of the mesh, its row in the output
 };
 
 }  // namespace

@@ -48,7 +48,7 @@ class EpochMarks {
   bool is_of_epoch(const Entry& e) const { return e.stamp >> 1 == epoch_; }
   static bool is_on(const Entry& e) { return (e.stamp & 1u) != 0; }
 
-  /// Returns the slot of item i in the table, or the free slot where it would be inserted.
+  /// Returns the slot of the hash table that holds the mark of item i, or the free slot where it would be inserted.
   std::size_t place_of(std::uint32_t i) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t at = (i * 0x9E3779B1u) >> (32 - bits_);

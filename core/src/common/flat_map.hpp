@@ -21,7 +21,7 @@ class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  /// Returns no_index if the key is absent.
+  /// Returns the value stored for these vertices, in any order; no_index if there is none.
   Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
     const Slot& slot = slots_[place_of(sorted(vertices))];

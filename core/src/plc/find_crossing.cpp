@@ -31,7 +31,7 @@ class CrossingSearch {
     for (std::size_t k = 0; k < edges_.size() && crossings.empty(); ++k) append_of(edges_[k], tree, crossings);
     return crossings;
   }
-  /// Returns all crossings, ordered by edge, then by facet.
+  /// Returns all crossings of an edge with a triangle, sorted by edge, then by facet.
   std::vector<PlcCrossing> all(unsigned threads) {
     constexpr std::size_t chunk = 2048;
     const search::ClosestPointTrees tree = prepare();

@@ -38,9 +38,9 @@ enum class Over : std::uint8_t {
 /// Proof that a triangle F is within a limit of a surface.
 class SheetProof {
  public:
-  /// The parts of the surface over `triangle` must be within `limit` of its plane.
+  /// Starts a proof that `triangle` (F) is within `limit` of a surface.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
-  /// Returns whether the triangle has an area.
+  /// Returns whether F has an area, without which nothing can be proven.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
   /// Returns whether all of F is within the limit of the surface, if none of the surface's triangles was `border`.

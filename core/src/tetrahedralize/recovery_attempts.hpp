@@ -20,7 +20,7 @@ enum class SteinerPlaces {
 };
 
 enum class InsertionOrder {
-  all_at_once,  ///< the start triangulation has all vertices
+  all_at_once,  ///< all vertices of the model are inserted before anything is recovered
   /// Items that earlier attempts found hard are recovered first, and the other vertices are inserted afterwards.
   hard_parts_first,
 };

@@ -47,7 +47,7 @@ struct MeshFile {
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each named group of regions
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty if the file has none
-  std::vector<Vec3> before_zones;           ///< point array `before_zones`; empty if the file has none
+  std::vector<Vec3> before_zones;           ///< points before fault zones were opened (array before_zones), or empty
   Vec3 origin{0, 0, 0};  ///< vector that was subtracted from the coordinates (field data written by geomesh)
 };
 
@@ -57,7 +57,7 @@ struct FacesFile {
   std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
-  std::vector<std::string> missing_arrays;  ///< names of required arrays that the file lacks
+  std::vector<std::string> missing_arrays;  ///< names of arrays that files of geomesh have and this file lacks
   /// row in the mesh of each point of the file; empty if the file has no array of these rows
   std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;

@@ -31,7 +31,7 @@ def _arguments(words):
 
 
 def indices_of(text, realisations):
-    """Parses "17", "1-100" or "3,5,9-12"."""
+    """Returns the numbers of realisations in a text such as "17", "1-100" or "3,5,9-12"."""
     found = []
     for part in text.split(","):
         first, dash, last = part.strip().partition("-")

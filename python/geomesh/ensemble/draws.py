@@ -99,7 +99,7 @@ class Triangular:
 
 @dataclass(frozen=True)
 class Pick:
-    """One of several values, chosen by weight."""
+    """Distribution of a value that is one of several given ones, with probabilities proportional to weights."""
     values: Tuple
     weights: Tuple
 

@@ -25,7 +25,7 @@ class OutOfTime(Exception):
 
 @dataclass
 class Fault:
-    """A fault with a throw in this realisation."""
+    """A fault, and the throw drawn for it in one realisation."""
     name: str
     throw: float
     place: numpy.ndarray
@@ -34,7 +34,7 @@ class Fault:
 
 @dataclass
 class Drawn:
-    """Results of the draws for a realisation."""
+    """The random values drawn for one realisation, and the surfaces moved by them."""
     node: object  # The project as a YAML node.
     inputs: dict  # Surfaces given in memory.
     moved: dict  # (points, triangles or None) of each moved surface by name, in the file's coordinates.

@@ -39,7 +39,7 @@ class ConformingRecovery {
   /// missing has been given up. Returns false if more points than the budget allows were needed in all; items that are
   /// still missing have then been given up, too.
   bool run();
-  /// Returns the facets that were given up, sorted.
+  /// Returns the facets, sorted, that conforming mode left to the constrained methods.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
  protected:
@@ -51,8 +51,8 @@ class ConformingRecovery {
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  /// Returns the vertex from which the missing subsegment is seen at the largest angle, among those of the cells that
-  /// it crosses. Returns no_vertex if that angle is not obtuse.
+  /// Returns the vertex at which a missing subsegment subtends the largest angle, among those of the cells that it
+  /// crosses. Returns no_vertex if that angle is not obtuse.
   VertexIndex encroaching_vertex(const Subsegment& s);
   /// Returns whether v lies on a model segment that has `end` as an end.
   bool is_on_segment_from(VertexIndex v, VertexIndex end) const;

@@ -39,7 +39,7 @@ bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::
   for (const VertexIndex v : cells.vertices(first))
     if (mesh.point(v) == p) return false;
   const auto conflicts = [&](CellIndex c) {
-    if (cells.is_ghost(c)) return false;  // p lies strictly inside the box
+    if (cells.is_ghost(c)) return false;  // a point strictly inside the box
     const auto& v = cells.vertices(c);
     return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) ==
            Sign::positive;

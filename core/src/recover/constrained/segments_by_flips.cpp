@@ -12,7 +12,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Removes the crossed simplex, or a neighbour that prevents its removal.
+/// Removes by flips the mesh face or edge that a segment crosses, or an edge beside it that prevents this.
 bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& crossing, unsigned depth) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (crossing.kind == CrossingKind::edge)

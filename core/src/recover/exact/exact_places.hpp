@@ -48,11 +48,11 @@ class ExactPlaces {
   /// Returns the orientation of the coordinates (i, j) of three vertices like orient2d.
   Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
                    std::size_t j) const;
-  /// Returns six times the signed volume, exactly.
+  /// Returns six times the signed volume of the tetrahedron v, whose vertices may have exact places, exactly.
   exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Returns six times the signed volume with a relative error of less than 2^-20.
+  /// Returns six times the signed volume of the tetrahedron v with a relative error of less than 2^-20.
   double rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Error of a determinant of three offsets from one vertex: `widening` times the error for doubles, plus `slack`.
+  /// Error of a determinant of three rounded vectors from one vertex: `widening` times that for doubles, plus `slack`.
   struct OffsetError {
     double widening = 1, slack = 0;
   };
@@ -61,7 +61,7 @@ class ExactPlaces {
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
 
-  /// Returns the exact place of v minus its nearest double, rounded; zero for other vertices.
+  /// Returns the exact place of v minus the nearest point in doubles, rounded; zero if v has double coordinates.
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
   /// Returns how many orientations have been decided: a measure of work that is the same on every machine.
   std::size_t n_decided() const { return n_decided_; }
@@ -71,7 +71,7 @@ class ExactPlaces {
   struct Row {
     ExactPlace place;
     Vec3 rest;                     ///< exact place minus the nearest point with double coordinates, rounded
-    bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
+    bool is_between_ends = false;  ///< whether the vertex was placed on a line, strictly between its two end vertices
   };
   /// Six times a tetrahedron's volume in doubles with its error bound, and two terms of the next filter's bound.
   struct Rough {

@@ -27,8 +27,8 @@ struct EdgeRing {
   std::vector<VertexIndex> ring;
 };
 
-/// Returns the random choices of direction for a walk from a to b. They depend only on a and b, and not on earlier
-/// walks, so that queries have no side effects.
+/// Returns the random numbers that choose among possible steps of a walk through the mesh from vertex a to b. They
+/// depend on a and b alone, so that walks do not influence later ones.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
 /// Locks of faces, stored in the flags of cells.
@@ -79,13 +79,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_exact(VertexIndex v) const { return exact_.contains(v); }
   bool has_exact_places() const { return !exact_.empty(); }
   const ExactPlaces& exact_places() const { return exact_; }
-  /// Returns coordinate i of any vertex, exactly.
+  /// Returns coordinate i (0 to 2) of vertex v exactly, as a sum of doubles.
   exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
   /// Returns the vector from one vertex to another, which is accurate even if their nearest doubles are equal.
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
-  /// Returns the error of offsets from one vertex, for filters of determinants.
+  /// Returns error terms for determinants of vectors from one vertex to others, whose coordinates were rounded.
   ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
     return exact_.offset_error(points_, from, to);
   }
@@ -168,8 +168,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes() const { return n_changes_; }
   std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
 
-  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
-  /// docs/decisions/house.md explains why it is not the journal of remeshing.
+  /// roll_back(mark) undoes all replacements of cells since the call of mark() that returned `mark`; slot numbers may
+  /// differ. docs/decisions/house.md explains why remeshing has a journal of its own.
   std::size_t mark();
   void roll_back(std::size_t mark);
   /// Ends the undo that mark() began and keeps the changes.
@@ -180,12 +180,12 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
-  /// Flag for cells that the search for a cavity has found to be outside the cavity.
+  /// Flag of cells that the search for a cavity has examined and left out.
   static constexpr std::uint8_t tested_flag = 0x40;
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< slot of the cell when it was created
+    CellIndex slot;  ///< slot in which the cell was stored when it was created
   };
   /// Rows at which the lists of removed and created cells of each replacement begin.
   struct JournalEntry {

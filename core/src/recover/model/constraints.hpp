@@ -21,7 +21,7 @@ namespace geomesh::recover {
 struct Subsegment {
   VertexIndex a = no_vertex, b = no_vertex;
   Index segment = no_index;  ///< row in Constraints::segments, or no_index for an edge inside a facet
-  Index facet = no_index;    ///< for an edge inside a facet: that facet
+  Index facet = no_index;    ///< the facet that contains the edge in its inside; no_index for other subsegments
   bool live = true;
   std::vector<Index> subfacets;
   CellIndex seen_in = no_cell;  ///< a cell that had the edge when it was last found (presence.hpp)
@@ -57,7 +57,7 @@ struct ModelSegment {
 /// Role of a vertex, which is declared and not measured.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
-  Index owner = no_index;  ///< row of the model segment or facet
+  Index owner = no_index;  ///< row of the model segment or facet on which the vertex was added
 };
 
 class Constraints {

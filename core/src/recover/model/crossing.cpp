@@ -147,7 +147,7 @@ class LineWalk {
     }
     return false;
   }
-  /// Leaves the ring of edge p-q in the plane of face p,q,u, through p-u or q-u.
+  /// Follows the line, which crosses edge p-q and then runs in the plane of face p,q,u, to its crossing of p-u or q-u.
   bool leave_in_plane(Crossing& at, CellIndex c, VertexIndex p, VertexIndex q, VertexIndex u, VertexIndex w) const {
     const int sp = static_cast<int>(mesh_.orient(a_, b_, w, p)), su = static_cast<int>(mesh_.orient(a_, b_, w, u));
     if (su == 0) return false;

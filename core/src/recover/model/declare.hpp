@@ -13,7 +13,7 @@ namespace geomesh::recover {
 struct DeclaredModel {
   std::vector<VertexIndex> input_vertex;  ///< row in plc.points of each vertex; only used points, in input order
   Constraints constraints;
-  std::vector<Index> segment_of_row;  ///< row in constraints.segments of each row of plc.segments
+  std::vector<Index> segment_of_row;  ///< for each segment of the complex, its row in constraints.segments
   std::vector<VertexIndex> isolated_points;
   std::size_t n_facets = 0;
 };

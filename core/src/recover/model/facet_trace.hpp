@@ -25,13 +25,13 @@ struct PiercingEdge {
 struct FacetTrace {
   enum class Status {
     complete,  ///< the mesh faces that were found cover the subfacet
-    pierced,   ///< edges pierce the subfacet
+    pierced,   ///< mesh edges pierce the subfacet
     touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;         ///< mesh faces in the subfacet, in its orientation
-  std::vector<CellIndex> cells;        ///< for each face, a cell that has it
+  std::vector<CellIndex> cells;        ///< for each face in `faces`, a cell that has it
   std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };
@@ -50,7 +50,7 @@ class FacetSides {
   }
   /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Returns whether v lies left of p->q, as seen from above. Precondition: p, q and v are members, and is_exact().
+  /// Returns whether v lies left of the line p->q, seen from above the facet that has all three; only if is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;

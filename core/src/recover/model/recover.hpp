@@ -43,7 +43,7 @@ struct Recovery {
   bool has_exact_points = false;
   unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
-  std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of regions without a filling (region_filling.cpp)
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of cell regions that cannot be filled anew
 
   /// The reason why this attempt cannot continue. If a stage sets it, that stage and all later ones return at once.
   std::optional<Error> dead_end{};
@@ -73,7 +73,7 @@ bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, 
 /// then points where mesh edges pierce the facet. Ends the attempt if a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
-/// Treatment of Steiner points on segments and facets.
+/// Whether Steiner points may remain on segments and facets at the end.
 enum class BoundaryPoints {
   may_stay,  ///< Steiner points on segments and facets are kept if the mesh needs them
   must_go,   ///< Steiner points leave segments and facets, at the cost of more points inside
@@ -98,7 +98,7 @@ enum class RefilledCells {
 /// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
-/// Declared subfacets that are not in the mesh.
+/// Counts of subfacets that are not in the mesh.
 struct MissingSubfacets {
   std::size_t n = 0;
   std::size_t inner_edges = 0;  ///< edges inside triangulations of the missing polygonal subfacets

@@ -62,7 +62,7 @@ struct RecoveryBudget {
   std::size_t line_walk = 400;  ///< largest number of cells in a walk along a segment
 
   // Limits for cavities (cavity_retriangulation.hpp, polyhedron_filling.hpp, star_insertion.cpp).
-  std::size_t star_cells = 400;  ///< largest number of cells in the cavity of an insertion
+  std::size_t star_cells = 400;  ///< largest number of cells in the cavity of an inserted point
   /// Number of tetrahedra tried to fill a cavity, per level of recursion of the flips that failed before.
   std::size_t filling_nodes = 200;
   /// Number of tetrahedra tried to fill a part of a removed point's star, because fillings of regions find the rest.
@@ -88,14 +88,14 @@ struct RecoveryBudget {
   /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
   std::size_t traced_of_facet = 20000;
 
-  // Removal of Steiner points (steiner_removal/).
+  // Limits for the removal of Steiner points (steiner_removal/).
   unsigned removal_passes = 8;     ///< largest number of passes over all added points, while any is removed
-  unsigned removal_effort = 2;     ///< number of passes over added points before the greatest effort is made
+  unsigned removal_effort = 2;     ///< passes of removal over all added points before the most costly methods are used
   unsigned star_rounds = 8;        ///< rounds of flips at an inner point; after each, its removal is tried
-  unsigned star_edges = 60;        ///< number of edges tried to reduce a point's degree by one
+  unsigned star_edges = 60;        ///< edges that flips try to remove to reduce a point's degree by one
   unsigned link_edges = 200;       ///< number of attempts at a point's removal, each after another link edge is removed
   unsigned link_edge_effort = 40;  ///< number of edges tried to remove one edge of a point's link by flips
-  unsigned link_edge_depth = 1;    ///< levels of flips for an edge of a link, 0 to 3: each costs ten times more
+  unsigned link_edge_depth = 1;    ///< levels of recursion (0 to 3) of flips at link edges; each costs ten times more
   unsigned chord_effort = 200;     ///< edges tried to remove a chord: an edge beside the point, between its neighbours
   unsigned chord_depth = 2;        ///< levels of recursion of flips that remove a chord
   unsigned sheets = 3;             ///< largest number of triangles that divide the star of a removed point
@@ -120,7 +120,7 @@ struct RecoveryBudget {
   unsigned centring_sweeps = 10;     ///< in each round
   unsigned centring_steps = 100;     ///< largest number of steps of the linear program: about ten are needed
   double centring_gain = 1.01;       ///< a point is moved only if its star's least height grows by this factor
-  double least_centring_part = 0.1;  ///< least part of a centring step; if only less is possible, the height was wrong
+  double least_centring_part = 0.1;  ///< a computed move to a star's centre is halved down to this share of it
   int ulps = 2;                      ///< largest distance of a rounded point from the nearest double, in ulps
   unsigned rounding_growths = 30;    ///< cells that may be added to a star to replace its point by one outside it
   // Limits of the search for doubles in thin stars (wide_polyhedron.cpp).
@@ -136,8 +136,8 @@ struct RecoveryBudget {
   double sharp_rounding = 1e-9;  ///< error of a cosine that rounding of the directions may cause
   int least_edge = -40;          ///< shortest edge, as a power of two relative to the largest coordinate: 4096 ulps
   std::size_t points_per_vertex = 30;  ///< added points allowed per vertex near sharp angles, and as many elsewhere
-  std::size_t sharp_points = 3000;     ///< additional points allowed at sharp angles, in all
-  std::size_t other_points = 100000;   ///< additional points allowed elsewhere, where refinement terminates by itself
+  std::size_t sharp_points = 3000;     ///< points allowed near sharp angles, besides those per vertex
+  std::size_t other_points = 100000;   ///< points allowed elsewhere, besides those per vertex
 };
 inline constexpr RecoveryBudget recovery_budget{};
 

@@ -11,7 +11,7 @@ namespace {
 
 using RingShell = EdgeShell<bool, EdgeRemover::max_ring>;
 
-/// Accepts the first triangulation whose cells are positive and that has no forbidden edges between ring vertices.
+/// Accepts the first triangulation of the ring around an edge with positive cells and without forbidden diagonals.
 struct PositiveGoal {
   const ConstrainedMesh& mesh;
   const Constraints& constraints;

@@ -97,8 +97,8 @@ class Corners {
 struct OpenFace {
   LocalTriangle v{};
   std::uint32_t key = 0;
-  SideMasks::Masks sides{};   ///< vertices above and below the face
-  VertexMask candidates = 0;  ///< vertices that may form a cell with the face
+  SideMasks::Masks sides{};   ///< sets of the vertices above and below the face's plane
+  VertexMask candidates = 0;  ///< set of the vertices that may form a tetrahedron with the face
   int n_candidates = 0;
   bool is_filtered = false;  ///< whether `candidates` are those that cross no open face
 };

@@ -24,7 +24,7 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
-/// Positions of the vertices of a polyhedron: offsets between vertices, and error bounds of their determinants.
+/// Positions of the vertices of a polyhedron, for computing determinants of vectors between them with error bounds.
 class LocalPlaces {
  public:
   LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {
@@ -42,20 +42,20 @@ class LocalPlaces {
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Offsets from one vertex to the others, for loops that write to memory.
+  /// Computes the vectors from one vertex to the others.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
     Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
   };
   From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
-  /// Error bound of an estimated determinant of offsets between vertices.
+  /// Terms of the error bound of a 3 x 3 determinant of vectors between vertices, computed in doubles.
   struct ErrorBound {
     double widening = 1, slack = 0;
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns in how many orientations of a triangle with another vertex at least one vertex has an exact place.
+  /// Returns how many tetrahedra of this triangle and another vertex have a vertex whose coordinates are not doubles.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
@@ -72,7 +72,7 @@ class SideMasks {
   /// The vertices v for which the cell (t, v) on a triangle t is positive, and those for which it is negative.
   using Masks = std::pair<VertexMask, VertexMask>;
 
-  // The row of an increasing triple is a sum of binomial coefficients (the combinatorial number system).
+  // Triples i < j < k are numbered by a sum of binomial coefficients (the combinatorial number system).
   static constexpr std::size_t n_triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
   static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) {
     return n_triples(k) + j * (j - 1) / 2 + i;
@@ -169,8 +169,8 @@ class SideMasks {
     return vertices_.size() == max_vertices ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1;
   }
 
-  /// Decides the signs of (i, j, k, l) for all i < j without a branch, because signs in a region are unpredictable.
-  /// Uncertain ones are decided afterwards.
+  /// Finds the orientations of the tetrahedra (i, j, k, l) for all i < j. Signs are estimated without a branch, because
+  /// they are unpredictable; uncertain ones are decided exactly afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
     const LocalPlaces::ErrorBound error_of = places_.error_bound();
@@ -194,7 +194,7 @@ class SideMasks {
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
-  /// Stores the sign of (i, j, k, l) for each order of the four vertices, by the sign of the permutation.
+  /// Stores the orientation of the tetrahedron (i, j, k, l) for each of its faces and the opposite vertex.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
     const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
       (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));

@@ -8,7 +8,7 @@
 
 namespace geomesh::recover {
 
-/// A height as a linear function of a displacement: `at` without displacement, and its slope in each direction.
+/// A point's height over a plane as a linear function of the point's displacement: `at` zero, and slope by direction.
 struct LinearHeight {
   double at;
   std::array<double, 3> slope;

@@ -24,7 +24,7 @@ struct Freedom {
   Vec3 direction, step;
 };
 
-/// The star of one exact vertex, as heights of the vertex over its faces.
+/// The star of a vertex with an exact place, described by the heights of the vertex over the faces of its link.
 class Star {
  public:
   Star(ConstrainedMesh& mesh, VertexIndex x) : mesh_(mesh), x_(x) { mesh.star(x, cells_); }

@@ -16,7 +16,7 @@ using exact::TwoDouble;
 namespace {
 
 using Row = std::array<double, 3>;
-using Steps = std::array<std::int64_t, 3>;  ///< a lattice point, in units of the spacing
+using Steps = std::array<std::int64_t, 3>;  ///< coordinates of a lattice point as multiples of the spacing
 
 constexpr double too_many_steps = 0x1p60;  ///< limit on numbers of steps, so that sums of a few fit into 64 bits
 
@@ -127,7 +127,7 @@ class AnalyticCentre {
     frame_[1] = scaled(1 / r[1][1], sum(frame_[1], scaled(-r[0][1], frame_[0])));
     frame_[2] = scaled(1 / r[2][2], sum(frame_[2], sum(scaled(-r[0][2], frame_[0]), scaled(-r[1][2], frame_[1]))));
   }
-  /// Returns how far to move along `step` so that the product of the heights is greatest.
+  /// Returns the multiple of `step` by which to move so that the product of the heights over all planes is greatest.
   static double length_along(const std::vector<Row>& rows, const Row& step) {
     constexpr unsigned halvings = 40;
     constexpr double most = 0x1p20;
@@ -293,7 +293,7 @@ class ShapedLattice {
   double third_height_ = 0;
 };
 
-/// The numbers x with at + slope x > 0 for all lines given to cut().
+/// The interval of the numbers x that satisfy all inequalities at + slope x > 0 passed to cut().
 struct Interval {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   void cut(double at, double slope) {

@@ -15,7 +15,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns edges of the link of x that may be removed, sorted.
+/// Returns the edges of the link of x that are not subsegments, sorted.
 std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   std::vector<DirectedEdge> out;
   std::vector<CellIndex> star;

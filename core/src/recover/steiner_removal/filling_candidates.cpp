@@ -123,7 +123,7 @@ void FillingCandidates::forbid_edges_through(const LocalTriangle& t) {
   }
 }
 
-/// Finds triangles of allowed edges that no required edge pierces.
+/// Finds the triangles that can be faces of a filling: their edges are possible, and no required edge pierces them.
 void FillingCandidates::find_allowed_faces() {
   for (LocalVertex c = 0; c < n_; ++c)
     for (VertexMask of_d = allowed_[c]; of_d != 0; of_d &= of_d - 1)

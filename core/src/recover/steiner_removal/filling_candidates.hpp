@@ -33,7 +33,7 @@ class FillingCandidates {
   /// because a boundary face has no such tetrahedron on its inner side. O(n^4) for n vertices.
   bool find();
 
-  /// Returns the cells in increasing order of vertices.
+  /// Returns the tetrahedra of which a filling can consist, in lexicographic order of their vertices.
   const std::vector<Cell>& cells() const { return cells_; }
   /// Returns the rows of the possible tetrahedra that lie on this side of a face.
   std::span<const std::uint32_t> beside(std::uint32_t side) const {

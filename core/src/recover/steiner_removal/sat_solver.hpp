@@ -75,7 +75,7 @@ class SatSolver {
   struct Clause {
     std::uint32_t begin, size;
   };
-  /// Variables of which at most one is true.
+  /// A constraint: at most one of these variables is true.
   struct Choice {
     std::uint32_t begin, end, flag;
   };
@@ -119,13 +119,13 @@ class SatSolver {
   std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first constraint with it, or with it as flag
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;
   std::vector<std::uint32_t> level_begin_;
   std::size_t propagated_ = 0;
-  std::vector<Literal> conflict_;  ///< literals of the last conflict, all false
+  std::vector<Literal> conflict_;  ///< literals of the violated clause, all false
   bool contradictory_ = false;
 
   std::vector<double> activity_;

@@ -26,7 +26,7 @@ struct Fan {
 };
 
 struct StarFans {
-  std::vector<Index> halves;      ///< the two subsegments at x, or none
+  std::vector<Index> halves;      ///< the two subsegments that end at x, or none if x is on no segment
   std::vector<VertexIndex> ends;  ///< what they join
   std::vector<Fan> fans;
 
