@@ -31,7 +31,7 @@ struct MeshFaces {
 
   /// Returns the corners, ascending, of all faces that only one tetrahedron has.
   std::vector<VertexIndex> open_corners() const;
-  /// Calls visit(InnerFace) for each inner face, in the order of their corners.
+  /// Calls visit(InnerFace) for each face that two tetrahedra share, in the order of the faces' corners.
   template <class Visit>
   void for_each_inner(const Visit& visit) const {
     for (const Use& use : uses_)

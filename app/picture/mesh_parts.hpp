@@ -40,7 +40,7 @@ vtkSmartPointer<vtkUnstructuredGrid> with_region_values(const MeshFile& mesh);
 struct HalfSpace {
   std::array<double, 2> origin, normal;
 };
-/// Returns the part of the cells in the half space, cut along the plane.
+/// Cuts cells along a plane and returns the part on one side of it.
 vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const HalfSpace& half);
 
 vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid);

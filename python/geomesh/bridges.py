@@ -15,7 +15,7 @@ from .model import Model
 
 
 def _box_of_extent(extent):
-    """Converts [x0, x1, y0, y1, z0, z1] to corners."""
+    """Converts a box given as [x0, x1, y0, y1, z0, z1] to its two corners."""
     x0, x1, y0, y1, z0, z1 = (float(v) for v in extent)
     return [[x0, y0, z0], [x1, y1, z1]]
 

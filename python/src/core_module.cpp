@@ -20,7 +20,7 @@ struct PlcArguments {
   std::vector<Triangle> triangles;
   Polygons polygons;  ///< used instead of `triangles` if facets are polygons
   py::array segments;
-  PointArray regions, holes;  ///< points inside the parts to be numbered or left out
+  PointArray regions, holes;  ///< points inside the regions that get numbers, and inside those that are left out
 };
 
 PiecewiseLinearComplex make_plc(const PlcArguments& a) {

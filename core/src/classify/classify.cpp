@@ -38,7 +38,7 @@ class Components {
   /// Returns for each of subfacets() its face in the mesh, as a face of the cell above it.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
-  /// Returns the region seed in each component, or no_index.
+  /// Returns for each component of the mesh the row of the region seed inside it, or no_index.
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {

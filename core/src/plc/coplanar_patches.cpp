@@ -105,7 +105,7 @@ class PatchFinder {
     });
   }
 
-  /// Returns whether all patches together are far from Delaunay.
+  /// Returns whether the triangulations of all plane patches, taken together, are far from Delaunay.
   bool are_far_from_delaunay(double most_crossings) {
     std::vector<Index> begin(plc_.n_facets() + 1, 0);
     for (Index& f : facet_of_inner_edge_) ++begin[(f = find(f)) + 1];

@@ -24,7 +24,7 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
-  /// Returns the crossings of the first edge that has any.
+  /// Returns the crossings of the first edge that crosses any triangle.
   std::vector<PlcCrossing> first() {
     const search::ClosestPointTrees tree = prepare();
     std::vector<PlcCrossing> crossings;

@@ -14,7 +14,7 @@ namespace geomesh {
 /// A segment or an edge of a facet, and a triangular facet, that meet outside shared vertices and edges.
 struct PlcCrossing {
   VertexIndex a = no_vertex, b = no_vertex;  ///< the edge
-  Index edge_facet = no_index;               ///< the facet to which it belongs, or no_index for a separate segment
+  Index edge_facet = no_index;               ///< the facet to which the edge belongs; no_index for a separate segment
   Index facet = no_index;                    ///< the facet met
 };
 

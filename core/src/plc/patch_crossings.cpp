@@ -93,7 +93,7 @@ class PatchCrossings {
       }
   }
 
-  /// Projects along the axis in which the largest triangle's normal is longest.
+  /// Projects a polygon along the axis in which the normal of its largest triangle is longest.
   PlaneProjection projection(std::span<const InnerEdge> edges) const {
     Vec3 normal;
     for (const InnerEdge& e : edges)

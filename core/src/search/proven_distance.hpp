@@ -70,7 +70,7 @@ class DistanceProver {
   std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
   std::vector<std::size_t> by_two_;  // triangles of the set within the limit of two corners of the piece
-  std::vector<Spot> centres_;  // for each candidate: its point nearest to the midpoint of the piece's longest edge
+  std::vector<Spot> centres_;        // for each candidate triangle, its point nearest to the middle of the longest edge
   std::size_t n_pieces_ = 0;
   Index sheet_row_ = no_index;
 };

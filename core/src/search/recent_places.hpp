@@ -18,7 +18,7 @@ namespace geomesh::search {
 /// triangles share their corners. No result depends on what is remembered.
 class RecentPlaces {
  public:
-  /// Remembers at most `n_places` places; this number is above 0.
+  /// Makes a cache for at most `n_places` places with their values; `n_places` must be above 0.
   explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
   struct Known {
     Vec3 place;

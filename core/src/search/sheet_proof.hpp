@@ -35,7 +35,7 @@ enum class Over : std::uint8_t {
   border,   ///< the triangle's part over F is beyond the limit, too steep, or has an open edge
 };
 
-/// Proof that a triangle F is within a limit of a surface.
+/// Proof that a triangle F is within a distance limit of a surface.
 class SheetProof {
  public:
   /// Starts a proof that `triangle` (F) is within `limit` of a surface.

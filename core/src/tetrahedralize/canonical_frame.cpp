@@ -118,7 +118,7 @@ class FrameChoice {
   const std::vector<VertexIndex>& used_;
   Box3 box_;
   double scale_ = 1;
-  std::array<std::array<Hash, 2>, 3> ends_{};  ///< for each axis: signature from its low end, and from its high end
+  std::array<std::array<Hash, 2>, 3> ends_{};  ///< hashes of the model as seen from each axis' low end and high end
 };
 
 }  // namespace

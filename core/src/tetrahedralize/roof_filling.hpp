@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Fills the space between a plane part and its roof (roofed_parts.hpp).
+/// Fills the space between a plane polygon and its roof, a triangulated surface lifted off it (roofed_parts.hpp).
 #pragma once
 
 #include <vector>

@@ -22,7 +22,7 @@ struct RoofedPart {
   std::vector<Index> facets;        ///< rows in the given complex of the facets that make up the part
   std::vector<Triangle> as_given;   ///< corners of these facets, in the orientation of the complex
   std::vector<Triangle> triangles;  ///< corners of these facets, in the orientation of the part
-  std::vector<bool> is_turned;      ///< whether each facet has the opposite orientation in the complex
+  std::vector<bool> is_turned;      ///< whether each of these facets is oriented oppositely to the part
   std::vector<VertexIndex> inner;   ///< the points of the roof that are inside the part, ascending
   std::vector<double> rise;         ///< relative heights by which the points of `inner` are lifted
   std::vector<Triangle> roof;

@@ -62,7 +62,7 @@ const Format* by_extension(const InputFile& file) {
 
 /// A file format from which no surface can be read, with advice on what to do instead.
 struct Stranger {
-  std::string_view begins;  ///< first bytes of the file; empty if only the extension identifies it
+  std::string_view begins;  ///< first bytes of any such file; empty if only the extension identifies the format
   const char* extensions;   ///< blank-separated
   const char* advice;
 };

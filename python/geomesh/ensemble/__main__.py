@@ -99,7 +99,7 @@ def _tell(results, directory, files):
 
 
 def _list_missing(study, store, per_line):
-    """Prints ranges for --only, one per line, for GNU parallel."""
+    """Prints ranges of realisations for the option --only, one per line, for GNU parallel."""
     left = store.missing(range(1, study.realisations + 1))
     for start in range(0, len(left), per_line):
         print(",".join(map(str, left[start:start + per_line])))

@@ -138,7 +138,7 @@ class Realiser:
         return self._files[file]
 
     def _object(self, surface, picked):
-        """Returns ("surface" or "points", row, points, triangles) of the object to which the entry refers."""
+        """Returns ("surface" or "points", row, points, triangles) of the surface or point set that a study's entry names."""
         contents, entry = self._contents(surface, picked), self._study.project.surfaces[surface]
         objects = [("surface", row, *item) for row, item in enumerate(contents.surfaces)]
         objects += [("points", row, name, points, None) for row, (name, points) in enumerate(contents.point_sets)]

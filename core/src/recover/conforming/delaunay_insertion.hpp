@@ -16,7 +16,7 @@ struct DelaunayInsertion {
   std::vector<Triangle> faces;  ///< faces that were removed: those between two cells in conflict
 };
 
-/// Inserts a point and stores the result in `out`, whose lists are reused.
+/// Inserts point p by the Delaunay cavity algorithm and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
 /// Returns the cells in conflict with p, first the one that contains p; none if p is a vertex or outside the box.

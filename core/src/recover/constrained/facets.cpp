@@ -277,7 +277,7 @@ class FacetRecovery {
   Triangle plane_;
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
-  bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
+  bool is_plain_ = true;         ///< whether the facet is a triangle to which no point has been added
   bool has_been_split_ = false;  ///< whether a point has been added to this facet
   std::size_t n_traced_ = 0;     ///< number of faces and piercing edges that traces of this facet have found
   std::size_t work_left_ = 0;    ///< number of edges and faces that flips for this facet may still try

@@ -95,7 +95,7 @@ FaceRef ConstrainedMesh::face_in_cell(CellIndex cell, VertexIndex a, VertexIndex
   const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), k = mesh_.index_of(cell, c);
   const unsigned d = 6 - i - j - k;
   const FaceRef f(cell, d);
-  // (a,b,c,d) is positive exactly if (i,j,k,d) is an even permutation.
+  // The tetrahedron (a,b,c,d) is positive exactly if its positions in the cell, (i,j,k,d), are an even permutation.
   return even_completion[i][j][0] == k ? f : mesh_.mirror(f);
 }
 

@@ -54,7 +54,7 @@ struct ModelSegment {
   Index row = no_index;  ///< in PiecewiseLinearComplex::segments
 };
 
-/// Role of a vertex, which is declared and not measured.
+/// The input item on which a vertex was placed, as recorded at its insertion instead of found by its coordinates.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
   Index owner = no_index;  ///< row of the model segment or facet on which the vertex was added

@@ -17,7 +17,7 @@ enum class CrossingKind {
 
 struct Crossing {
   CrossingKind kind = CrossingKind::edge_present;
-  CellIndex cell = no_cell;  ///< a cell with the start of the line and the crossed simplex
+  CellIndex cell = no_cell;  ///< a cell that has the line's start and the mesh face or edge that the line crosses
   FaceRef face;              ///< the face of `cell` opposite the start of the line
   std::array<VertexIndex, 3> v{no_vertex, no_vertex, no_vertex};
 };

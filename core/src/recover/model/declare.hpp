@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Converts the PLC to declared constraints on compact vertex numbers.
+/// Converts the input complex to the segments and facets that the mesh must contain, with vertices numbered anew.
 #pragma once
 
 #include "geomesh/core/plc.hpp"

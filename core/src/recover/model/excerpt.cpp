@@ -63,7 +63,7 @@ class ExcerptBuilder {
   ConstrainedMesh& mesh_;
   const Constraints& constraints_;
   MeshExcerpt out_;
-  std::vector<VertexIndex> rows_;  ///< row in the excerpt of each vertex of the mesh
+  std::vector<VertexIndex> rows_;  ///< for each vertex of the mesh, its row in the extracted part, or no_vertex
   std::set<CellIndex> seen_;
 };
 

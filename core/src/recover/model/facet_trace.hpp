@@ -66,7 +66,7 @@ class FacetSides {
   }
   bool is_member(VertexIndex v) const { return std::binary_search(members_.begin(), members_.end(), v); }
   const Vec3& origin() const { return mesh_.point(plane_[0]); }
-  /// Returns the rounded normal, which is not of unit length.
+  /// Returns the normal of the facet's plane in doubles, which is not of unit length.
   Vec3 normal() const {
     const Vec3& o = mesh_.point(plane_[0]);
     return cross(mesh_.point(plane_[1]) - o, mesh_.point(plane_[2]) - o);

@@ -29,10 +29,10 @@ struct RecoveryBudget {
   double doubtful_points_per_vertex_conforming = 10;
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
-  std::size_t few_missing = 20;   ///< if at most this many segments are missing, no axis is stretched
-  std::size_t stretch_from = 10;  ///< axes are stretched if more than one in this many segments is missing
-  std::size_t stretch_gain = 20;  ///< stretching an axis by one step must save one in this many missing segments
-  int stretch_steps = 12;         ///< power of two by which an axis is stretched at most
+  std::size_t few_missing = 20;   ///< no axis is stretched if at most this many segments are no Delaunay edges
+  std::size_t stretch_from = 10;  ///< axes are stretched if more than one segment in this many is no Delaunay edge
+  std::size_t stretch_gain = 20;  ///< doubling an axis must turn one in this many missing segments into an edge
+  int stretch_steps = 12;         ///< an axis is stretched at most by two to this power
   /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
   /// about 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of
   /// what they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models
@@ -68,7 +68,7 @@ struct RecoveryBudget {
   /// Number of tetrahedra tried to fill a part of a removed point's star, because fillings of regions find the rest.
   std::size_t filling_nodes_sector = 100;
   std::size_t filling_faces = 90;  ///< largest number of faces of a cavity for which a filling is searched
-  unsigned filling_looks = 4;  ///< number of open faces that are examined to find the hardest, which is filled first
+  unsigned filling_looks = 4;      ///< faces examined to find that with the fewest possible tetrahedra, filled first
 
   // Points on segments (segments_by_points.cpp, crossed_cells.cpp).
   /// Share of a subsegment next to its ends in which no point is added, because rounded points would crowd there.

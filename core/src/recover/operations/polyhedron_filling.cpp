@@ -181,7 +181,7 @@ class Filler {
     return false;
   }
 
-  /// Returns the face with the fewest possible vertices among a few that are examined.
+  /// Returns the open face that the fewest vertices can complete to a tetrahedron, among a few that are examined.
   std::size_t hardest_face(Front& front) {
     for (OpenFace& f : front) f.is_filtered = false;
     std::size_t best = 0;

@@ -131,9 +131,9 @@ class SideMasks {
     const Masks& m = known_[row - 1];
     return odd ? Masks{m.second, m.first} : m;
   }
-  /// Returns the vertices v for which (t, v) is positive.
+  /// Returns the vertices v above the plane of triangle t, for which the tetrahedron (t, v) is positive.
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
-  /// Returns the vertices v for which (t, v) is negative.
+  /// Returns the vertices v below the plane of triangle t, for which the tetrahedron (t, v) is negative.
   VertexMask below(const LocalTriangle& t) { return sides(t).second; }
   /// Returns the orientation of the tetrahedron (a, b, c, d): 1 if positive, 0 if flat, -1 if negative.
   int sign(LocalVertex a, LocalVertex b, LocalVertex c, LocalVertex d) {

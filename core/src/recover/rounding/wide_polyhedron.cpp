@@ -18,7 +18,7 @@ namespace {
 using Row = std::array<double, 3>;
 using Steps = std::array<std::int64_t, 3>;  ///< coordinates of a lattice point as multiples of the spacing
 
-constexpr double too_many_steps = 0x1p60;  ///< limit on numbers of steps, so that sums of a few fit into 64 bits
+constexpr double too_many_steps = 0x1p60;  ///< limit on lattice coordinates, so that sums of a few fit into 64 bits
 
 TwoDouble dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -53,7 +53,7 @@ struct Triangular {
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
     return true;
   }
-  /// Returns the solution x of: triangular factor times x = b.
+  /// Solves R x = b with the triangular factor R of the QR decomposition, and returns x.
   Row solve(const Row& b) const {
     Row x{};
     x[2] = b[2] / at[2][2];

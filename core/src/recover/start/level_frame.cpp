@@ -22,7 +22,7 @@ Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, In
   return sum;
 }
 
-/// Returns x + y, or nothing if that would be rounded.
+/// Returns the sum x + y, or nothing if the exact sum is not a double.
 std::optional<double> exact_sum(double x, double y) {
   const double sum = x + y, of_y = sum - x, of_x = sum - of_y;
   if (of_y != y || of_x != x) return std::nullopt;

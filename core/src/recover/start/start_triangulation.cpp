@@ -47,10 +47,10 @@ std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   return n;
 }
 
-/// A triangulation of all vertices, and the positions of the subsegments in it.
+/// A triangulation of all vertices, and for each subsegment a cell of it that has the subsegment as an edge.
 struct Candidate {
   TetMesh cells;
-  std::vector<CellIndex> subsegments;  ///< a cell that has each subsegment, no_cell if it is missing
+  std::vector<CellIndex> subsegments;  ///< for each subsegment a cell that has it; no_cell if it is no edge of the mesh
   DelaunayStatistics statistics;
 
   std::size_t n_missing() const {

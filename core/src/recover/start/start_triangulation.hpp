@@ -23,7 +23,7 @@ struct StartTriangulation {
 
 enum class StartFrame {
   as_given,
-  may_be_stretched,  ///< axes are scaled by powers of two if more than one segment in ten is missing
+  may_be_stretched,  ///< axes are scaled by powers of two if more than one segment in ten is no Delaunay edge
 };
 
 /// Makes the triangulation from which recovery starts. Searches the scales by hill climbing, one axis after the other:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Steps in the removal of added points, which added_points.cpp combines.
+/// Single operations for the removal of Steiner points, which added_points.cpp combines.
 #pragma once
 
 #include <vector>

@@ -45,7 +45,7 @@ class SatSolver {
   /// Adds a variable. It is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Reserves memory for `n_clauses` clauses and as many choices, each kind with `n_literals` in all.
+  /// Reserves memory for `n_clauses` clauses and as many at-most-one constraints, each kind with `n_literals` in all.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
@@ -79,7 +79,7 @@ class SatSolver {
   struct Choice {
     std::uint32_t begin, end, flag;
   };
-  /// An occurrence of a variable in a choice, or as the flag of a choice.
+  /// An occurrence of a variable in an at-most-one constraint, or as the flag of one.
   struct Occurrence {
     std::uint32_t choice, next;
   };
