@@ -55,8 +55,8 @@ class Cavity {
   }
 
   /// Repeatedly removes cells of the cavity with a face on its border for which sees(face) is false, then cells that
-  /// are not connected with the initial cells any more. A face for which may_cross is false counts as on the border,
-  /// unless is_inner(face) is true. Returns false if an initial cell would have to be removed.
+  /// this separates from the initial cells. A face for which may_cross is false counts as on the border, unless
+  /// is_inner(face) is true. Returns false if an initial cell would have to be removed.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -27,8 +27,8 @@ struct Cover {
   Vec3 place;  ///< point at the largest distance; if nothing is proven, the point where the proof failed
 };
 
-/// Proves that items lie within a limit of a set. An object must be used by one thread only. The rounding of cuts and
-/// distances (some ulps of the coordinates) is not accounted for, so callers must reserve a share of the limit for it.
+/// Proves that triangles or line segments lie within a distance limit of a set of others; for one thread only. Callers
+/// must reserve a share of the limit for rounding errors of cuts and distances, some ulps of the coordinates.
 class CoverProver {
  public:
   /// `open_edges` (from find_open_edges) lets triangles over smooth parts of the set be proven without being cut.

@@ -75,7 +75,7 @@ struct CurvesFile {
   /// row in the mesh of each point of the file; empty if the file has no array of these rows
   std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
-  std::vector<VertexIndex> vertices;                   ///< points of the cells that consist of one point
+  std::vector<VertexIndex> vertices;                   ///< points that are cells of the file (VTK vertices)
   std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids
 };
 

@@ -74,11 +74,11 @@ struct RecoveryBudget {
   /// Share of a subsegment next to its ends in which no point is added, because rounded points would crowd there.
   double least_part = 1e-6;
   double near_crossing = 1e-7;         ///< as a share of a subsegment: cells this near to a new point join its cavity
-  std::size_t crossings_flipped = 20;  ///< segments that cross more items get flips one level deep, not two
+  std::size_t crossings_flipped = 20;  ///< segments that cross more mesh items get flips one level deep, not two
   /// Largest number of points on a subsegment, plus points_on_crossing for each crossing, because more would crowd.
   std::size_t points_on_subsegment = 100;
   std::size_t points_on_crossing = 4;  ///< points allowed on a subsegment for each mesh item that it crosses
-  /// Relative errors allowed for an exact parameter, tried one after the other. The first is nearly always sufficient.
+  /// Relative errors allowed for the parameter of an exact point on its line, tried in turn. The first mostly suffices.
   std::array<double, 4> parameter_errors{0x1p-50, 0x1p-75, 0x1p-100, 0x1p-150};
 
   // Limits for the recovery of facets (facets.cpp).
@@ -102,7 +102,7 @@ struct RecoveryBudget {
   std::size_t sheet_apexes = 6;    ///< vertices tried as corner of a triangle that divides a removed point's star
   unsigned moved_growths = 12;     ///< cells that may be added to a part of the star, for a point moved into it
   double least_move = 1e-15;       ///< least move of a point off its facet, as a share of its star's extent
-  double least_move_exact = 1e-30;    ///< least move off its facet of a point with exact coordinates, likewise
+  double least_move_exact = 1e-30;    ///< least move off its facet of a point with exact coordinates, by star's extent
   unsigned sheet_point_growths = 60;  ///< cells that may be added to the cavity of a point placed beside a segment
   double sheet_point_reach = 0.25;    ///< first distance of a point from a segment, relative to the shorter subsegment
   double sheet_point_least = 1e-12;   ///< least distance of a point from a segment, relative to the shorter subsegment
