@@ -28,8 +28,8 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false, solver = false;
-  double within = -1;        ///< negative: the value of the project
-  double displacement = -1;  ///< displacement by rounding; negative: the value that the checker computes
+  double within = -1;        ///< largest distance of surfaces from the input; negative: the project's tolerance
+  double displacement = -1;  ///< largest displacement of surfaces by rounding; negative: computed from the mesh
   std::optional<std::filesystem::path> report;
 };
 struct ConvertCommand {
@@ -47,13 +47,14 @@ struct InitCommand {
   std::string template_name;
 };
 
-/// Everything except the input is passed to the drawing program unchanged; without input its help is requested.
+/// The command `geomesh picture`. Everything except the input is passed to the drawing program unchanged; without input
+/// the help of that program is requested.
 struct PictureCommand {
   std::filesystem::path input;
   std::vector<std::string> arguments;
 };
 
-/// A study of many realisations; the arguments are checked, and passed on unchanged.
+/// The command `geomesh ensemble`. Its arguments are checked, and passed to the Python package unchanged.
 struct EnsembleCommand {
   std::vector<std::string> arguments;
 };

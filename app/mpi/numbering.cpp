@@ -27,7 +27,7 @@ struct GhostCell {
   std::array<std::int64_t, 4> points{};
 };
 
-/// Ghost points and tetrahedra that one rank sends to another.
+/// Points and tetrahedra at the border between two ranks, of which one rank sends copies (ghosts) to the other.
 struct GhostMessage {
   std::vector<GhostCell> cells;
   std::vector<GhostPoint> points;
@@ -37,7 +37,6 @@ void pass(A& archive, GhostMessage& m) {
   archive(m.cells, m.points);
 }
 
-/// Global numbers of the points and tetrahedra of a rank.
 struct GlobalNumbers {
   std::vector<std::int64_t> of_point, of_cell;
   std::uint64_t n_points = 0, n_cells = 0;  ///< of all ranks
@@ -115,7 +114,7 @@ GlobalNumbers find_numbers(const RankModel& model, const RankMesh& mesh, const M
   return numbers;
 }
 
-/// Returns the mesh data that all parts share.
+/// Returns a mesh with the data that the file of every rank contains: the model's points, faces, curves and names.
 geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& numbers) {
   geomodel::ModelMesh out;
   const geomodel::ModelMesh& in = model.sparse.mesh;
@@ -146,7 +145,7 @@ geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& n
   return out;
 }
 
-/// Returns for each rank the tetrahedra of this one that touch it, in the order of their numbers.
+/// Returns for each other rank the tetrahedra of this rank that touch its part, in the order of their numbers.
 std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mesh, const GlobalNumbers& numbers,
                                      const std::vector<Index>& order, const Ranks& ranks) {
   std::vector<GhostMessage> out(static_cast<std::size_t>(ranks.size()));
@@ -181,7 +180,7 @@ std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mes
   return bytes;
 }
 
-/// Appends points and tetrahedra to those of the model, in the order of their numbers.
+/// Builds the part of a rank: appends points and tetrahedra to those of the model, in the order of their numbers.
 class PartBuilder {
  public:
   PartBuilder(const RankModel& model, const RankMesh& mesh, GlobalNumbers numbers, const Ranks& ranks)

@@ -10,9 +10,9 @@ namespace geomesh::picture {
 
 enum class View {
   regions,   ///< the whole model, coloured by region
-  cut,       ///< without the quarter that is nearest to the camera, with plane walls
-  elements,  ///< the same with whole elements, so that walls follow the tetrahedra
-  exploded,  ///< units moved apart vertically
+  cut,       ///< the model without the quarter nearest to the camera, cut along planes
+  elements,  ///< the model without the quarter nearest to the camera, cut along whole elements
+  exploded,  ///< rock units drawn with vertical gaps between them
   surfaces,  ///< horizons, faults and bodies with the edges of their faces, without sides of the box
   quality,   ///< whole elements, coloured by the smallest dihedral angle
 };
@@ -25,12 +25,12 @@ struct PictureOptions {
   double azimuth = 215;   ///< direction to the camera in degrees clockwise from north (y)
   double elevation = 25;  ///< height of the camera in degrees above the horizon
   double zoom = 1;
-  double scale_z = 0;  ///< 0: chosen from the shape of the model
+  double scale_z = 0;  ///< vertical exaggeration; 0: chosen from the shape of the model
   bool edges = true;
   bool legend = true;
 };
 
-/// Ends the program if help was requested or an option is wrong.
+/// Parses the command line. Ends the program if help was requested or an option is wrong.
 PictureOptions parse_picture_options(int argc, char** argv);
 
 }  // namespace geomesh::picture

@@ -15,7 +15,7 @@ from .model import Model
 
 
 def _box_of_extent(extent):
-    """Converts [x0, x1, y0, y1, z0, z1] to corners."""
+    """Converts a box given as [x0, x1, y0, y1, z0, z1] to its two corners."""
     x0, x1, y0, y1, z0, z1 = (float(v) for v in extent)
     return [[x0, y0, z0], [x1, y1, z1]]
 
@@ -27,23 +27,22 @@ def _is_empty(surface, rows):
 def from_gempy(geo_model, *, as_fields=False, extend="flat", column=True):
     """A model from a computed GeoModel of GemPy 3.
 
-    Read are ``structural_frame.structural_groups`` (youngest first), of each ``is_fault`` and ``elements``, of these
-    ``name``, ``vertices`` (n, 3) in the model's coordinates and ``edges`` (m, 3), the triangles; and
+    It uses ``structural_frame.structural_groups`` (youngest first) with ``is_fault`` and ``elements``; ``name``,
+    ``vertices`` (n, 3) in the model's coordinates and ``edges`` (m, 3), the triangles, of each element; and
     ``grid.extent`` or ``grid.regular_grid.extent``. A surface of GemPy is the base of the unit of its name, so the
-    column is made of these names; the surface itself is called ``base_NAME``. Groups that erode become ``base:
-    erode``, those that onlap ``base: onlap``, at their lowest surface.
+    column consists of these names; the surface itself is called ``base_NAME``. The lowest surface of a group that
+    erodes has ``base: erode``, that of a group that onlaps has ``base: onlap``.
 
     Parameters
     ----------
     as_fields : bool
-        Take the scalar fields in place of ``vertices`` and ``edges``. Read are then, too, ``grid.regular_grid`` with
-        ``resolution`` and ``extent``; ``solutions.raw_arrays.scalar_field_matrix``, a row for each group with a value in
-        the centre of each cell, z fastest; of each element ``scalar_field_at_interface``; and
-        ``structural_frame.fault_relations``, or all faults affect all other groups. The surfaces of a group are values
-        of one field and never cross. Where faults affect a group it has one field for each side of them, continued
-        from the nodes of that side. Groups below one that erodes hold below its lowest surface, and a group that
-        onlaps holds above the highest surface of the next group. A fault that other faults affect is smooth across
-        them.
+        Take the scalar fields instead of ``vertices`` and ``edges``. They are in ``grid.regular_grid`` with
+        ``resolution`` and ``extent``; ``solutions.raw_arrays.scalar_field_matrix``, a row for each group with a value at
+        the centre of each cell, z fastest; and ``scalar_field_at_interface`` of each element. Without
+        ``structural_frame.fault_relations`` all faults affect all other groups. The surfaces of a group are values of
+        one field and never cross. A group that faults affect has one field for each side of them, continued from the
+        nodes of that side. Groups below one that erodes are valid below its lowest surface, and a group that onlaps is
+        valid above the highest surface of the next group. A fault that other faults affect is smooth across them.
     extend : str or None
         How surfaces go on to the box (key `extend`); None: not at all. Without use with ``as_fields``.
     column : bool
@@ -87,18 +86,18 @@ def _file_name(name):
 def from_loopstructural(model, *, as_fields=False, extend="flat", nodes=80):
     """A model from a GeologicalModel of LoopStructural.
 
-    Read are ``get_stratigraphic_surfaces()`` and ``get_fault_surfaces()``, of each surface ``name``, ``vertices``
-    (n, 3) and ``triangles`` (m, 3); and ``bounding_box.global_origin`` and ``global_maximum``, or ``origin`` and
-    ``maximum``. Surfaces of several pieces come as several of one name and are joined.
+    It uses ``get_stratigraphic_surfaces()`` and ``get_fault_surfaces()`` with ``name``, ``vertices`` (n, 3) and
+    ``triangles`` (m, 3) of each surface; and ``bounding_box.global_origin`` and ``global_maximum``, or ``origin`` and
+    ``maximum``. Several surfaces of one name are pieces of one surface, and are joined.
 
     Parameters
     ----------
     as_fields : bool
-        Take the scalar fields in place of surfaces. Read are then ``features`` (youngest first) with ``name``, ``type``,
+        Take the scalar fields instead of surfaces. They are the ``features`` (youngest first) with ``name``, ``type``,
         ``evaluate_value(points, ignore_regions=True)`` of points in the model's own frame, ``faults`` and ``regions``;
         ``scale(points, inplace=False)``; and ``stratigraphic_column``: its ``get_isovalues()``, or the dict of dicts with
         ``min`` of earlier versions. A unit's base is called ``base_NAME``. Features without faults are evaluated where a value
-        is needed. Where faults displace a feature it has one field for each side of them, continued from nodes of that
+        is needed. A feature that faults displace has one field for each side of them, continued from nodes of that
         side. Unconformities, which are regions with ``parent``, ``value`` and ``sign``, bound the domains.
     extend : str or None
         How surfaces go on to the box (key `extend`). Without use with ``as_fields``.
@@ -125,9 +124,9 @@ class _Sequence:
 
     def __init__(self, model):
         self.model = model
-        self._column = []  # unit, horizon, unit, ... horizon
-        self._reaching = None  # the unit above, where its own base is below all that the unit may fill
-        self._is_complete = False  # nothing of the box is older
+        self._column = []  # Names of the units and horizons added so far, alternately, from the youngest unit on.
+        self._reaching = None  # Unit that extends below its domain, so that the next base is its base; or None.
+        self._is_complete = False  # Whether the units added so far fill the box down to its bottom.
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
         """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
@@ -208,7 +207,7 @@ def _fields_of_gempy(geo_model, extent, column):
 
 
 class _FeatureField:
-    """Evaluates a feature of LoopStructural, also beyond unconformities."""
+    """The scalar field of a feature of LoopStructural as a function, also beyond unconformities that bound it."""
 
     def __init__(self, model, feature):
         self.model, self.feature = model, feature
@@ -282,13 +281,14 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    surfaces, open_unit, name_of = [], None, {}  # (unit, feature, value); the unit whose base is not known yet
+    # (unit, feature, value) of each surface; a unit for which no base has been found yet; names of the surfaces
+    surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}
         cut = {value for found in bounds.values() for key in ("above", "below") for of, value in found[key] if of == group}
         lowest = [value for value in units if not numpy.isfinite(value)]
         if lowest and cut and min(cut) < min((v for v in units if numpy.isfinite(v)), default=numpy.inf):
-            units[min(cut)] = units.pop(lowest[0])  # an unconformity is the base of the group
+            units[min(cut)] = units.pop(lowest[0])  # the unconformity is the base of the lowest unit of the group
         for value in sorted(set(units) | cut, reverse=True):
             if not numpy.isfinite(value):
                 if open_unit is not None:
@@ -305,7 +305,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has removed it
+            continue  # the surface lies on the removed side of the unconformity that bounds its feature
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 
@@ -336,7 +336,7 @@ def surfaces_of_gmsh(gmsh, entities=None):
     """
     found = []
     for dimension, tag in (gmsh.model.getEntities(2) if entities is None else entities):
-        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # 2: triangles of three nodes
+        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # gmsh's element type 2: triangles of three nodes
         if len(nodes) == 0:
             continue
         tags, coordinates, _ = gmsh.model.mesh.getNodes(dimension, tag, True)

@@ -27,7 +27,7 @@ def as_points(points: Any) -> npt.NDArray[numpy.float64]:
 
 def as_triangles(triangles: Any) -> Any:
     array = numpy.asarray(triangles)
-    if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as in grids and OBJ files
+    if array.ndim == 2 and array.shape[1] == 4:  # each quadrangle is split into two triangles
         array = split_quadrangles(array)
     return array
 
@@ -99,7 +99,8 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
     if known.all() or triangles.size == 0:
         return points, triangles
     inside = (triangles >= 0) & (triangles < len(points))
-    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # rows that are out of range are rejected later
+    # triangles with rows out of range are kept here and rejected later
+    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)
     rows = numpy.cumsum(known) - 1
     triangles = triangles[kept].astype(numpy.int64)
     valid = (triangles >= 0) & (triangles < len(points))

@@ -46,7 +46,7 @@ def _run_options(threads: int, progress: Optional[Progress], log: Optional[Log],
 
 
 def _drawing(progress: Union[bool, Progress, None], run: Callable[[Optional[Progress]], Mesh]) -> Mesh:
-    """Runs with the requested progress display, and closes it whatever happens."""
+    """Runs work with the requested display of progress, and closes the display whatever happens."""
     shown = progress_of(progress)
     finished = False
     try:
@@ -354,7 +354,7 @@ def _is_rows(thing: Any) -> bool:
 
 
 def _size_function(size: Size) -> Tuple[Any, Optional[SizeFunction]]:
-    """Returns the part of a size that belongs into the project, and the function in it."""
+    """Divides the argument `size`: returns the value of `size` for the project file, and the size function or None."""
     if callable(size):
         return None, size
     if isinstance(size, dict) and callable(size.get("background")):

@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional, Union
 
 Progress = Callable[[str, int, int], None]
 
-#: Stages of a run in their order; refinement and what follows may come several times.
+#: Stages of a run in their order. Refinement and the stages after it may occur several times.
 STAGES = ("read", "build", "intersect", "delaunay", "recover", "classify", "estimate", "refine", "improve", "verify", "write")
 
 
@@ -46,7 +46,7 @@ class Lines:
 
 
 def progress_of(progress: Union[bool, Progress, None]) -> Optional[Progress]:
-    """Returns the function that the run calls. True: a bar, or lines if tqdm is not installed."""
+    """Returns the progress function of a run: the argument itself; for True a bar, or lines if tqdm is not installed."""
     if progress is not True:
         return progress or None
     try:

@@ -28,7 +28,7 @@ class Fields(unittest.TestCase):
         centres = points[cells].mean(axis=1)
         rows = numpy.random.default_rng(1).choice(len(centres), size=min(20000, len(centres)), replace=False)
         value = fold(*centres[rows].T)
-        tolerance = 80 / 40 * 1.3  # the field's slope is at most 1.3
+        tolerance = 80 / 40 * 1.3  # the gradient of the folded field has at most length 1.3
         names = numpy.array([mesh.names[r] if isinstance(mesh.names, dict) else None for r in numpy.asarray(mesh.region)[rows]])
         wanted = numpy.where(value > 30, "a", numpy.where(value > -60, "b", "c"))
         clear = (abs(value - 30) > tolerance) & (abs(value + 60) > tolerance)
@@ -62,7 +62,7 @@ class Fields(unittest.TestCase):
         model.add_field("top", recumbent, 0)
         at = numpy.arange(1000) - 499.5
         y, z = numpy.meshgrid(at, at, indexing="ij")
-        wanted = numpy.clip(-recumbent(0, y, z) + 500, 0, 1000).sum()  # exact along x, by midpoints across
+        wanted = numpy.clip(-recumbent(0, y, z) + 500, 0, 1000).sum()  # volume by an integral that is exact along x, with midpoints across
         volumes = self.region_volumes(model)
         found = volumes["core"] if abs(volumes["core"] - wanted) < abs(volumes["front"] - wanted) else volumes["front"]
         self.assertAlmostEqual(found / wanted, 1, delta=0.001)
@@ -87,7 +87,7 @@ class Fields(unittest.TestCase):
         mesh = model.mesh(size=80)
         at = (numpy.arange(1000) + 0.5) - 500
         x, y = numpy.meshgrid(at, at, indexing="ij")
-        height = -fold(x, y, 0)  # exact along z, by midpoints in the map; the fault is where z = 2 x
+        height = -fold(x, y, 0)  # volumes by integrals that are exact along z, with midpoints in the map; the fault is at z = 2 x
         west = numpy.maximum(height + 30, 2 * x) - numpy.maximum(height - 60, 2 * x)
         east = numpy.minimum(height - 50, 2 * x) - numpy.minimum(height - 140, 2 * x)
         volumes = {unit: sum(r.volume for r in mesh.regions if r.name.split("__")[0] == unit) for unit in "abc"}

@@ -21,13 +21,13 @@ class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  /// Returns no_index if the key is absent.
+  /// Returns the value stored for these vertices, in any order; no_index if there is none.
   Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
     const Slot& slot = slots_[place_of(sorted(vertices))];
     return slot.value >= erased ? no_index : slot.value;
   }
-  /// Overwrites an existing entry.
+  /// Stores the value of these vertices, in any order, in place of any earlier value.
   void insert(const Key& vertices, Index value) {
     if (2 * (n_used_ + 1) > slots_.size()) grow_to(std::max<std::size_t>(16, 2 * slots_.size()));
     const Key key = sorted(vertices);
@@ -60,14 +60,14 @@ class SimplexMap {
     Index value = empty;
   };
 
-  /// Returns where the key is or would be inserted. Erased keys keep their slot.
+  /// Returns the slot that holds the key or in which it would be inserted. Erased keys keep their slots.
   std::size_t place_of(const Key& key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash_of(key) & mask;
     while (slots_[i].value != empty && !are_equal(slots_[i].key, key)) i = (i + 1) & mask;
     return i;
   }
-  /// Compares directly, because std::array would compare three vertices by a call of memcmp.
+  /// Compares the vertices one by one, because std::array would compare three vertices by a call of memcmp.
   static bool are_equal(const Key& a, const Key& b) {
     VertexIndex difference = 0;
     for (std::size_t i = 0; i < N; ++i) difference |= a[i] ^ b[i];
@@ -88,13 +88,11 @@ class SimplexMap {
   std::size_t n_used_ = 0;
 };
 
-/// A set of directed edges.
 class DirectedEdgeSet {
  public:
   using Edge = std::array<VertexIndex, 2>;
 
   bool contains(const Edge& e) const { return !slots_.empty() && slots_[place_of(pack(e))] != empty; }
-  /// Returns whether the edge was not in the set.
   bool insert(const Edge& e) {
     if (2 * (n_ + 1) > slots_.size()) grow();
     const std::size_t i = place_of(pack(e));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The only generator of random choices: the same seed gives the same numbers on every machine. Good enough for walks,
-/// for shuffling and for trying places, and cheap enough for each step of a walk.
+/// The only random number generator of the program. The same seed gives the same numbers on every machine. The numbers
+/// are good enough for walks through a mesh, shuffling and trial positions, and cheap enough for each step of a walk.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace geomesh {
 class Random {
  public:
   explicit constexpr Random(std::uint32_t seed = 1) : state_(seed) {}
-  /// Returns one of 2^8 values.
+  /// Returns a random number from 0 to 255.
   constexpr unsigned byte() { return advance() >> 24; }
   /// Returns a number below n, which is at most 2^16.
   constexpr unsigned below(unsigned n) { return (advance() >> 16) % n; }

@@ -10,13 +10,13 @@
 
 namespace geomesh {
 
-/// A position whose point equals an inserted vertex.
+/// The position of a point that equals an already inserted vertex.
 struct Twin {
   VertexIndex position, vertex;
 };
 
-/// Assigns to each vertex the least id of the points equal to it; returns that id for each point, its own if there is
-/// no equal one.
+/// Assigns to each vertex the least id of the points equal to it. Returns for each point the least id of the points
+/// equal to it, which is its own id if there are none.
 inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
   std::vector<VertexIndex> representative(n);
   for (VertexIndex i = 0; i < n; ++i) representative[i] = i;
@@ -25,7 +25,7 @@ inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, Poin
     if (other < kept) std::swap(kept, other);
     representative[other] = kept;
   }
-  // A stored id is replaced only by lesser ones, so in ascending order each reference is final when it is followed.
+  // Each id refers to itself or to a lesser id of an equal point, which is final already in ascending order of ids.
   for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
   return representative;
 }

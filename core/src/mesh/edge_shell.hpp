@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The shell of an edge, refilled without the edge. Each triangle of a triangulation of the polygon of ring vertices
-/// stands for two cells, one with either end of the edge. The best triangulation is found by dynamic programming over
-/// spans of the polygon (Klincsek 1980; Shewchuk 2002, "Two discrete optimization algorithms for the topological
-/// improvement of tetrahedral meshes"). The goal defines what is best:
+/// Edge removal: the shell of an edge, which consists of the cells around it, is triangulated anew without the edge.
+/// Each triangle of a triangulation of the polygon of ring vertices represents two cells, one with each end of the
+/// edge. The best triangulation is found by dynamic programming over spans of the polygon (Klincsek 1980; Shewchuk
+/// 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"). The goal
+/// defines what is best:
 ///
 ///   recovery   positive   any triangulation of positive cells without forbidden diagonals
 ///   remeshing  worst      the largest worst shape
@@ -31,7 +32,7 @@ class EdgeShell {
     Value best;
   };
 
-  /// Returns the best value of the whole polygon of n vertices. O(n^3).
+  /// Finds the best triangulation of the polygon of n vertices by dynamic programming; returns its value. O(n^3).
   template <class Goal>
   Value triangulate(std::size_t n, const Goal& goal) {
     n_ = n;
@@ -49,7 +50,7 @@ class EdgeShell {
     return n < 3 ? goal.edge() : best_[0][n - 1];
   }
 
-  /// Calls visit(i, k, j) for each triangle of the triangulation, i < k < j.
+  /// Calls visit(i, k, j) for each triangle of the best triangulation of the polygon, i < k < j.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
     if (n_ >= 3) descend(0, n_ - 1, visit);

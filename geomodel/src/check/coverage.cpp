@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks that mesh faces cover the input surfaces. A mesh face represents a part of an input triangle where all its
-// points lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
+// Checks that mesh faces cover the input surfaces. A mesh face represents a part of an input triangle if all its
+// corners lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
 // covered if the areas that such faces share with it add up to the required area: all of it, or its part inside the
 // box. Any missing area must be inside a body that cuts: there the faces' open edges must run along that body (or the
-// box or the triangle's sides). Points of the triangle that no face covers must lie in the body, which is decided
-// exactly.
+// box or the triangle's sides). Whether uncovered points lie in the body is decided exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -53,7 +52,7 @@ class CoverageChecker : public CheckedFaces {
            !(specification_.trims[surface].above.empty() && specification_.trims[surface].below.empty());
   }
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
-  /// A triangle of the input: the row of its surface, and its own row there.
+  /// An input triangle: the index of its surface, and its index within that surface.
   struct Source {
     Index surface, triangle;
   };
@@ -71,7 +70,7 @@ class CoverageChecker : public CheckedFaces {
   BoxTree tree_;
   std::map<Index, BoxTree> surface_trees_;  ///< trees over surfaces, made when first needed
   std::vector<std::pair<VertexIndex, VertexIndex>>
-      clip_edges_;  ///< edges of the faces of box sides and of bodies that cut, sorted
+      clip_edges_;  ///< mesh edges of the faces on box sides and on bodies that cut other surfaces, sorted
 };
 
 void CoverageChecker::collect_clip_edges() {
@@ -88,7 +87,7 @@ void CoverageChecker::collect_clip_edges() {
   std::sort(clip_edges_.begin(), clip_edges_.end());
 }
 
-/// Checks that each face lies on the triangle that it names as its source.
+/// Checks that each mesh face lies on the input triangle that it names as its source.
 void CoverageChecker::check_sources(CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   double largest = 0;
@@ -124,9 +123,9 @@ void CoverageChecker::check_sources(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Returns whether the face's centroid is in the triangle that it names, and the rest of it on neighbouring triangles
-/// in the same plane: coplanar triangles of one surface may be meshed as one polygon. Corners and midpoints of edges
-/// are tested.
+/// Returns whether the face's centroid is in the input triangle that the face names, and the rest of the face lies on
+/// coplanar neighbours of that triangle: coplanar triangles of one surface may be meshed as one polygon. Corners and
+/// midpoints of edges are tested.
 bool CoverageChecker::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
   if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
   const TriangulatedSurface& s = specification_.surfaces[surface];
@@ -171,7 +170,8 @@ void CoverageChecker::check_bodies(CheckResult& result) {
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0 &&
-          !is_near(body, centroid(mesh_, t), tolerance_)) {  // by rounding the centroid may be on either side
+          // If the centroid is near the body, rounding may have put it on either side.
+          !is_near(body, centroid(mesh_, t), tolerance_)) {
         inside.add(f, centroid(mesh_, t));
         break;
       }
@@ -210,7 +210,7 @@ bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, 
   return true;
 }
 
-/// Tests a lattice of points of the triangle: those in the box that no piece covers must have been removed by a rule.
+/// Tests a lattice of points of the input triangle: points in the box without a mesh face must be removed by a rule.
 bool CoverageChecker::uncovered_is_removed(const PlaneTriangle& triangle, Source source,
                                            const std::vector<Index>& pieces, Vec3& place) const {
   bool removed = true;
@@ -240,7 +240,7 @@ void CoverageChecker::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < specification_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = specification_.surfaces[s];
-    // Set if pieces may be removed as a whole, once there is an uncovered part.
+    // The triangles of this surface that mesh faces do not cover, collected if rules may remove whole pieces of it.
     std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];

@@ -66,7 +66,7 @@ void check_regions(const CheckedMesh& mesh, bool contract, CheckResult& result) 
 
 namespace {
 
-/// Uses long doubles, since rounding here must be smaller than the rounding of points.
+/// Distance in long doubles, because its rounding error must be smaller than that of the points' coordinates.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   using Real = long double;
   const Real dx = Real{b.x} - a.x, dy = Real{b.y} - a.y, px = Real{p.x} - a.x, py = Real{p.y} - a.y;
@@ -74,10 +74,10 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return static_cast<double>(std::hypot(px - t * dx, py - t * dy));
 }
 
-/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to one of
-/// them.
+/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to a
+/// side.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
-  const std::size_t n = volume.sides.size() - 2;  // zmin and zmax are the last two sides
+  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a volume are zmin and zmax
   bool inside = false, near = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];

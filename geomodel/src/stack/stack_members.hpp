@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which horizons belong to the stack, and which of two neighbours keeps its place.
+/// Determines which horizons belong to the stack, and which of two neighbours keeps its height.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// The stack's horizons, youngest first.
+/// The horizons of a stack, youngest first.
 struct Stack {
   std::vector<Index> rows;
   std::vector<std::string> units;  ///< between neighbours

@@ -15,7 +15,7 @@ _QUALITY = ("tetrahedra", "points", "min_dihedral", "max_dihedral", "min_radius_
 
 
 class Results:
-    """Records of a study in order of their index."""
+    """Records of the realisations of a study, in the order of their indices."""
 
     def __init__(self, study, store):
         self.study = study
@@ -110,7 +110,7 @@ def _summary(results):
 
 
 def _hdf5(results):
-    """Returns the same as bytes of an HDF5 file; None if h5py is not installed."""
+    """Returns the results of all realisations as bytes of an HDF5 file; None if h5py is not installed."""
     try:
         import h5py
     except ImportError:

@@ -9,13 +9,13 @@ from . import fields
 
 
 def mean_normal(points, triangles):
-    """Returns the mean normal, upwards: of a surface weighted by area; of points, that of the plane through them."""
+    """Returns the upward mean normal of a surface, weighted by area; without triangles, the normal of the plane through the points."""
     if triangles is not None:
         total = _doubled_normals(points, triangles).sum(axis=0)
     else:
         total = numpy.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
     normal = total / max(float(numpy.linalg.norm(total)), 1e-300)
-    # The normal points upwards; that of a vertical surface points to the east, or else to the north.
+    # The mean normal is chosen upwards; that of a vertical surface towards the east, or else the north.
     first = [component for component in (normal[2], normal[0], normal[1]) if abs(component) > 1e-9]
     return -normal if first and first[0] < 0 else normal
 
@@ -52,7 +52,7 @@ class Displacement:
         self._name = "surfaces." + spec.name
 
     def of(self, points, triangles, holds):
-        """Returns the displaced points; `holds` as in fields.held, for horizons."""
+        """Returns the displaced points. Only horizons use `holds` (see fields.held)."""
         if self._spec.kind == "horizon":
             return self._of_horizon(points, holds)
         turned = self._turned(points) + self._shift()

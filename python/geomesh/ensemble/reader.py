@@ -24,7 +24,7 @@ def composed(file):
 
 
 class Problems:
-    """Mistakes of one file."""
+    """Collects the mistakes in one file."""
 
     def __init__(self, file):
         self._file, self._found = file, []
@@ -39,7 +39,7 @@ class Problems:
 
 
 class Entry:
-    """A node with its path in the file, such as surfaces.salt.shift."""
+    """A node of a YAML file, with its path there, such as surfaces.salt.shift."""
 
     def __init__(self, node, path, problems):
         self.node, self.path, self.problems = node, path, problems

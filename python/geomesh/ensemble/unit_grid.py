@@ -6,7 +6,7 @@ import zlib
 import numpy
 
 OUTSIDE = 255
-_MOST_PAIRS = 2_000_000  # number of pairs of tetrahedra and cells that are handled at a time
+_MOST_PAIRS = 2_000_000  # pairs of a tetrahedron and a grid cell that are tested at a time, to bound memory
 
 
 def units_at(mesh, grid, names):
@@ -17,7 +17,7 @@ def units_at(mesh, grid, names):
         raise ValueError("a grid of units holds %d units at most" % (OUTSIDE - 1))
     rows = numpy.array([row_of.get(i, OUTSIDE) for i in range(max(row_of) + 1)], dtype=numpy.uint8)
     spacing = numpy.array(grid.spacing())
-    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # centres have integer coordinates
+    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # cell centres get integer coordinates
     found = numpy.full(numpy.prod(grid.cells), len(mesh.tetrahedra), dtype=numpy.int64)
     for start, end in _batches(points, mesh.tetrahedra, grid.cells):
         _mark(points[mesh.tetrahedra[start:end]], start, grid.cells, found)
@@ -114,7 +114,7 @@ def vti_text(grid, arrays):
     """Returns a compressed VTK image of cell arrays as bytes."""
     parts, blocks, offset = [], [], 0
     for name, values in arrays:
-        raw = numpy.asarray(values, dtype="<f4").transpose(2, 1, 0).tobytes()  # x runs first
+        raw = numpy.asarray(values, dtype="<f4").transpose(2, 1, 0).tobytes()  # VTK stores x fastest
         content = zlib.compress(raw, 6)
         head = numpy.array([1, len(raw), len(raw), len(content)], dtype="<u4").tobytes()
         parts.append('        <DataArray type="Float32" Name="%s" format="appended" offset="%d"/>\n' % (_escaped(name), offset))

@@ -3,7 +3,7 @@
 /// Vertices of the mesh under recovery whose places are not doubles but exact sums of doubles. A Steiner point at a
 /// dyadic parameter of its segment, or of its facet's plane, lies on it exactly in this form; rounded it would not.
 ///
-/// Each such vertex has a double beside it too, the nearest one (ConstrainedMesh::point): for what needs no exactness.
+/// The nearest doubles of each such place are also stored (ConstrainedMesh::point), for inexact computations.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ struct ExactPlace {
   bool is_on_line() const { return frame[1] != no_vertex && frame[2] == no_vertex; }
   bool is_in_plane() const { return frame[2] != no_vertex; }
   Vec3 nearest() const { return {coordinates[0].estimate(), coordinates[1].estimate(), coordinates[2].estimate()}; }
-  /// Returns whether products of three differences of such coordinates are exact (long_expansion.hpp).
+  /// Returns whether products of three differences of coordinates of this size and precision can be computed exactly.
   bool is_safe() const;
 };
 
@@ -42,25 +42,26 @@ class ExactPlaces {
   void set(VertexIndex v, ExactPlace place);
   void erase(VertexIndex v);
 
-  /// Like orient3d, on exact places; at least one of the vertices must have one. `points` are those of all vertices.
+  /// Returns the orientation of four vertices like orient3d. At least one of them must have an exact place. `points`
+  /// are the nearest doubles of all vertices.
   Sign orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Like orient2d, of the coordinates (i, j) of three vertices.
+  /// Returns the orientation of the coordinates (i, j) of three vertices like orient2d.
   Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
                    std::size_t j) const;
-  /// Returns six times the signed volume, exactly.
+  /// Returns six times the signed volume of the tetrahedron v, whose vertices may have exact places, exactly.
   exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Returns six times the signed volume with a relative error of less than 2^-20.
+  /// Returns six times the signed volume of the tetrahedron v with a relative error of less than 2^-20.
   double rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Error of a determinant of three offsets from one vertex: `widening` times the error for doubles, plus `slack`.
+  /// Error of a determinant of three rounded vectors from one vertex: `widening` times that for doubles, plus `slack`.
   struct OffsetError {
     double widening = 1, slack = 0;
   };
   OffsetError offset_error(const std::vector<Vec3>& points, VertexIndex from, std::span<const VertexIndex> to) const;
-  /// Returns to - from, each coordinate with a negligible error.
+  /// Returns the vector between two vertices, each coordinate with a negligible error.
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
 
-  /// Returns the place minus its nearest double, rounded.
+  /// Returns the exact place of v minus the nearest point in doubles, rounded; zero if v has double coordinates.
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
   /// Returns how many orientations have been decided: a measure of work that is the same on every machine.
   std::size_t n_decided() const { return n_decided_; }
@@ -69,10 +70,10 @@ class ExactPlaces {
  private:
   struct Row {
     ExactPlace place;
-    Vec3 rest;                     ///< place minus its nearest double, rounded
-    bool is_between_ends = false;  ///< whether it is on a line, strictly between the ends of its frame
+    Vec3 rest;                     ///< exact place minus the nearest point with double coordinates, rounded
+    bool is_between_ends = false;  ///< whether the vertex was placed on a line, strictly between its two end vertices
   };
-  /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
+  /// Six times a tetrahedron's volume in doubles with its error bound, and two terms of the next filter's bound.
   struct Rough {
     filter::Estimate plain;
     double product = 0, by_rests = 0;
@@ -87,7 +88,7 @@ class ExactPlaces {
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
   VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
-  std::vector<Index> row_of_;      ///< for each vertex from the first one
+  std::vector<Index> row_of_;      ///< row in rows_ of vertex first_ + k; no_index if its place is a double
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

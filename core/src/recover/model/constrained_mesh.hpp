@@ -20,15 +20,15 @@
 
 namespace geomesh::recover {
 
-/// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
+/// The cells around an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
 struct EdgeRing {
   VertexIndex p = no_vertex, q = no_vertex;
   std::vector<CellIndex> cells;
   std::vector<VertexIndex> ring;
 };
 
-/// The random choices of a walk's direction. They depend only on where it starts and ends, and not on earlier walks, so
-/// that queries have no side effects.
+/// Returns the random numbers that choose among possible steps of a walk through the mesh from vertex a to b. They
+/// depend on a and b alone, so that walks do not influence later ones.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
 /// Locks of faces, stored in the flags of cells.
@@ -64,7 +64,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Adds a vertex that is not yet in any cell.
   VertexIndex add_point(const Vec3& p);
   VertexIndex add_point(ExactPlace place);
-  /// Only for vertices whose star the caller has checked (or that are in no cell).
+  /// Moves a vertex. The caller must have checked its star, unless the vertex is in no cell.
   void move_point(VertexIndex v, const Vec3& p) {
     exact_.erase(v);
     points_[v] = p;
@@ -79,13 +79,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_exact(VertexIndex v) const { return exact_.contains(v); }
   bool has_exact_places() const { return !exact_.empty(); }
   const ExactPlaces& exact_places() const { return exact_; }
-  /// Returns coordinate i of any vertex, exactly.
+  /// Returns coordinate i (0 to 2) of vertex v exactly, as a sum of doubles.
   exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
   /// Returns the vector from one vertex to another, which is accurate even if their nearest doubles are equal.
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
-  /// Returns the error of those offsets, for filters of determinants.
+  /// Returns error terms for determinants of vectors from one vertex to others, whose coordinates were rounded.
   ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
     return exact_.offset_error(points_, from, to);
   }
@@ -95,7 +95,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
       return exact_.orient(points_, {a, b, c, d});
     return orient3d(points_[a], points_[b], points_[c], points_[d]);
   }
-  /// Returns the orientation of the coordinates i and j.
+  /// Returns the orientation of the coordinates i and j of three vertices.
   Sign orient_flat(VertexIndex a, VertexIndex b, VertexIndex c, std::size_t i, std::size_t j) const {
     return exact_.orient_flat(points_, {a, b, c}, i, j);
   }
@@ -109,13 +109,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   /// Collects all cells with v (including ghosts). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
-  /// Returns temporary marks on cells. A star uses them too.
+  /// Returns marks on cells for temporary use by the caller. Each call of star() clears them.
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
   /// Returns a cell with both vertices, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
-  /// Examines the cell `hint` first, which may be any, including a dead one or no_cell.
+  /// Returns a cell with both vertices, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
   CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
     const bool is_there =
         hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
@@ -125,17 +125,18 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
   /// Returns the face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
-  /// Like find_face, for a `cell` that has a and b. O(cells around a-b).
+  /// Returns the face a,b,c from the cell above it, or an invalid reference, by turning around a-b from `cell`, which
+  /// has a and b. O(cells around a-b).
   FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
-  /// Like find_face, for one given cell with all three vertices.
+  /// Returns the face a,b,c from the cell above it. `cell` has all three vertices and may be above or below the face.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// For a walk in the star of a towards b: returns a face of cell c, which has a, beyond whose plane b lies; one of
-  /// several is chosen by `random`. 4 if c's cone at a contains b.
+  /// Makes one step of a walk in the star of a towards b: returns a face of cell c at vertex a beyond whose plane b
+  /// lies, chosen by `random` from several. Returns 4 if the cone of c at a contains b.
   unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
-  /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from beside it if it is a
-  /// ghost); no_cell if p is outside the box. Exact.
+  /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from its finite neighbour
+  /// if it is a ghost); no_cell if p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
 
   /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks of faces that
@@ -144,12 +145,12 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
   const std::vector<CellIndex>& last_created() const { return created_; }
 
-  /// Finds the cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)`
-  /// accepts, searched from `first`, which is one of them, through faces. They remain marked until replace_by_star.
-  /// O(cells tested).
+  /// Finds the cavity of an insertion: the cells that `in_cavity(cell)` accepts and that are connected through faces
+  /// with `first`, which is one of them. The cells remain marked until replace_by_star. No face may be locked and no
+  /// undo may be open. O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Sets these marks on the same cells again, or removes them.
+  /// Sets the flags by which replace_by_star recognises the cells of a cavity; unmark_cavity removes them.
   void mark_cavity(std::span<const CellIndex> cavity) {
     for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
   }
@@ -162,30 +163,29 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
-  /// Returns the number of changes so far, and its value after the last change of a cell with v. Changes that were
-  /// rolled back do not count.
+  /// n_changes() counts the changes of the mesh that were not rolled back. last_change(v) is this count after the last
+  /// change of a cell that has v.
   std::size_t n_changes() const { return n_changes_; }
   std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
 
-  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
-  /// docs/decisions/house.md explains why it is not the journal of remeshing.
+  /// roll_back(mark) undoes all replacements of cells since the call of mark() that returned `mark`; slot numbers may
+  /// differ. docs/decisions/house.md explains why remeshing has a journal of its own.
   std::size_t mark();
   void roll_back(std::size_t mark);
-  /// Ends what mark() began and keeps the changes.
+  /// Ends the undo that mark() began and keeps the changes.
   void keep();
 
-  /// Sets another seed, which leads to other random choices.
   void reseed(std::uint32_t seed) { random_ = Random(seed); }
   /// Returns deterministic pseudo-random numbers.
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
-  /// Set during the search for a cavity: the cell was found to lie outside it.
+  /// Flag of cells that the search for a cavity has examined and left out.
   static constexpr std::uint8_t tested_flag = 0x40;
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< the slot that it had then
+    CellIndex slot;  ///< slot in which the cell was stored when it was created
   };
   /// Rows at which the lists of removed and created cells of each replacement begin.
   struct JournalEntry {
@@ -211,8 +211,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes_ = 0;
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star: the old cell's face below it
-  std::vector<CellIndex> tested_;    ///< cells found to be outside during the search for a cavity
+  std::vector<FaceRef> star_faces_;  ///< for each new cell of a star, its face on the former cavity's boundary
+  std::vector<CellIndex> tested_;    ///< cells that the search for a cavity has examined and left out
   EpochMarks marks_;
   Random random_;
 };

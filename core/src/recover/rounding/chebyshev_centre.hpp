@@ -8,7 +8,7 @@
 
 namespace geomesh::recover {
 
-/// A height as a linear function of a displacement: `at` without displacement, and its slope in each direction.
+/// A point's height over a plane as a linear function of the point's displacement: `at` zero, and slope by direction.
 struct LinearHeight {
   double at;
   std::array<double, 3> slope;
@@ -17,11 +17,11 @@ struct LinearHeight {
 /// Returns the displacement in the first `n_directions` directions (1 to 3) for which the least of `heights` is
 /// greatest. This is a linear program in the displacement and that height, solved from vertex to vertex by active sets.
 /// All heights must be positive at 0. The least height never decreases, so any end of the walk is valid. Complexity:
-/// O(heights) for each of at most `most_steps` steps; some ten on stars.
+/// O(heights) for each of at most `most_steps` steps; about ten steps suffice for stars.
 std::array<double, 3> chebyshev_centre(std::span<const LinearHeight> heights, unsigned n_directions,
                                        unsigned most_steps);
 
-/// Returns the least of the heights at a displacement.
+/// Returns the least of several heights, each a linear function of the displacement, at this displacement.
 double least_height(std::span<const LinearHeight> heights, const std::array<double, 3>& displacement);
 
 }  // namespace geomesh::recover

@@ -11,7 +11,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the normal whose length is twice the area.
+/// Returns the normal of a subfacet, whose length is twice the area.
 Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, Index subfacet) {
   const Triangle& t = constraints.subfacets[subfacet].vertices;
   const Vec3& origin = points[t[0]];
@@ -22,7 +22,7 @@ Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, In
   return sum;
 }
 
-/// Returns x + y, or nothing if that would be rounded.
+/// Returns the sum x + y, or nothing if the exact sum is not a double.
 std::optional<double> exact_sum(double x, double y) {
   const double sum = x + y, of_y = sum - x, of_x = sum - of_y;
   if (of_y != y || of_x != x) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<double> exact_product(double x, double y) {
   return product;
 }
 
-/// Adds to coordinate `axis` multiples of the next one and of the one after that.
+/// A shear that adds to coordinate `axis` multiples of the two other coordinates.
 class Shear {
  public:
   Shear(const Vec3& normal, std::size_t axis) : axis_(axis) {
@@ -81,8 +81,7 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
-/// Returns the axes, the one nearest to the normal first. Components of the normal that differ by less than the step of
-/// slopes count as equal.
+/// Returns the axes by decreasing component of the normal along them, rounded to the step of slopes.
 std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const auto nearness = [&](std::size_t axis) {
@@ -95,7 +94,6 @@ std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   return axes;
 }
 
-/// Returns the extents of the box of all segments.
 Vec3 extents_of(const std::vector<Vec3>& points, const Constraints& constraints) {
   Box3 box;
   for (const Subsegment& s : constraints.subsegments)

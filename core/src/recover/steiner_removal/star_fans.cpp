@@ -20,7 +20,7 @@ class EarClipping {
     for (std::size_t k = 0; k < corners_.size(); ++k) look_at(k);
   }
 
-  /// Returns nothing if no ear is left, or the last triangle has the wrong orientation.
+  /// Returns the triangles; nothing if no ear is left, or the last triangle has the wrong orientation.
   std::optional<std::vector<Triangle>> run() {
     std::vector<Triangle> triangles;
     while (corners_.size() > 3) {
@@ -38,8 +38,8 @@ class EarClipping {
  private:
   struct Corner {
     VertexIndex vertex;
-    double shape = -1;                     ///< shape of its ear; negative if it has the wrong orientation
-    VertexIndex found_inside = no_vertex;  ///< a vertex that its ear contains
+    double shape = -1;  ///< quality of the ear: the triangle cut off at this corner; negative if inverted
+    VertexIndex found_inside = no_vertex;  ///< a polygon vertex that lies in the ear at this corner
   };
 
   Triangle ear(std::size_t k) const {
@@ -118,7 +118,8 @@ class FanSearch {
   }
 
  private:
-  /// Collects the two hard subsegments at x, if any, and what they connect.
+  /// Collects the two subsegments of a model segment at x, if any, and their other ends. Returns false if the segment
+  /// ends at x or more than one segment meets there.
   bool gather_segment() {
     for (VertexIndex v : mesh_.neighbors(x_)) {
       const Index s = constraints_.subsegment_of(x_, v);
@@ -132,7 +133,7 @@ class FanSearch {
   }
 
   bool gather_fans() {
-    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // directed edge opposite x, by subfacet
+    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // by subfacet: its directed edge opposite x
     for (CellIndex c : star_)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_locked(FaceRef(c, i)) || mesh_.cells().vertex(c, i) == x_) continue;
@@ -177,7 +178,7 @@ class FanSearch {
     return no_index;
   }
 
-  /// Triangulates the rim polygons by ears with the right orientation in the facet's main projection.
+  /// Triangulates, in the facet's main projection, the polygons that remain in facets when x is removed.
   bool triangulate_fans() {
     for (Fan& fan : out_.fans) {
       if (fan.is_thin()) continue;

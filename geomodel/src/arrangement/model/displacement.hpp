@@ -7,10 +7,9 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The movements of points in one step.
+/// Number, sum and largest of the movements of points in one step of the arrangement.
 class MovesOfStep {
  public:
-  /// Records a movement to `where` over the distance.
   void note(double distance, const Vec3& where) {
     ++moved_.points_moved;
     sum_ += distance;
@@ -29,7 +28,7 @@ class MovesOfStep {
   double sum_ = 0;
 };
 
-/// A point may move once per step, so the sum of the largest movements is a bound.
+/// Adds the largest movements of two steps. A point may move once per step, so the sum is an upper bound.
 inline void add(const Displacement& more, Displacement& total) {
   if (more.largest > total.largest) total.where = more.where;
   total.largest += more.largest;

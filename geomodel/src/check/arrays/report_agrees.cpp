@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the report against the mesh, declared in check/arrays/check_arrays.hpp.
+// Checks the JSON report against the mesh, declared in check/arrays/check_arrays.hpp.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -21,7 +21,7 @@ bool is_about(double a, double b, double whole = 0) {
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// Returns the entries of a list by id; entries that are not objects with an id are ignored.
+/// Returns the entries of one list of the report by their `id`; entries that are not objects with an id are ignored.
 std::map<std::int32_t, nlohmann::json> by_id(const nlohmann::json& report, const char* list) {
   std::map<std::int32_t, nlohmann::json> entries;
   if (report.is_object() && report.contains(list) && report[list].is_array())

@@ -16,7 +16,7 @@ namespace {
 constexpr double most_lost = 0.03;    // share of the horizon's area in the volume
 constexpr double places_across = 64;  // number of sampled places across the horizon's extent
 
-/// Surfaces that are queried along vertical lines.
+/// A surface that is queried along vertical lines.
 struct Verticals {
   TriangulatedSurface surface;
   BoxTree tree;
@@ -77,7 +77,7 @@ class ThrowCover {
     s.triangles.resize(std::min(s.triangles.size(), checked_.specification().trims[row_].n_given_triangles));
     return s;
   }
-  /// Returns all faults of the input, with their extensions for this horizon.
+  /// Returns all faults of the input, with the extensions made for this horizon.
   TriangulatedSurface faults() const {
     TriangulatedSurface all;
     const auto add = [&](const std::array<Vec3, 3>& corners) {
@@ -116,7 +116,7 @@ class ThrowCover {
     return length > 0 && !is_taken(p) && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
            !checked_.is_removed(row_, p, (reach_ / length) * normal);
   }
-  /// Returns whether a rule removed the horizon above or below p: p may overshoot into the block that is given there.
+  /// Returns whether rules may have removed the horizon above or below p, as where data at p overshoot a fault.
   bool is_taken(const Vec3& p) const {
     bool taken = false;
     for_each_height(given_.surface, given_.tree, p, 0, [&](Index triangle, double z) {

@@ -33,7 +33,7 @@ std::vector<Corners> corners_of(const TriangulatedSurface& surface, const std::v
   return corners;
 }
 
-/// Returns for each vertex the smallest vertex to which it is connected by triangles.
+/// Returns for each vertex the least index of the vertices to which triangles connect it.
 std::vector<VertexIndex> pieces_of(const std::vector<Triangle>& triangles, std::size_t n_points) {
   std::vector<VertexIndex> root(n_points);
   std::iota(root.begin(), root.end(), VertexIndex{0});
@@ -81,7 +81,7 @@ bool InputBorder::faces_border(Index row, const Vec3& p) const {
     const Vec3 d = edges_[e][1] - edges_[e][0];
     return std::sqrt(dot(d, d));
   };
-  std::map<VertexIndex, double> along;  // shortest known distance to vertices within twice the length
+  std::map<VertexIndex, double> along;  // shortest known distance from p along the border to each vertex
   std::vector<std::pair<VertexIndex, double>> open;
   for (std::size_t k = 0; k < 2; ++k) open.emplace_back(ends_[row][k], distance_to(edges_[row][k]));
   while (!open.empty()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the tetrahedron of a mesh that contains a place.
+/// Finds the tetrahedron of a mesh that contains a point.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@ namespace geomesh::geomodel {
 /// decisions on which tetrahedron contains a place are exact.
 class TetrahedronSearch {
  public:
-  /// The tetrahedra must be positive and must not overlap.
+  /// The tetrahedra must be positively oriented and must not overlap.
   TetrahedronSearch(std::vector<Vec3> points, std::vector<Tetrahedron> tetrahedra);
 
-  /// Returns the tetrahedron that contains p, the first of several; no_index if none does. `start` is where the walk
-  /// begins, best near p; no_index: anywhere. O(1) steps for consecutive nearby places, O(n^(1/3)) for others, O(n) if
-  /// the boxes of tetrahedra overlap and the walk ends early.
+  /// Returns the tetrahedron that contains p, the first of several; no_index if none does. The walk begins at `start`,
+  /// preferably near p, or anywhere for no_index. O(1) steps for consecutive nearby points, O(n^(1/3)) for others, O(n)
+  /// if the boxes of tetrahedra overlap and the walk ends early.
   Index find(const Vec3& p, Index start) const;
   std::array<Vec3, 4> corners(Index t) const;
-  /// Returns the tree of the tetrahedra's boxes, by which those near a place are found.
+  /// Returns the tree of the tetrahedra's bounding boxes, which finds those near a point.
   const arrangement::BoxTree& boxes() const { return *tree_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far triangles reach from a set of edges.
+/// Determines whether triangles reach farther than a limit from a set of edges.
 #pragma once
 
 #include <array>

@@ -31,7 +31,7 @@ std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b)
 std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lines, const MapBounds& bounds) {
   std::vector<std::vector<Vec2>> kept;
   for (const std::vector<Vec2>& line : lines) {
-    bool joins = false;  // whether the next segment continues the last one
+    bool joins = false;  // whether the next segment begins at the end of the last one that was kept
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto piece = cut_off(line[i - 1], line[i], bounds);
       if (!piece) {
@@ -46,7 +46,7 @@ std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lin
   return kept;
 }
 
-/// Finds whether places are near constraint lines, using a grid with the lattice spacing.
+/// Tests whether points are near constraint lines, using a grid with the lattice spacing.
 class Neighbourhood {
  public:
   Neighbourhood(const MapLayout& layout, const std::vector<std::vector<Vec2>>& lines)
@@ -102,7 +102,7 @@ void add_rim(const MapLayout& layout, const Neighbourhood& lines, std::vector<Ve
   }
 }
 
-/// Adds rows of points, every other row shifted by half of their spacing.
+/// Adds a triangular lattice of points: rows of which every other one is shifted by half the spacing.
 void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vector<Vec2>& points) {
   const MapBounds& b = layout.bounds;
   const auto n_rows =
@@ -119,8 +119,9 @@ void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vecto
     }
 }
 
-/// Returns which points to merge because an edge between them is shorter than `least`, by the row of the point that is
-/// kept: a corner, else one on the rim, else the first. Returns nothing if there are none.
+/// Returns for each point the index of the point that replaces it, if an edge shorter than `least` connects them. Of
+/// two points, a corner of the bounds is kept, otherwise one on the rim, otherwise the first. Empty if no edge is that
+/// short.
 std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBounds& b, double least) {
   std::vector<VertexIndex> row(t.points.size());
   for (VertexIndex v = 0; v < row.size(); ++v) row[v] = v;
@@ -147,7 +148,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges points that constraint lines put closer together than `least`, and triangulates again until there are none.
+/// Merges points that constraint lines put closer than `least`, and triangulates again until there are none.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   for (;;) {
     const std::vector<VertexIndex> row = merged_rows(t, bounds, least);

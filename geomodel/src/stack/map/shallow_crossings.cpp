@@ -10,8 +10,8 @@ namespace {
 
 constexpr double small_slope = 0.035;  // slope of one horizon against the other: 2 degrees
 
-/// A row of the lattice. For each place and horizon it holds how far the lowest of the younger horizons lies above this
-/// horizon; NaN if the horizon or all younger ones are absent.
+/// One row of a lattice of places. For each place and horizon it holds how far the lowest of the younger horizons lies
+/// above that horizon; NaN if the horizon or all younger ones are absent.
 class Row {
  public:
   Row(const MapSamples& samples, std::size_t n_places) : n_(samples.n_surfaces()), over_(n_places * n_) {}
