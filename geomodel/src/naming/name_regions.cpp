@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-// Told where there are too many regions of one name to list all of them.
+// The remedy, where too many regions share a name to list all of them.
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "
     "with thin_layers: collapse), of small_regions: merge with a min_volume, and of names by fault block "

@@ -21,6 +21,8 @@ constexpr double vertex_is_off = 0.5;
 constexpr double near_vertex = 0.25;
 // Distance of a new vertex beside its sample, as a fraction of the sample spacing.
 constexpr double beside_of_spacing = 0.02;
+// Multiples of this angle are spread evenly.
+const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
 // Least length of a constraint segment that may be halved, as a multiple of the sample spacing.
 constexpr double shortest_of_spacing = 0.7;
 
@@ -299,7 +301,6 @@ class Approximation {
   std::pair<Vec2, Index> place_for(const Worst& worst) const {
     const Vec2 p = samples_.place(worst.sample);
     if (beside_ == 0) return {p, worst.cell};
-    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
     const double angle = golden_angle * static_cast<double>(worst.sample);
     const Vec2 beside{p.x + beside_ * std::cos(angle), p.y + beside_ * std::sin(angle)};
     const Index at = map_.locate(beside, worst.cell);
