@@ -28,6 +28,10 @@ struct KnownSheets {
 struct SortedBlocks {
   std::vector<Index> of_triangle;
   std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
+  /// Row of the first triangle that was added to join blocks beyond the tip of a fault; they are the last.
+  Index first_joining = no_index;
+  /// Triangles of the same triangulation that cross no extension of a fault.
+  std::vector<Triangle> beside_joining{};
 };
 
 /// Assigns each triangle to a block, numbered from 0 in the order of their first triangles: sheets whose area lies
@@ -49,11 +53,11 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 
-/// Extends each block beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then cross
+/// Extends each block beyond the box as extend_to_box does; the block of each added triangle is appended to `sorted`. The blocks then cross
 /// each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are left out. Triangles
 /// that cross a fault with both ends inside the model, and that one block surrounds, are returned to this block
-/// unchanged. Returns false, with a warning, if a block could not be extended.
-bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
-                   const BuildLog& log);
+/// unchanged; so are triangles of SortedBlocks::beside_joining that one block and the joining triangles surround.
+/// Returns false, with a warning, if a block could not be extended.
+bool extend_blocks(TriangulatedSurface& horizon, SortedBlocks& sorted, const BlockFaults& parting, const BuildLog& log);
 
 }  // namespace geomesh::geomodel
