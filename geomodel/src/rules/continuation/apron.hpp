@@ -3,6 +3,7 @@
 /// The strip by which a surface is continued from a run of its border to the walls in front of it.
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "rules/continuation/border_chains.hpp"
@@ -24,12 +25,14 @@ struct ApronSetting {
   Frame frame;
   double within = 0;  ///< m
   Box3 bounds;        ///< of the model
+  /// Rows of the surface's points at which a wall ends: both of its sides begin there, and nothing else connects them.
+  const std::set<VertexIndex>& tips;
 };
 
 /// The apron has the height of the nearest point of the border that no wall hides, extrapolated with the border's slope
 /// there. It is a constrained Delaunay triangulation of the run of border and of a grid beside it. A triangle that a
-/// wall divides is added once for each side, with the heights of that side beyond the wall too; around the end of a
-/// wall both sides are connected. Places that a wall hides from the border are left out, except in these triangles and
+/// wall divides is added once for each side, with the heights of that side beyond the wall too; both sides meet at the
+/// tip of the wall. Places that a wall hides from the border are left out, except in these triangles and
 /// those next to them, and so are places where no wall stops the surface within the distance. Empty if the run of
 /// border crosses itself in the plane. O(n log n) in the edges of the run and the points of the grid.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,

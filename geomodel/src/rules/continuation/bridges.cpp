@@ -123,7 +123,9 @@ class Gaps {
     return !found.empty();
   }
 
-  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts) const {
+  /// Returns the rows of the tips in the surface.
+  std::set<VertexIndex> append(TriangulatedSurface& to, const Walls& walls,
+                               const std::function<bool(const Vec3&)>& counts) const {
     std::vector<VertexIndex> row(points_.size(), no_vertex);
     std::copy(rows_.begin(), rows_.end(), row.begin());
     for (const Corners& t : gaps_) {
@@ -140,6 +142,9 @@ class Gaps {
       if (!faces_up_) std::swap(own[1], own[2]);
       to.triangles.push_back(own);
     }
+    std::set<VertexIndex> tips(row.begin() + static_cast<std::ptrdiff_t>(rows_.size()), row.end());
+    tips.erase(no_vertex);
+    return tips;
   }
 
   void set_faces_up(bool up) { faces_up_ = up; }
@@ -187,14 +192,14 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// Returns false if the edges cross each other in this projection.
+/// Adds the rows of tips to `tips`. Returns false if the edges cross each other in this projection.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
-            const GapSetting& setting) {
+            const GapSetting& setting, std::set<VertexIndex>& tips) {
   Gaps gaps(surface, edges, frame);
   gaps.set_faces_up(faces_up(surface, frame));
   if (!gaps.find(setting)) return false;
   if (gaps.add_tips(setting.tips) && !gaps.find(setting)) return false;
-  gaps.append(surface, setting.walls, setting.counts);
+  tips.merge(gaps.append(surface, setting.walls, setting.counts));
   return true;
 }
 
@@ -295,16 +300,18 @@ std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::v
   return frames;
 }
 
-void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
+std::set<VertexIndex> bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
+  std::set<VertexIndex> tips;
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty()) return;
+  if (edges.empty()) return tips;
   for (const Frame& frame : setting.frames)
-    if (bridge(surface, edges, frame, setting)) return;
+    if (bridge(surface, edges, frame, setting, tips)) return tips;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting);
+  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting, tips);
+  return tips;
 }
 
 }  // namespace geomesh::geomodel

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <set>
 
 #include "rules/framework/fault_tip.hpp"
 #include "rules/framework/walls.hpp"
@@ -33,8 +34,8 @@ struct GapSetting {
 /// wall ends in such a triangle it becomes a point of the surface, so that the filled area begins exactly at the tip.
 /// Only triangles whose centroid `counts` accepts are added. The first of the frames is used in which borders do not
 /// cross; a surface with several heights over a place in all of them is filled part by part. Appends to the surface;
-/// given rows do not change.
-void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
+/// given rows do not change. Returns the rows of the points that were added where tips end.
+std::set<VertexIndex> bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
 /// Another horizon pierces a hole if it lies below the border of the hole all along and above it inside, or vice versa:
 /// it bounds the units there itself, as a basement high or the base of a channel does. Removes those triangles from row
