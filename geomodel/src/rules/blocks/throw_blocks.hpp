@@ -53,11 +53,11 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 
-/// Extends each block beyond the box as extend_to_box does; the block of each added triangle is appended to `sorted`. The blocks then cross
-/// each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are left out. Triangles
-/// that cross a fault with both ends inside the model, and that one block surrounds, are returned to this block
-/// unchanged; so are triangles of SortedBlocks::beside_joining that one block and the joining triangles surround.
-/// Returns false, with a warning, if a block could not be extended.
+/// Extends each block beyond the box as extend_to_box does; the block of each added triangle is appended to `sorted`.
+/// The blocks then cross each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are
+/// left out. Triangles that cross a fault with both ends inside the model, and that one block surrounds, are returned
+/// to this block unchanged; so are triangles of SortedBlocks::beside_joining that one block and the joining triangles
+/// surround. Returns false, with a warning, if a block could not be extended.
 bool extend_blocks(TriangulatedSurface& horizon, SortedBlocks& sorted, const BlockFaults& parting, const BuildLog& log);
 
 }  // namespace geomesh::geomodel

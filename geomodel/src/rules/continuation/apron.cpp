@@ -65,17 +65,13 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
 }
 
 /// Finds which nodes of a grid are connected inside the model without a wall between them: each connected set is a
-/// side, identified by its first node. Nodes outside of the model belong to one of the sides that they touch, and do not
-/// connect them: they may lie beyond the end of a wall that the model does not reach.
+/// side, identified by its first node. Nodes outside of the model belong to one of the sides that they touch, and do
+/// not connect them: they may lie beyond the end of a wall that the model does not reach.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
              const ApronGrid& grid, const std::set<VertexIndex>& tips)
-      : row_(row),
-        border_(chain),
-        walls_(walls),
-        grid_(grid),
-        is_tip_(grid.nodes().size(), false) {
+      : row_(row), border_(chain), walls_(walls), grid_(grid), is_tip_(grid.nodes().size(), false) {
     for (std::size_t k = 0; k < chain.vertices.size(); ++k) is_tip_[k] = tips.contains(chain.vertices[k]);
     UnpartedEdges edges(surface, row, walls);
     for (std::size_t e = 0; e < grid.chain().n_edges(); ++e) {
