@@ -11,7 +11,8 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr unsigned most_rounds = 4;  // facets that one round leaves unchanged may allow others to move in the next
+// Number of rounds; facets that one round leaves unchanged may become movable in the next.
+constexpr unsigned most_rounds = 4;
 
 double longest_side(const Complex& complex, const Triangle& t) {
   const Vec3 &a = complex.points[t[0]], &b = complex.points[t[1]], &c = complex.points[t[2]];
@@ -22,7 +23,7 @@ bool is_sliver(const Complex& complex, const Triangle& t, double width) {
   return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) < width * longest_side(complex, t);
 }
 
-/// Active facets connected at vertices with facets of `left_alone` are not moved either.
+/// Active facets connected at vertices with facets of `left_alone` are left unmoved too.
 void leave_places_of(const std::vector<Index>& left_alone, const Complex& complex, std::vector<std::uint8_t>& active) {
   UnionFind joined(complex.points.size());
   const auto join_corners = [&](Index f) {
@@ -37,8 +38,7 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Merges everything within the distance of active facets. If facets would meet anew, or one cannot be moved, nothing
-/// is done.
+/// Merges everything within the distance of active facets; nothing if facets would cross anew or cannot be moved.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

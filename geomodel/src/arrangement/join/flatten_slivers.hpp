@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removes facets as thin as rounding, and facets far smaller than the tolerance.
+/// Removes facets that are thin within rounding, and facets far smaller than the tolerance.
 #pragma once
 
 #include "arrangement/join/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
-/// Rounding leaves facets that are some units in the last place wide, as where three surfaces nearly meet in a point.
-/// No points fit between their sides, so meshes get flat cells there. Everything within the distance of such facets is
-/// merged: corners become one, or come to lie on the edge beside them. The same applies to a crack (mark_cracks) that a
-/// needle has left. Places where a facet cannot be moved are left unchanged; if facets would meet anew, all are.
-/// Precondition: nothing meets. Cost: that of snap_near, a few times, and of the contacts of the changed facets.
+/// Rounding leaves facets that are a few ulps wide, as where three surfaces nearly meet in a point. No mesh points fit
+/// between their sides, so the mesh gets flat cells there. Everything within the distance of such facets is merged:
+/// corners are snapped together or moved to the edge beside them. Cracks (mark_cracks) that a needle has left are
+/// closed in the same way. A place where a facet cannot be moved is left unchanged; if facets would cross anew, all
+/// places are. Precondition: no facets cross. Cost: that of snap_near(), a few times, and of finding the contacts of
+/// the changed facets.
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
 
-/// Merges tiny features, whose sides are all shorter than the distance, and facets thinner than it at their corners.
-/// Surfaces that nearly coincide within a tolerance cross in swarms of such features, with a hundred vertices or more.
+/// Merges tiny features whose sides are all shorter than the distance, and facets at their corners that are thinner
+/// than it. Surfaces that nearly coincide within a tolerance cross in swarms of such features, with a hundred vertices
+/// or more.
 SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context, std::size_t memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement

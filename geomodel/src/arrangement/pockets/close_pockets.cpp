@@ -56,9 +56,10 @@ Triangle sorted_corners(Triangle t) {
   return t;
 }
 
-using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;  ///< ends of an edge, the smaller first, and a surface
+/// The ends of an edge, the smaller first, and a surface at it.
+using SurfaceEdge = std::tuple<VertexIndex, VertexIndex, Index>;
 
-/// The part of its surface to which each triangle of the input belongs.
+/// For each triangle of the input, the part of its surface to which it belongs.
 class Parts {
  public:
   explicit Parts(const std::vector<std::vector<Index>>& of_triangle) : of_triangle_(of_triangle) {}
@@ -71,13 +72,14 @@ class Parts {
   const std::vector<std::vector<Index>>& of_triangle_;
 };
 
-/// Surfaces that closed voids have assigned to facets beside them.
+/// Surfaces that were assigned to facets because the void between them was closed.
 struct GivenSurfaces {
-  std::map<Triangle, std::set<Index>> of_facet;  ///< assigned surfaces, by the corners of the facet
-  std::set<SurfaceEdge> borders;                 ///< edges at which surfaces ended before
+  /// Surfaces assigned to each facet, which is given by its sorted corners.
+  std::map<Triangle, std::set<Index>> of_facet;
+  std::set<SurfaceEdge> borders;  ///< edges at which surfaces ended before any void was closed
 };
 
-/// Visits each edge of the facet with each of its surfaces.
+/// Calls `visit` for each edge of the facet with each of the facet's surfaces.
 template <class Visit>
 void for_each_edge(const Complex& complex, Index f, const Visit& visit) {
   const Triangle& t = complex.facets[f];
@@ -107,9 +109,9 @@ void take_surface(Complex& complex, const std::map<Index, std::set<Index>>& take
   });
 }
 
-/// Removes assigned surfaces that end in the open. A narrow strip between two voids gets a surface that lost its walls
-/// on either side of it. Facets that were assigned a surface, and have an edge at which it ends where it did not end
-/// before, lose it again; this is repeated until there are none.
+/// Takes an assigned surface away from facets at which it ends in the open: a narrow strip between two closed voids may
+/// have been assigned a surface that lost its walls on either side of the strip. A facet loses its assigned surface if
+/// that now ends at one of its edges and did not end there before. This is repeated until no such facet is left.
 void prune_fins(Complex& complex, const GivenSurfaces& given) {
   std::map<SurfaceEdge, Index> n_at = facets_at_edges(complex);
   std::map<SurfaceEdge, std::vector<Index>> given_at;
@@ -141,7 +143,7 @@ void prune_fins(Complex& complex, const GivenSurfaces& given) {
   if (!taken.empty()) take_surface(complex, taken);
 }
 
-/// One round: closes thin voids that share no facet.
+/// One round of closing thin voids; voids that share a facet are closed in different rounds.
 class PocketRound {
  public:
   PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts, GivenSurfaces& given)
@@ -165,7 +167,7 @@ class PocketRound {
   }
 
  private:
-  /// Returns whether a shell encloses a space without dangling faces that is thin on average.
+  /// Returns whether a shell encloses a space that is thin on average and has no dangling faces in it.
   bool is_thin(const std::vector<FacetSide>& shell) const {
     if (shell.size() < 4) return false;
     for (std::size_t k = 0; k + 1 < shell.size(); ++k)
@@ -189,7 +191,8 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Assigns to the facet the surfaces of the removed facet nearest to its centre, as seen from beyond the void.
+  /// Assigns to a kept wall's facet the surfaces of the removed facet nearest to its centre, as seen from beyond the
+  /// void.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

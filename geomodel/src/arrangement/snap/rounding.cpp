@@ -26,7 +26,7 @@ class Anchors {
     if (!options_.onto_sides_alone || (options_.box && sides_at(p, *options_.box) > 0)) cells_[cell_of(p)].push_back(p);
   }
 
-  /// Returns the rounded place of a constructed point, which becomes an anchor if it is not moved.
+  /// Returns the rounded place of a constructed point p: a near anchor, otherwise p itself, which becomes an anchor.
   Vec3 place(const Vec3& p) {
     if (snap_ == 0) return p;
     const Vec3* const anchor = !options_.onto_sides_alone || is_beside_side(p) ? nearest(p) : nullptr;
@@ -36,7 +36,7 @@ class Anchors {
   }
 
  private:
-  /// Returns the nearest anchor closer than the snapping distance that keeps p on its box planes, or null.
+  /// Returns the nearest anchor within the snapping distance of p that lies on all of p's box planes, or null.
   const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;
@@ -64,7 +64,7 @@ class Anchors {
       if ((p[i] == options_.box->min[i] || p[i] == options_.box->max[i]) && p[i] != q[i]) return false;
     return true;
   }
-  /// Returns whether p is closer to a side than the snapping distance, but not on it.
+  /// Returns whether the point p is closer to a side of the box than the snapping distance, but not on it.
   bool is_beside_side(const Vec3& p) const {
     for (std::size_t i = 0; options_.box && i < 3; ++i)
       for (const double side : {options_.box->min[i], options_.box->max[i]})
@@ -129,7 +129,7 @@ class Rounding {
     out.input_point.resize(out.points.size(), no_index);
   }
 
-  /// Returns the used constructed vertices in the order in which they are placed. If points may snap, those on the
+  /// Returns the used constructed vertices in the order in which they are rounded. If points may snap, those on the
   /// box's sides come first: they cannot leave a side, and others can snap to them.
   std::vector<Index> order_of_placing() const {
     const ExactVertices& vertices = arranged_.vertices;
@@ -163,7 +163,7 @@ class Rounding {
     }
   }
 
-  /// Returns true if the doubles are not the exact place.
+  /// Records the displacement of a constructed vertex. Returns true if its doubles differ from its exact place.
   bool note_displacement(Index v, const Vec3& p) {
     const ExactPoint& q = *arranged_.vertices.made(v);
     const ExactPoint r = arranged_.vertices.frame().to_exact_beyond(p);
