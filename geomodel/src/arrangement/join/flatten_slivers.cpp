@@ -11,7 +11,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-// Number of rounds; facets that one round leaves unchanged may become movable in the next.
+// Number of attempts to move facets; where a facet could not be moved, the next attempt moves nothing.
 constexpr unsigned most_rounds = 4;
 
 double longest_side(const Complex& complex, const Triangle& t) {
@@ -23,7 +23,7 @@ bool is_sliver(const Complex& complex, const Triangle& t, double width) {
   return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) < width * longest_side(complex, t);
 }
 
-/// Active facets connected at vertices with facets of `left_alone` are left unmoved too.
+/// Unmarks in `active` all facets that marked facets connect, through shared vertices, with a facet of `left_alone`.
 void leave_places_of(const std::vector<Index>& left_alone, const Complex& complex, std::vector<std::uint8_t>& active) {
   UnionFind joined(complex.points.size());
   const auto join_corners = [&](Index f) {
@@ -38,7 +38,7 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Merges everything within the distance of active facets; nothing if facets would cross anew or cannot be moved.
+/// Merges everything within the distance of marked facets, except immovable ones; nothing if facets would cross anew.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

@@ -31,7 +31,7 @@ struct SnapOutcome {
   /// Facets that cannot be split at vertices near them, so that their edges are kept whole; as indices before snapping.
   std::vector<Index> facets_left_alone;
   std::vector<VanishedFacet> vanished;
-  Displacement moved;  ///< movement of merged vertices, and of edges and facets at inserted vertices
+  Displacement moved;  ///< movement of vertices merged with others, and of edges and facets to inserted vertices
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 
@@ -45,7 +45,7 @@ struct SnapOutcome {
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// Vertices inserted in edges and facets; those on an edge are in order from its smaller end.
+/// Vertices inserted in edges and in facets; those on an edge are in order from its end with the smaller index.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
   std::map<Index, std::vector<VertexIndex>> in_facet;

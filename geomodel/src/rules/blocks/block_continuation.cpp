@@ -160,7 +160,7 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    // Whether all triangles lie beyond, by the representative of each connected set.
+    // For each connected set of triangles, whether all of them lie beyond the fault, by the set's representative.
     std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)

@@ -87,8 +87,9 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   });
 }
 
-/// Returns whether an open disc covers the place. Far from the horizon, the disc's centre may lie anywhere between four
-/// grid points: otherwise a rim along the bounding surfaces, one grid step wide, would be filled.
+/// Returns whether a disc that meets neither the horizon nor a bounding surface covers the place, which is then not
+/// filled. Far from the horizon, the disc's centre may lie anywhere between four grid points: otherwise a rim along the
+/// bounding surfaces, one grid step wide, would be filled.
 bool BlockPlaces::is_open(Index v) const {
   if (open_.empty()) return false;
   const Vec3 &p = points_[v], &q = open_[nearest_open_->find(p.x, p.y)];
