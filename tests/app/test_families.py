@@ -80,16 +80,6 @@ class Families(ProgramTest):
         """In the second model a triangle beside the tip belonged to no block: 63 % of the points lay in joined units."""
         self.assert_right("growth_fault", (4, 32), "careful")
 
-    def test_horizons_end_on_both_sides_of_a_fault_that_dies_out(self):
-        """Both sides were connected outside of the model, so that each horizon was one ramp along the fault, with the right volumes."""
-        for seed in (20, 22):
-            self.assert_right("growth_fault", (seed,))
-            curves = {curve["name"]: curve["length"] for curve in self.report(self.path("growth_fault%d" % seed, "out", "model.report.json"))["curves"]}
-            model = FAMILIES["growth_fault"](seed)
-            for f, (_, _, tip, _) in enumerate(model.shapes):
-                for k in range(model.n_layers):
-                    self.assertGreater(curves["f%d*h%d" % (f, k)], 1.9 * min(tip, 5000))
-
     def test_picks_of_a_few_wells(self):
         """In all but the first there are faults: one plate over their blocks was a ramp at the fault."""
         self.assert_right("sparse_picks", (0, 1, 5, 22))

@@ -64,39 +64,30 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// Groups the nodes of a grid into sides: sets connected inside the model without crossing a bounding surface. Nodes
-/// outside of the model get a side that they touch but connect no sides, since they may lie beyond the end of a
-/// bounding surface there.
+/// Groups the visible nodes of a grid into sides: sets connected without crossing a bounding surface.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
-             const ApronGrid& grid, const std::set<VertexIndex>& tips)
-      : row_(row), border_(chain), walls_(walls), grid_(grid), is_tip_(grid.nodes().size(), false) {
-    for (std::size_t k = 0; k < chain.vertices.size(); ++k) is_tip_[k] = tips.contains(chain.vertices[k]);
+             const ApronGrid& grid)
+      : row_(row), border_(chain), walls_(walls), grid_(grid) {
     UnpartedEdges edges(surface, row, walls);
+    UnionFind joined(grid.nodes().size());
     for (std::size_t e = 0; e < grid.chain().n_edges(); ++e) {
       const auto a = static_cast<Index>(e), b = static_cast<Index>(grid.chain().end_of(e));
-      if (is_tip_[a] || is_tip_[b]) continue;
       if (!is_parted(a, b) || edges.join(chain.vertices[a], chain.vertices[b]))
-        unparted_border_.insert(std::minmax(a, b));
+        joined.unite(a, b);
       else
         parted_border_.insert(std::minmax(a, b));
     }
-    find_sides_in_model();
-    find_sides_outside();
+    for (const Corners& t : grid.triangles())
+      for (std::size_t i = 0; i < 3; ++i) join(t[i], t[(i + 1) % 3], joined);
+    side_.assign(grid.nodes().size(), no_index);
     for (Index v = 0; v < grid.nodes().size(); ++v)
-      if (!grid.nodes()[v].is_seen) side_[v] = no_index;
+      if (grid.nodes()[v].is_seen) side_[v] = joined.find(v);
   }
 
-  /// Returns the side (connected set) of a node, or no_index if the node is not visible from the border, or a tip.
+  /// Returns the side (connected set) of a node, or no_index if the node is not visible from the border.
   Index operator[](Index v) const { return side_[v]; }
-  /// Returns whether a wall ends at the node, which belongs to both of its sides.
-  bool is_tip(Index v) const { return is_tip_[v]; }
-  /// Returns a wall between two nodes, if there is one.
-  std::optional<Walls::Hit> wall_between(Index a, Index b) const {
-    const auto hit = walls_.first_surface(grid_.nodes()[a].point, grid_.nodes()[b].point, row_);
-    return hit ? hit : walls_.first_surface(grid_.nodes()[b].point, grid_.nodes()[a].point, row_);
-  }
   std::set<Index> of(const Corners& t) const {
     std::set<Index> sides;
     for (const Index v : t)
@@ -120,67 +111,21 @@ class ApronSides {
   }
 
  private:
-  bool is_parted(Index a, Index b) const { return wall_between(a, b).has_value(); }
-  /// Returns whether no wall lies between two nodes.
-  bool are_joined(Index a, Index b) const {
-    if (is_tip_[a] || is_tip_[b]) return false;
-    if (unparted_border_.contains(std::minmax(a, b))) return true;
-    return grid_.nodes()[a].is_seen && grid_.nodes()[b].is_seen && !is_parted(a, b);
+  bool is_parted(Index a, Index b) const {
+    return walls_.first_surface(grid_.nodes()[a].point, grid_.nodes()[b].point, row_) ||
+           walls_.first_surface(grid_.nodes()[b].point, grid_.nodes()[a].point, row_);
   }
-  template <class F>
-  void for_each_edge(F&& visit) const {
-    for (const auto& [a, b] : unparted_border_) visit(a, b);
-    for (const Corners& t : grid_.triangles())
-      for (std::size_t i = 0; i < 3; ++i) visit(t[i], t[(i + 1) % 3]);
+  void join(Index a, Index b, UnionFind& joined) const {
+    if (grid_.nodes()[a].is_seen && grid_.nodes()[b].is_seen && joined.find(a) != joined.find(b) && !is_parted(a, b))
+      joined.unite(a, b);
   }
-
-  void find_sides_in_model() {
-    UnionFind joined(grid_.nodes().size());
-    for_each_edge([&](Index a, Index b) {
-      if (is_in_model(a) && is_in_model(b) && joined.find(a) != joined.find(b) && are_joined(a, b)) joined.unite(a, b);
-    });
-    side_.assign(grid_.nodes().size(), no_index);
-    for (Index v = 0; v < side_.size(); ++v)
-      if (is_in_model(v) && !is_tip_[v]) side_[v] = joined.find(v);
-  }
-
-  /// Nodes outside of the model get the side to which the fewest edges lead.
-  void find_sides_outside() {
-    std::vector<std::vector<Index>> beside(side_.size());
-    for_each_edge([&](Index a, Index b) {
-      if (is_in_model(a) && is_in_model(b)) return;
-      beside[a].push_back(b);
-      beside[b].push_back(a);
-    });
-    std::vector<Index> reached;
-    for (Index v = 0; v < side_.size(); ++v)
-      if (side_[v] != no_index) reached.push_back(v);
-    Index next = 0;
-    const auto flood = [&] {
-      for (; next < reached.size(); ++next)
-        for (const Index v : beside[reached[next]]) {
-          if (side_[v] != no_index || !are_joined(reached[next], v)) continue;
-          side_[v] = side_[reached[next]];
-          reached.push_back(v);
-        }
-    };
-    flood();
-    for (Index v = 0; v < side_.size(); ++v) {  // what touches no side
-      if (side_[v] != no_index || is_tip_[v]) continue;
-      side_[v] = v;
-      reached.push_back(v);
-      flood();
-    }
-  }
-  bool is_in_model(Index v) const { return grid_.is_in_model(grid_.nodes()[v].point); }
 
   Index row_;
   const BorderChain& border_;
   const Walls& walls_;
   const ApronGrid& grid_;
-  std::vector<bool> is_tip_;  ///< per node
-  std::vector<Index> side_;   ///< per node
-  std::set<std::pair<Index, Index>> parted_border_, unparted_border_;
+  std::vector<Index> side_;  ///< per node
+  std::set<std::pair<Index, Index>> parted_border_;
 };
 
 /// Makes the triangles of a continuation from a grid; those that bounding surfaces divide get a copy for each side.
@@ -192,7 +137,7 @@ class SidedApron {
         border_(chain),
         within_(setting.within),
         grid_(surface, row, chain, walls, setting),
-        sides_(surface, row, chain, walls, grid_, setting.tips),
+        sides_(surface, row, chain, walls, grid_),
         faces_up_(faces_up(surface, chain, setting.frame)) {}
 
   Apron make() {
@@ -218,7 +163,6 @@ class SidedApron {
           add({row_of(t[0]), row_of(t[1]), row_of(t[2])}, *sides.begin());
         continue;
       }
-      if (sides.size() > 1) add_walls_in(t);
       for (const Index side : sides) {
         copy(t, side);
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
@@ -232,24 +176,14 @@ class SidedApron {
           sides.insert(at->second.begin(), at->second.end());
       for (const Index side : sides) copy(*t, side);
     }
-    walls_.insert(grid_.hidden_by().begin(), grid_.hidden_by().end());
-    apron_.walls.assign(walls_.begin(), walls_.end());
-  }
-
-  /// Adds the walls between the sides of a triangle, at which its copies end.
-  void add_walls_in(const Corners& t) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index a = t[i], b = t[(i + 1) % 3];
-      if (sides_[a] == no_index || sides_[b] == no_index || sides_[a] == sides_[b]) continue;
-      if (const auto wall = sides_.wall_between(a, b)) walls_.insert(wall->surface);
-    }
+    apron_.walls.assign(grid_.hidden_by().begin(), grid_.hidden_by().end());
   }
 
   /// Adds a copy of the triangle with heights extrapolated from one side of the bounding surfaces.
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {
-      own[i] = sides_.is_tip(t[i]) || sides_[t[i]] == side ? row_of(t[i]) : twin_of(t[i], side);
+      own[i] = sides_[t[i]] == side ? row_of(t[i]) : twin_of(t[i], side);
       if (own[i] == no_vertex) return;
     }
     add(own, side);
@@ -295,7 +229,6 @@ class SidedApron {
   /// Indices of the new points, by grid node and by the side of the bounding surfaces that gives the height.
   std::map<std::pair<Index, Index>, VertexIndex> rows_;
   std::map<Index, Index> number_of_side_;
-  std::set<Index> walls_;  ///< rows of the surfaces that the strip crosses
   bool faces_up_;
   Apron apron_;
 };

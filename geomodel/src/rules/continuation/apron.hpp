@@ -3,7 +3,6 @@
 /// Makes aprons: strips of triangles that continue a surface from a run of its border to its bounding surfaces.
 #pragma once
 
-#include <set>
 #include <vector>
 
 #include "rules/continuation/border_chains.hpp"
@@ -26,17 +25,15 @@ struct ApronSetting {
   Frame frame;
   double within = 0;  ///< m
   Box3 bounds;        ///< of the model
-  /// Rows of the surface's points at which a wall ends: both of its sides begin there, and nothing else connects them.
-  const std::set<VertexIndex>& tips;
 };
 
 /// Makes an apron, the strip of triangles beside a run of border edges, by a constrained Delaunay triangulation of the
 /// border and of a grid beside it. Heights are those of the nearest point of the border that no bounding surface hides,
 /// extrapolated with the border's slope there. A triangle that a bounding surface divides is added once for each side;
-/// each copy extends the heights of its own side to all three corners. Both sides meet at the tip of the bounding
-/// surface. Places that a bounding surface hides from the border are left out, except in these triangles and those next
-/// to them; so are places where no bounding surface stops the surface within the distance. Empty if the border crosses
-/// itself in the plane. O(n log n) in edges and grid points.
+/// each copy extends the heights of its own side to all three corners. Both sides are connected around the end of a
+/// bounding surface. Places that a bounding surface hides from the border are left out, except in these triangles and
+/// those next to them; so are places where no bounding surface stops the surface within the distance. Empty if the
+/// border crosses itself in the plane. O(n log n) in edges and grid points.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                  const ApronSetting& setting);
 

@@ -40,13 +40,13 @@ class ApronGrid {
   const std::set<Index>& hidden_by() const { return crossed_; }
   /// Returns the node at the place p of the plane, with the height extrapolated from the border.
   ApronNode node_at(const Vec2& p, const ChainInPlane::Nearest& at) const;
-  bool is_in_model(const Vec3& p) const;
 
  private:
   bool is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at);
   void add_grid();
   void add_node(const Vec2& p, double reach);
   bool find_triangles();
+  bool is_in_model(const Vec3& p) const;
   void leave_out_open();
 
   Index row_;

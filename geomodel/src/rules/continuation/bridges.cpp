@@ -125,9 +125,7 @@ class Gaps {
     return !found.empty();
   }
 
-  /// Returns the rows of the tips in the surface.
-  std::set<VertexIndex> append(TriangulatedSurface& to, const Walls& walls,
-                               const std::function<bool(const Vec3&)>& counts) const {
+  void append(TriangulatedSurface& to, const Walls& walls, const std::function<bool(const Vec3&)>& counts) const {
     std::vector<VertexIndex> row(points_.size(), no_vertex);
     std::copy(rows_.begin(), rows_.end(), row.begin());
     for (const Corners& t : gaps_) {
@@ -144,9 +142,6 @@ class Gaps {
       if (!faces_up_) std::swap(own[1], own[2]);
       to.triangles.push_back(own);
     }
-    std::set<VertexIndex> tips(row.begin() + static_cast<std::ptrdiff_t>(rows_.size()), row.end());
-    tips.erase(no_vertex);
-    return tips;
   }
 
   void set_faces_up(bool up) { faces_up_ = up; }
@@ -193,15 +188,14 @@ class Gaps {
   bool faces_up_ = true;
 };
 
-/// Fills the gaps between border edges and adds the rows of tips to `tips`. Returns false, without a change, if edges
-/// cross in this projection.
+/// Fills the gaps between border edges. Returns false, without a change, if edges cross in this projection.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
-            const GapSetting& setting, std::set<VertexIndex>& tips) {
+            const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
   gaps.set_faces_up(faces_up(surface, frame));
   if (!gaps.find(setting)) return false;
   if (gaps.add_tips(setting.tips) && !gaps.find(setting)) return false;
-  tips.merge(gaps.append(surface, setting.walls, setting.counts));
+  gaps.append(surface, setting.walls, setting.counts);
   return true;
 }
 
@@ -303,18 +297,16 @@ std::vector<Frame> frames_along(const TriangulatedSurface& surface, const std::v
   return frames;
 }
 
-std::set<VertexIndex> bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
-  std::set<VertexIndex> tips;
+void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting) {
   const std::vector<BorderEdge> edges = border_edges(surface);
-  if (edges.empty()) return tips;
+  if (edges.empty()) return;
   for (const Frame& frame : setting.frames)
-    if (bridge(surface, edges, frame, setting, tips)) return tips;
+    if (bridge(surface, edges, frame, setting)) return;
   const std::vector<Index> sheet =
       sheets_of(surface.triangles.size(), neighbours_in(surface), [](Index, Index) { return true; });
   std::map<Index, std::vector<BorderEdge>> edges_of;
   for (const BorderEdge& e : edges) edges_of[sheet[e.triangle]].push_back(e);
-  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting, tips);
-  return tips;
+  for (const auto& [_, own] : edges_of) bridge(surface, own, setting.frames.front(), setting);
 }
 
 }  // namespace geomesh::geomodel

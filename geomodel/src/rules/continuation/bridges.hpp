@@ -4,7 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 
 #include "rules/framework/fault_tip.hpp"
 #include "rules/framework/walls.hpp"
@@ -33,8 +32,7 @@ struct GapSetting {
 /// a wall ends in such a triangle, it becomes a point of the surface, so that the filled area begins exactly at the
 /// tip. Only triangles whose centroid `counts` accepts are added. The first frame in which borders do not cross is
 /// used; if there is none, each connected part of the surface is filled separately. Existing triangles do not change.
-/// Returns the rows of the points that were added at tips.
-std::set<VertexIndex> bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
+void bridge_gaps(TriangulatedSurface& surface, const GapSetting& setting);
 
 /// Triangles from index `first` on fill holes of horizon `row`. Removes those that meet another horizon which pierces
 /// the hole, or that lie beyond it. A horizon pierces a hole if it lies below the hole's border all along and above the

@@ -91,7 +91,7 @@ class Continuing {
         return block == no_index || !divided.block_is_continued[block];
       };
       const auto first = static_cast<Index>(surface().triangles.size());
-      tips_ = bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
+      bridge_gaps(surface(), {setting.cutters, tips, frames, rules_.bounds, within_, counts});
       book_filled(ledger_, surface(), first);
       part_.resize(surface().triangles.size(), given_part);
       add_aprons(divided.is_continued, frames);
@@ -141,7 +141,7 @@ class Continuing {
   /// Makes the strip of triangles beside a chain of border edges, in the first frame in which it does not cross itself.
   Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
     for (const Frame& frame : frames) {
-      Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds, tips_});
+      Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
       if (!apron.crosses_itself) return apron;
     }
     return {};
@@ -200,7 +200,6 @@ class Continuing {
   const ContinuationRules& rules_;
   double within_;
   std::size_t n_given_points_ = 0;
-  std::set<VertexIndex> tips_;        ///< rows of the points at which walls end inside the surface
   std::vector<Index> part_;           ///< BuiltRows::part_of_triangle
   std::vector<Index> block_of_part_;  ///< BuiltRows::block_of_part
   std::set<Index> ends_on_;
