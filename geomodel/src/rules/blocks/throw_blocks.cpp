@@ -163,7 +163,7 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
 }
 
 /// Extends the surface of all blocks, and appends its new triangles around the tips of faults to the horizon.
-void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
+void join_round_ends(TriangulatedSurface& horizon, SortedBlocks& sorted, TriangulatedSurface joint,
                      const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;
   const std::size_t n_kept = joint.triangles.size();
@@ -173,17 +173,19 @@ void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, Tr
     log.warnings.push_back("horizon " + horizon.name + ", about the end of its faults: " + warnings.front());
   const std::vector<Crossing> crossing = find_crossings(joint, n_kept, parting.faults, parting.box);
   const std::size_t first = horizon.triangles.size();
+  sorted.first_joining = static_cast<Index>(first);
   horizon.points = joint.points;
   double at_end = 0, greatest = 0;
   for (std::size_t k = 0; k < crossing.size(); ++k) {
-    if (crossing[k] == Crossing::none) continue;
     const Triangle& t = joint.triangles[n_kept + k];
+    if (crossing[k] != Crossing::continuation) sorted.beside_joining.push_back(t);
+    if (crossing[k] == Crossing::none) continue;
     const double across = throw_across(joint, t, parting.faults, parting.box);
     greatest = std::max(greatest, across);
     if (crossing[k] != Crossing::continuation) continue;
     at_end = std::max(at_end, across);
     horizon.triangles.push_back(t);
-    block.push_back(BuiltRows::of_every_block);
+    sorted.of_triangle.push_back(BuiltRows::of_every_block);
   }
   if (horizon.triangles.size() > first) tell_throw(horizon, horizon.triangles.size() - first, at_end, greatest, log);
 }
@@ -241,7 +243,7 @@ SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& p
       if (block[t] != BuiltRows::of_no_block && !ends.is_overshoot(t)) joint.triangles.push_back(horizon.triangles[t]);
     }
   }
-  if (one_ends_inside) join_round_ends(horizon, block, std::move(joint), parting, log);
+  if (one_ends_inside) join_round_ends(horizon, sorted, std::move(joint), parting, log);
   return sorted;
 }
 
