@@ -295,7 +295,6 @@ void check_specification(const CheckRequest& request, const CheckedMesh& mesh, c
   if (!specification.output.fault_zones.empty()) check_with_zones(request, files, specification, result);
 }
 
-/// Returns the wave velocities that the project's attributes give to regions.
 Velocities velocities_of(const CheckRequest& request) {
   Velocities velocities;
   if (request.project.empty()) return velocities;

@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 /// ones, weighted by the inverse squared distance (Shepard 1968). Outside the lattice the nearest size counts.
 class SizeGrid {
  public:
-  /// Precondition: there are as many sizes as points, and at least one. If points coincide, the first one counts.
+  /// Each point has one size. Precondition: there is at least one point. If points coincide, the size of the first one
+  /// counts.
   SizeGrid(std::vector<Vec3> points, std::vector<double> sizes);
 
   double at(const Vec3& p) const;
@@ -51,7 +52,8 @@ class SizeGrid {
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
-/// Reads any finite numbers at points, in the formats of read_size_grid: lines of x y z value, or the given array.
+/// Reads numbers at points, which need not be positive, in the formats of read_size_grid: lines of x y z value, or a
+/// VTK file with the given array.
 SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
 
 /// If the settings name a background file of target sizes, reads it into base.background. `origin` was subtracted from

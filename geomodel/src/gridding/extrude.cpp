@@ -98,7 +98,7 @@ class SectionText {
   std::size_t place_ = 0, height_ = 1;
   std::optional<std::size_t> id_;
   bool is_depth_ = false;
-  std::string at_id_, heading_;  ///< id and heading of the polyline that is being read
+  std::string at_id_, heading_;  ///< id and heading line of the polyline that is being read
   std::vector<Vec3> points_;
   std::vector<Polyline> found_;
 };

@@ -16,7 +16,8 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr double share_of_bounds = 0.2;  // default reach of a well top, as a share of the horizon's extent
+// Default distance within which a well top moves a horizon, as a share of the horizon's extent.
+constexpr double share_of_bounds = 0.2;
 
 /// Indices of the columns in the table of well tops.
 struct TopColumns {
@@ -45,7 +46,8 @@ bool says_nothing(std::string_view line) {
   return text.empty() || text.front() == '#' || text.front() == '!';
 }
 
-/// A triangle above or below a point, with the barycentric coordinates of the point in the map.
+/// A triangle above or below a point, with the point's barycentric coordinates in the triangle after projection onto
+/// the map.
 struct Hit {
   Index triangle = no_index;
   std::array<double, 3> shares{};

@@ -136,7 +136,7 @@ ProjectTemplate from_gocad() {
       height_surface("top_reservoir", {611.3, 9402.7, 518.9, 7388.3, 20}, [&](double x, double y) {
         return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
       });
-  // The horizon is given in blocks: between x = 4,800 and 5,350 m it was not interpreted.
+  // The horizon has separate blocks, because it was not interpreted between x = 4,800 and 5,350 m.
   std::erase_if(top.triangles, [&](const Triangle& t) {
     const double x = (top.points[t[0]].x + top.points[t[1]].x + top.points[t[2]].x) / 3;
     return x > 4800 && x < 5350;

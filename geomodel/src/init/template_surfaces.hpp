@@ -33,7 +33,6 @@ struct Axis {
 TriangulatedSurface revolved_surface(const std::string& name, const Axis& axis,
                                      const std::function<double(double)>& radius);
 
-/// Returns a polyline as GOCAD PLine text.
 std::string to_gocad(const Polyline& line);
 
 /// Returns a surface as GOCAD TSurf text, with doubles that read back to the same values.

@@ -141,7 +141,8 @@ void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, c
         curves.edges.push_back({row[edge.a], row[edge.b], at->second});
 }
 
-/// Adds the curves of `given` that have at least one edge in the mesh, in the same order. Returns the next free id.
+/// Adds to the model's list the curves of `given` that have edges in the mesh, in the same order, with ids from next_id
+/// on. Returns the first id that is unused then.
 std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMesh& model) {
   std::vector<CompensatedSum> lengths(given.curves.size());
   std::vector<std::size_t> n_edges(given.curves.size(), 0);

@@ -69,7 +69,7 @@ Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& aroun
   const auto holds = [&](std::size_t component, Index body) {
     return std::binary_search(around[component].begin(), around[component].end(), body);
   };
-  // `inner` is strictly within `outer` if all components in `inner` are in `outer`, but not vice versa.
+  // A body lies within another if all components in the inner one are also in the outer one, but not vice versa.
   const auto within = [&](Index inner, Index outer) {
     bool all = true, strict = false;
     for (std::size_t k = 0; k < around.size(); ++k) {
@@ -308,7 +308,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) {  // only units of the column are merged into others; bodies are kept
+  if (rules.join_pieces) {  // units of the column are merged into others, but bodies are kept
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }

@@ -42,7 +42,6 @@ std::vector<ComponentFacts> component_facts(const ConstrainedTetrahedralization&
 
 /// Formats a point as "(x, y, z)", with six digits after the leading digit of the largest coordinate.
 std::string to_text(const Vec3& place);
-/// Formats a number with four significant digits.
 std::string to_text(double measure);
 
 }  // namespace geomesh::geomodel

@@ -12,9 +12,9 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;         ///< the spike that stands out most
+  Vec3 place;         ///< position of the highest spike of the surface, compared with its surroundings
   double height = 0;  ///< vertical distance of the spike from its nearest neighbour; negative if below all
-  double around = 0;  ///< largest vertical step between adjacent neighbours of the spike
+  double around = 0;  ///< largest height difference between two neighbours of the spike that are joined by an edge
 };
 
 /// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a

@@ -219,7 +219,8 @@ class ProjectReader {
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Returns the earlier entry of this surface, if it and this entry have fields with domains; null if there is none.
+  /// Returns an earlier entry of the project for the same surface, if that entry and this one both make it from fields
+  /// that are valid in a part of the model; null if there is none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });

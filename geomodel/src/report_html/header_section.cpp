@@ -15,7 +15,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Returns the date of the report, such as "27 November 2026, 15:48 UTC".
 std::string date_words() {
   static constexpr std::array<const char*, 12> months{"January",   "February", "March",    "April",
                                                       "May",       "June",     "July",     "August",

@@ -116,7 +116,8 @@ void check_tetrahedra(const ModelMesh& m, unsigned threads, std::vector<std::str
 
 using NamedFaults = std::map<std::string, FaultList>;
 
-/// Checks the tetrahedra and constrained faces at one triangle. Precondition: all `uses` have the same vertices.
+/// Checks that tetrahedra and constrained faces fit together at one triangle of the mesh. `uses` are its faces: all
+/// have the same three vertices.
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
   const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });

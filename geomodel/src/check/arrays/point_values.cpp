@@ -15,7 +15,6 @@ namespace {
 
 enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4, midpoint = 5 };
 
-/// The surfaces and curves to which a point of the mesh belongs.
 struct AtPoint {
   std::set<std::int32_t> surfaces;
   bool on_curve = false, is_named = false;

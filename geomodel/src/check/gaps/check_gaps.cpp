@@ -100,7 +100,7 @@ class GapChecker {
   }
 
  private:
-  /// Assigns each cell of the region to the nearer side of the horizon.
+  /// Determines which side of the horizon is nearer to each cell of the region, along paths inside the region.
   void spread(const std::vector<InnerFace>& inner) {
     struct Reached {
       double distance;
@@ -130,7 +130,8 @@ class GapChecker {
     }
   }
 
-  /// Calls visit(face, cell) for the neighbouring cells of the same region across faces that belong to no surface.
+  /// Calls visit(face, neighbour) for each cell that shares a face with the given one, if both are in the same region
+  /// and no surface contains the face.
   template <class F>
   void for_each_neighbour(Index cell, F&& visit) const {
     for (const Index f : ways_.faces_of_cell[cell]) {
@@ -173,7 +174,7 @@ class GapChecker {
   const CheckedMesh& mesh_;
   const MeshWays& ways_;
   std::int32_t region_;
-  TriangleSet walls_;                   ///< faces of other surfaces that bound the region
+  TriangleSet walls_;                   ///< faces on the boundary of the region, except those of the horizon
   std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, each with the third corner of its face
   std::vector<HorizonSide> side_;       ///< per cell
 };

@@ -21,7 +21,7 @@ namespace geomesh::geomodel::checking {
 /// Specification of the names of regions, taken from the project.
 struct SpecifiedNames {
   std::vector<std::string> column;  ///< alternating units and horizons of the column, youngest first; may be empty
-  std::vector<NamedPoint> seeds;    ///< points that name their region, in the mesh's frame
+  std::vector<NamedPoint> seeds;    ///< seed points: each gives its name to the region around it; in the mesh's frame
   std::map<std::string, std::vector<std::string>> groups;           ///< members of each group, by the group's name
   std::map<std::string, std::map<std::string, double>> attributes;  ///< values of attributes by unit or region
   bool fault_blocks = false;                ///< whether names of units include the number of their block
@@ -35,11 +35,12 @@ struct SpecifiedNames {
 
 /// Describes which parts of one surface the rules of the model may remove. Indices refer to `Specification::surfaces`.
 struct TrimRules {
-  std::vector<Index> above, below;    ///< rules may remove parts of this surface above (below) these surfaces
-  double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed
-  double near_faults = 0;             ///< largest distance by which a fault may overshoot other faults on which it ends
-  std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after these were made by rules
-  bool continuation = false;          ///< whether any triangle by which rules continued this surface may be removed
+  std::vector<Index> above, below;  ///< surfaces above (below) which rules may remove parts of this one
+  double near_others = 0;           ///< this surface may lose parts that overshoot another one by at most this much
+  double near_faults = 0;           ///< largest distance by which a fault may overshoot other faults on which it ends
+  /// Number of triangles of the surface in the input; later ones were made by rules.
+  std::size_t n_given_triangles = 0;
+  bool continuation = false;  ///< whether any triangle by which rules continued this surface may be removed
   /// Whether any part of a horizon with throw may be removed because it continues beyond its fault.
   bool given_beyond_faults = false;
   /// Parts of the surface that come from one scalar field each, and may be missing outside the block of that field.
@@ -60,7 +61,7 @@ struct Specification {
   /// The parts of each surface that rules may remove; empty if rules remove nothing from any surface.
   std::vector<TrimRules> trims;
   double within = 0;  ///< largest distance between surfaces and their input, in both directions, beyond rounding
-  bool within_by_count = false;  ///< whether the distance `within` follows from a requested number of elements
+  bool within_by_count = false;  ///< whether `within` follows from target sizes derived from a number of elements
   double merging = 0;            ///< distance within which features were merged (the project's `merge_within`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }

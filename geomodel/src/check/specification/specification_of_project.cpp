@@ -156,7 +156,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // if horizons were put in order, regions are units in fault blocks without small parts
+  if (built.stack.settled) {  // horizons were put in order: regions are units in fault blocks, small parts are merged
     specification.names.fault_blocks = true;
     specification.names.merges_small = true;
     if (!(specification.names.min_volume > 0))
@@ -194,7 +194,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   specification.cell_arrays = refinement.cell_arrays;
   specification.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    specification.within = refinement.tolerance.requested();  // tolerances are never combined with crs.z_scale
+    specification.within = refinement.tolerance.requested();  // a tolerance and crs.z_scale are never combined
   specification.within_by_count = specification.within > 0 && refinement.tolerance.follows_sizes() &&
                                   (refinement.derive_size || refinement.target_elements > 0);
   return specification;

@@ -118,7 +118,7 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
     const Vec3 n = cross(b - a, c - a);
     height = dot(n, upward_[fault]) < 0 ? -dot(n, p - a) : dot(n, p - a);
   };
-  // The search distance grows until the nearest surface found is closer than any that the search may have missed.
+  // Doubles the search distance until the nearest triangle of the fault that it finds must be the nearest of all.
   Box3 bounds;
   for (const Vec3& q : s.points) bounds.add(q);
   const Vec3 size = bounds.max - bounds.min, away = p - bounds.min;

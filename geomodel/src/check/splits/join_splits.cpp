@@ -196,7 +196,8 @@ class SplitJoiner {
 
   /// Checks that cohesive prisms extend from the minus face, as seen from within the prism, to the plus face.
   void check_prisms(CheckResult& result) {
-    // Required cohesive prisms by their minus and plus faces, with the parity of the corner order of the minus face.
+    // Cohesive prisms that the project requires, by their sorted minus and plus faces. The value is whether sorting the
+    // corners of the minus face takes an odd number of exchanges.
     std::map<std::pair<Triangle, Triangle>, bool> due;
     if (asked_.cohesive)
       for (const auto& [minus, plus] : open_pairs_) due[{sorted(minus), sorted(plus)}] = is_odd(minus);

@@ -213,7 +213,8 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
-    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there in the mesh
+    // A surface that meets itself is divided there in the mesh, so its topology differs.
+    if (!input.manifold || !now.manifold) continue;
     ++n_checked;
     if (input == now) continue;
     changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);

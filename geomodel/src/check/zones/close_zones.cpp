@@ -41,7 +41,7 @@ class ZoneCloser {
       const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
       const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
       if (is_new && !used[v]) {
-        at.erase(entry);  // only elements of fault zones, which are removed, use this point
+        at.erase(entry);  // only elements of fault zones use this point, and they are removed
         continue;
       }
       row_[v] = entry->second;

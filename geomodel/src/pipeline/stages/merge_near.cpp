@@ -18,8 +18,8 @@ constexpr double most_of_tolerance = 0.5;      ///< share of the remaining toler
 constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point, as a multiple of `merge_within`
 constexpr double next_distance = 0.5;          ///< factor from one merging distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
-/// Largest number of rounding rounds in one attempt to merge. An attempt that has not succeeded by then would not
-/// succeed later either, and each round takes as long as the first.
+/// Largest number of times that coordinates are rounded to doubles in one attempt to merge surfaces. An attempt that
+/// still fails then would not succeed later either, and each rounding takes as long as the first.
 constexpr unsigned most_rounds = 4;
 
 /// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding to doubles.

@@ -98,7 +98,8 @@ class Canvas {
   }
   static constexpr std::size_t wide = oversampling * picture_width, tall = oversampling * picture_height;
 
-  /// Returns how dark mesh edges are drawn, by the triangle's mean height in pixels; 0 if the edges would merge.
+  /// Returns how dark the edges of a triangle are drawn, by its mean height in pixels; 0 if it is so small that its
+  /// edges would merge.
   static double edge_strength(double height) { return 0.42 * std::clamp((height / oversampling - 3) / 22, 0.0, 1.0); }
 
   /// Draws a triangle. `is_edge[k]` is whether the side opposite corner k is a mesh edge.
