@@ -43,7 +43,8 @@ std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckRes
   return of_edge;
 }
 
-/// Bezier control points of a second-order tetrahedron's map, multiplied by two so that no division is needed.
+/// Bezier control points of the map from a reference tetrahedron to a second-order one, multiplied by two so that no
+/// division is needed.
 template <class Number>
 struct Controls {
   std::array<std::array<std::array<Number, 3>, 4>, 4> at;

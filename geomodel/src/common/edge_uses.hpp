@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// One triangle at an edge with the ends a < b.
+/// A triangle at an edge of the surface whose ends are the vertices a < b.
 struct EdgeUse {
   VertexIndex a, b;
   Index facet;

@@ -16,12 +16,12 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double separating = 999;  // x and y of a line that separates two polygons in Irap and CPS files
-constexpr int n_levels = 9;         // number of heights at which faults are searched in a polygon
+constexpr int n_levels = 9;         // number of heights at which faults inside a fault polygon are searched
 constexpr int n_places = 64;  // number of sampled points on the line in which a horizontal plane cuts a fault triangle
 // A fault counts as passing through a polygon if its length in the polygon is at least this share of the longest one.
 constexpr double share_of_longest = 0.25;
-constexpr double most_of_horizon = 0.5;  // share of a horizon's area in fault polygons that causes a warning
-constexpr double wide_open = 0.25;  // gap between a polygon's ends, as a share of its length, that causes a warning
+constexpr double most_of_horizon = 0.5;  // if fault polygons contain more than this share of a horizon's area, warn
+constexpr double wide_open = 0.25;  // if a fault polygon's ends are farther apart than this share of its length, warn
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
 
@@ -176,7 +176,7 @@ class MapHorizon {
       for (const VertexIndex v : s.triangles[t]) boxes[t].add({s.points[v].x, s.points[v].y, 0});
     return boxes;
   }
-  /// Returns whether the segment a b crosses triangle t in the map; an end inside the triangle counts as crossing.
+  /// Returns whether the segment a b crosses the horizon's triangle t in the map; an end inside t counts as crossing.
   bool crosses(Index t, const Vec2& a, const Vec2& b) const {
     const Triangle& v = s_.triangles[t];
     int n_left = 0, n_right = 0;
@@ -191,7 +191,7 @@ class MapHorizon {
   arrangement::BoxTree tree_;
 };
 
-/// Returns the length of the fault's contour at the height `level` inside the polygon.
+/// Returns the length of the line at which a fault has the height `level` inside the fault polygon.
 double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault, double level) {
   double length = 0;
   for (const Triangle& t : fault.triangles) {

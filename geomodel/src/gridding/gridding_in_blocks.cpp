@@ -33,7 +33,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
   };
-  // Returns the point after k of n steps from a to b.
+  // Returns point k of the n equal steps from vertex a to b.
   const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {
     if (k == 0) return a;
     if (k == n) return b;
@@ -44,7 +44,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
     return at->second;
   };
   for (const auto& [a, b, c] : s.triangles) {
-    std::vector<std::vector<VertexIndex>> rows;  // new points in rows parallel to the edge bc, beginning at corner a
+    std::vector<std::vector<VertexIndex>> rows;  // new points of a triangle abc in rows parallel to bc, beginning at a
     for (std::size_t i = 0; i <= n; ++i) {
       std::vector<VertexIndex>& row = rows.emplace_back();
       for (std::size_t j = 0; j <= i; ++j) {
@@ -77,7 +77,6 @@ std::size_t parts_of_sides(const TriangulatedSurface& s, double step) {
   return static_cast<std::size_t>(std::ceil(longest / step));
 }
 
-/// The fault blocks of a model whose horizons have not been made yet.
 class FaultBlocks {
  public:
   FaultBlocks(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
@@ -105,7 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    std::vector<std::string> notes, warnings;  // messages on continued faults, dropped because the run gives them later
+    std::vector<std::string> notes, warnings;  // messages on continuing faults; the run gives them later
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -173,7 +172,7 @@ class BlockSurfaces {
     }
   }
 
-  /// Adds the triangles of a surface that lie in the given block. Parts outside of the model are kept, because all
+  /// Adds those triangles of the surface that lie in the given fault block, also outside of the model, because all
   /// surfaces are clipped later.
   void add(const TriangulatedSurface& sheet, Index block) {
     const TriangulatedSurface fine = divided(sheet, parts_of_sides(sheet, step_));

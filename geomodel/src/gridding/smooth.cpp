@@ -14,7 +14,7 @@ namespace {
 /// A surface whose equal vertices are merged. Smoothing thus moves both sides of a seam together.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;  ///< merged vertex of each vertex of the original surface
+  std::vector<VertexIndex> row;  ///< by vertex of the original surface: its vertex after merging
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
   std::vector<bool> fixed;  ///< points that smoothing does not move: on a border of the surface, or in no triangle

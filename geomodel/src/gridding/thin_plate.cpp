@@ -14,7 +14,6 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The normal equations of a least-squares problem, assembled entry by entry.
 class NormalEquations {
  public:
   explicit NormalEquations(std::size_t n) : right_side_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n))) {}

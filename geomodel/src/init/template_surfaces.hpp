@@ -16,7 +16,6 @@ struct MapGrid {
   int n;
 };
 
-/// Returns the surface z = height(x, y) on the grid.
 TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
                                    const std::function<double(double, double)>& height);
 

@@ -49,7 +49,7 @@ struct UnitVerdict {
   enum class Kind {
     unknown,   ///< no horizon shows to which unit the component belongs
     vertical,  ///< no horizon touches the component; those above and below it determine its unit
-    unit,      ///< the component is exactly one unit, which is both first and last
+    unit,      ///< the horizons leave one possible unit of the component, first == last
     joined,    ///< the component has the units first .. last, connected through a gap in a horizon
     /// The horizons around the component leave the units first_possible .. last_possible possible. If nothing else
     /// decides, it belongs to first == last, the unit next to one of these horizons.
@@ -58,7 +58,7 @@ struct UnitVerdict {
   } kind = Kind::unknown;
   Index first = no_index, last = no_index;
   Index first_possible = no_index, last_possible = no_index;
-  bool by_heights = false;  ///< whether the unit was determined from the order of deposition of the horizons
+  bool by_heights = false;  ///< whether the order of deposition of the horizons determined the component's unit
 };
 /// Determines the unit of a component. Below horizon h lies unit h + 1 or an older one, above it unit h or a younger
 /// one; where horizons converge (pinch-outs, erosion, onlap) the tightest bounds are used. A horizon that has the

@@ -19,7 +19,7 @@ namespace {
 struct FreeBorder {
   bool hole = false;
   double length = 0;
-  Vec3 place;              ///< centre of a hole; midpoint of the longest edge of a border
+  Vec3 place;              ///< where the border is: the centre of a hole, else the midpoint of the longest edge
   Index facet = no_index;  ///< index of a facet of the polygon soup that has an edge on this border
 };
 
@@ -140,7 +140,7 @@ std::string in_words(const OpenBorders& open) {
          (open.count == 1 ? "near " : "the longest near ") + to_text(open.place) + "): ";
 }
 
-/// Combines all holes, or all other open borders, of one horizon in one component.
+/// Combines to one entry all holes, or all other open borders, of a horizon in one component.
 OpenBorders together(OpenBorders open, const std::vector<FreeBorder>& borders) {
   const FreeBorder& longest = *std::ranges::max_element(borders, {}, &FreeBorder::length);
   CompensatedSum length;
@@ -167,7 +167,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
         if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
           rows_of_facet[f].push_back(h);
   std::vector<Index> component_at(soup.facets.size(), no_index);
-  std::map<std::pair<Index, Index>, double> within;  // area of each horizon that has the same component on both sides
+  std::map<std::pair<Index, Index>, double> within;  // by horizon and component: area with the component on both sides
   for (const auto& face : mesh.faces) {
     const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
     const Index c = below != no_index ? below : above;

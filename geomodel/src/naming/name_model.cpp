@@ -172,7 +172,8 @@ void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>
       model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
 }
 
-/// Assigns groups and attributes to regions by the name of the region or unit; the region's own takes precedence.
+/// Assigns groups and attributes to regions by the name of the region or of its unit. If both names have the attribute,
+/// the region's value counts.
 void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
   std::set<std::string> known;
   for (const Region& r : model.regions) known.insert({r.name, r.unit});

@@ -156,7 +156,6 @@ void warn_of_verdict(const UnitVerdict& verdict, const ComponentFacts& fact, con
   }
 }
 
-/// Determines the units of components that touch no horizon.
 void find_units_by_vertical(const std::vector<ComponentFacts>& facts, const PolygonSoup& soup,
                             const std::vector<TriangulatedSurface>& surfaces, const Column& column,
                             std::vector<UnitVerdict>& verdicts) {
@@ -205,7 +204,7 @@ bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vec
 
 /// Regions in their final order, with the data that determine their numbers and warnings.
 struct NumberedRegions {
-  const std::vector<std::size_t>& order;  ///< component of each region, in the order of the regions
+  const std::vector<std::size_t>& order;  ///< for each region, in their order: its component
   const std::vector<Label>& labels;
   const std::vector<ComponentFacts>& facts;
   const std::vector<Index>& block;  ///< by component
@@ -215,7 +214,7 @@ struct NumberedRegions {
 /// than faults divides a unit.
 void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
   const auto& [order, labels, facts, block] = numbered;
-  std::map<std::string, std::vector<std::size_t>> rows;  // indices of the regions that have the same name
+  std::map<std::string, std::vector<std::size_t>> rows;  // by name: indices of the regions that have it
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
   for (const auto& [name, members] : rows)

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 
 /// Regions of the mesh, each of them one or several connected components that share a name.
 struct NamedRegions {
-  std::vector<Region> regions;                ///< regions in the order of their ids, which start at 1
+  std::vector<Region> regions;                ///< regions of the mesh in the order of their ids, which start at 1
   std::vector<std::int32_t> id_of_component;  ///< region id of each component
   std::vector<UnitVerdict> verdicts;          ///< per component
 };

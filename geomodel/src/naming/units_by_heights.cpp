@@ -76,7 +76,8 @@ UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& pos
   return left.empty() ? possible : left;
 }
 
-/// Restricts the verdict to the units `left`, which the order of deposition of the horizons leaves possible.
+/// Restricts the verdict on a component's unit to the range `left`, which the order of deposition of the horizons
+/// leaves possible.
 void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& left) {
   if (left == possible) return;
   if (left.first == left.last) {

@@ -9,7 +9,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Statistics of the heights of one horizon.
 struct Heights {
   std::string name;
   double least = 0, greatest = 0;

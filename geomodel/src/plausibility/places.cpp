@@ -100,7 +100,6 @@ struct Placed {
   Extend extend = Extend::none;
 };
 
-/// Inputs whose wrong position has the same suspected cause.
 struct Outside {
   Guess guess;
   std::vector<std::string> names;
@@ -140,7 +139,7 @@ bool may_come_in(const Placed& input, const Box3& box) {
   return input.extend == Extend::tangent || overlap(b.min.z, b.max.z, box.min.z, box.max.z);
 }
 
-/// Returns the share of the heights between a and b that lie between the bottom and the top of the box.
+/// Returns which share of the interval of heights between a and b is between the bottom and the top of the box.
 double share_within(double a, double b, const Box3& box) {
   const double low = std::max(std::min(a, b), box.min.z), high = std::min(std::max(a, b), box.max.z);
   return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);

@@ -23,7 +23,7 @@ struct Finding {
   Sureness sureness = Sureness::probable;
   std::string cause;                ///< cause in one or two words for programs: "outside", "open body", ...
   std::vector<std::string> inputs;  ///< surfaces or wells
-  std::string text;                 ///< text for the user: what is odd, and where
+  std::string text;                 ///< text for the user: what is odd in the inputs, and where
   std::string remedy;               ///< remedy for the user, with the key of the project file
 };
 

@@ -18,7 +18,6 @@ constexpr double part_of_each_end = 0.05;  ///< share of a horizon's vertices ig
 constexpr std::size_t least_neighbours = 3;
 constexpr std::size_t least_vertices = 100;  ///< surfaces with fewer vertices are skipped: a spike may be a real summit
 
-/// Heights of one vertex relative to its neighbours.
 struct Around {
   double above = std::numeric_limits<double>::infinity();  ///< height above the vertex's highest neighbour
   double below = std::numeric_limits<double>::infinity();  ///< depth below the vertex's lowest neighbour
@@ -40,7 +39,7 @@ std::vector<Around> surroundings(const TriangulatedSurface& s) {
   return around;
 }
 
-/// Returns the value below which the given share of all values lies. Reorders the values.
+/// Returns the value below which the share `part` of the values lies. Changes their order.
 double quantile(std::vector<double>& values, double part) {
   const auto row = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + row, values.end());

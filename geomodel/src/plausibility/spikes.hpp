@@ -26,7 +26,6 @@ Spikes find_spikes(const TriangulatedSurface& surface);
 /// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` is added to places.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
-/// Advice that follows a message about spikes.
 constexpr const char* spikes_remedy =
     "if it is a slip in the file, correct it there; no_data: VALUE in the entry leaves out all points of that height";
 

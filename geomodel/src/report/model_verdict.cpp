@@ -15,7 +15,7 @@ bool has_faces(const ModelMesh& mesh, const std::string& surface) {
                      [&](const NamedSurface& s) { return s.name == surface && s.area > 0; });
 }
 
-/// Returns whether a name joined from several units ("a+b") contains this unit.
+/// Returns whether the name of joined units, such as "a+b", contains the given unit.
 bool is_part(const std::string& joined, const std::string& unit) {
   for (std::size_t begin = 0; begin <= joined.size();) {
     const std::size_t end = std::min(joined.find('+', begin), joined.size());

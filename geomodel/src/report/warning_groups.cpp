@@ -53,7 +53,7 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  for (const std::string_view end : {" ", ", near"})  // the end of a message such as "..., near (x, y, z)"
+  for (const std::string_view end : {" ", ", near"})  // a position may follow in the message: "..., near (x, y, z)"
     while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }

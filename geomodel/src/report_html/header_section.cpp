@@ -69,7 +69,6 @@ std::string system_words(const Json& crs, const Vec3& origin) {
   return out;
 }
 
-/// Describes the requested target size, and the resulting edge lengths.
 std::string size_words(const Report& report, const Json& asked) {
   std::string out;
   const std::string& unit = report.mesh->unit;

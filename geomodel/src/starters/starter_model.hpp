@@ -48,7 +48,7 @@ struct StarterModel {
     StarterGroup group;
     std::vector<std::string> wholes;  ///< full names of the surfaces that this group of elements is a part of
   };
-  std::vector<Listed> groups;  ///< groups of elements listed in the JSON file beside the mesh
+  std::vector<Listed> groups;  ///< all groups of elements in the JSON file beside the mesh
 };
 
 /// Collects the starter data of a mesh. Material parameters are attributes found by name: conductivity or

@@ -77,7 +77,7 @@ void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>
   for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);
 }
 
-/// Joins the lists of defects of all chunks and reports the result.
+/// Joins the lists of defects that threads found in the chunks, and reports the result.
 void flush_joined(const std::vector<FaultList>& by_chunk, std::vector<std::string>& faults) {
   if (by_chunk.empty()) return;
   FaultList joined(by_chunk.front().what());

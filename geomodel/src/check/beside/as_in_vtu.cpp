@@ -126,7 +126,8 @@ class Namer {
 
 using CurvedEdges = std::vector<std::pair<Corners, std::array<double, 3>>>;
 
-/// Returns the midpoint nodes that are not half-way along their edges, by the point numbers of the edge's ends.
+/// Returns the midpoint nodes that are not half-way between the ends of their edges, with the point numbers of these
+/// ends.
 CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& place) {
   CurvedEdges edges;
   for (const CurvedEdge& e : mesh.curved_edges) {

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::checking {
 
 enum class Meeting {
-  proper,    ///< The triangles are disjoint, or meet in shared vertices and edges only.
+  proper,    ///< The two triangles are disjoint, or meet in shared vertices and edges only.
   overlap,   ///< The two triangles are coplanar and share an area or a part of an edge.
   crossing,  ///< The triangles share a point inside one or inside an edge of one: they cross, or one touches the other.
 };

@@ -44,7 +44,8 @@ class TriangleSet {
 
  private:
   std::vector<Corners> triangles_;
-  std::vector<std::array<Index, 3>> corner_ids_;  ///< ids of the triangles' corners; equal coordinates have equal ids
+  /// Ids of the corners of the set's triangles; corners with equal coordinates have equal ids.
+  std::vector<std::array<Index, 3>> corner_ids_;
   Box3 box_;
   BoxTree tree_;
 };
@@ -58,7 +59,6 @@ struct Deviation {
   double spacing = 0;  ///< longest edge of a piece of a triangle that was only sampled, not proven to be near
 };
 
-/// Decides whether triangles lie within a tolerance of a triangle set.
 class DeviationChecker {
  public:
   /// `is_due` returns whether it is an error that a point of a measured triangle is farther from the set than the

@@ -18,8 +18,9 @@ namespace {
 /// Share of the continuation distance within which a wall counts as near. The shortest distance to a wall is less than
 /// the distance along the horizon; it is half of it if horizon and wall meet at 30 degrees.
 constexpr double share_of_distance = 0.5;
-/// Least cosine of the angle between the outward direction at a border of a horizon and the direction to the nearest
-/// point of a wall. A horizon directly above or below the border is thus not a wall ahead of it.
+/// A surface is a wall ahead of a horizon's border if the direction to the wall's nearest point and the outward
+/// direction at the border make an angle with at least this cosine. A horizon directly above or below the border is
+/// thus no wall.
 constexpr double least_ahead = 0.25;
 
 /// The faces of each mesh cell, and whether each face belongs to a surface.

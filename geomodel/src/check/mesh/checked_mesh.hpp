@@ -71,8 +71,8 @@ void check_delaunay(const CheckedMesh& mesh, const FacesFile* faces, CheckResult
 
 /// Returns the mesh vertices that equal the points of the faces file; no_vertex for points that are not in the mesh.
 std::vector<VertexIndex> match_points(const CheckedMesh& mesh, const std::vector<Vec3>& points);
-/// Checks the face set against the mesh (docs/output-files.md). Returns its triangles as mesh vertices, with no_vertex
-/// for points that are not in the mesh.
+/// Checks the faces file (docs/output-files.md) against the mesh. Returns the file's triangles by their mesh vertices,
+/// with no_vertex for points that are not in the mesh.
 std::vector<Triangle> check_face_set(const CheckedMesh& mesh, const FacesFile& faces, CheckResult& result);
 
 /// Checks that the mesh fills the volume and that every point is inside it. For a box, the volumes may differ by 1e-12

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects the locations where a mesh fails one check into one reported fault with a count and examples.
+/// Collects the locations where a mesh fails a check. They are reported as one failure with a count and examples.
 #pragma once
 
 #include <string>

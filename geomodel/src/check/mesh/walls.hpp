@@ -14,7 +14,8 @@ namespace geomesh::geomodel::checking {
 
 enum class Wall { none, minus, plus };
 
-/// Splits a wall's name into the surface and its side. For any other name, returns the name itself and no side.
+/// Splits the name of a wall, NAME.minus or NAME.plus, into surface and side. For any other name, returns the name
+/// itself and no side.
 inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::vector<std::string>& opened) {
   for (const std::string& surface : opened) {
     if (name == surface + ".minus") return {surface, Wall::minus};

@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Returns ids of the triangles' corners, with equal ids for equal coordinates, because files may repeat points.
+/// Returns ids of the corners of each triangle, equal for equal coordinates, because files may repeat points.
 std::vector<std::array<Index, 3>> corners_by_place(const TriangulatedSurface& surface,
                                                    const std::vector<UncoveredTriangle>& uncovered) {
   std::map<std::array<double, 3>, Index> rows;

@@ -14,7 +14,7 @@ namespace {
 
 // Largest allowed area of the lost parts of a horizon, as a share of its area in the volume.
 constexpr double most_lost = 0.03;
-constexpr double places_across = 64;    // number of sampled points across the horizon's extent
+constexpr double places_across = 64;    // number of sampled points along the longest extent of a horizon
 constexpr int most_places_a_side = 16;  // of a triangle
 
 /// A triangulated surface with a search structure for vertical lines through it.

@@ -18,18 +18,17 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Specification of the names of regions, taken from the project.
 struct SpecifiedNames {
   std::vector<std::string> column;  ///< alternating units and horizons of the column, youngest first; may be empty
   std::vector<NamedPoint> seeds;    ///< seed points: each gives its name to the region around it; in the mesh's frame
-  std::map<std::string, std::vector<std::string>> groups;           ///< members of each group, by the group's name
-  std::map<std::string, std::map<std::string, double>> attributes;  ///< values of attributes by unit or region
-  bool fault_blocks = false;                ///< whether names of units include the number of their block
+  std::map<std::string, std::vector<std::string>> groups;           ///< by group of regions: names of its members
+  std::map<std::string, std::map<std::string, double>> attributes;  ///< by unit or region: values of its attributes
+  bool fault_blocks = false;                ///< whether names of regions include the number of their fault block
   bool merges_small = false;                ///< whether regions may consist of several separate pieces
   std::vector<std::string> unconformities;  ///< names of the horizons that are unconformities, which cut older horizons
-  std::vector<Index> continued;  ///< indices of the column's horizons that are continued to other surfaces by default
+  std::vector<Index> continued;  ///< in the column: the horizons that are continued to other surfaces by default
   double continued_within = 0;   ///< m; how far
-  /// Regions may contain pieces of other units with less than this volume in m3, if merges_small is set.
+  /// If merges_small is set, regions may contain parts of other units with less than this volume in m3.
   double min_volume = 0;
 };
 
@@ -65,8 +64,8 @@ struct Specification {
   double merging = 0;            ///< distance within which features were merged (the project's `merge_within`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
-  bool named = false;                    ///< whether mesh files and `surfaces` use the same names, as with a project
-  bool refined = false;                  ///< whether the mesher may have added points to improve sizes and shapes
+  bool named = false;    ///< whether mesh files name surfaces like `surfaces` does, as after a run of the project
+  bool refined = false;  ///< whether the mesher may have added points to improve sizes and shapes
   std::vector<std::string> cell_arrays;  ///< names of the cell arrays of sizes and shapes that the project requests
   double size_growth = 0;  ///< largest growth of target sizes per unit of distance within one region; 0: not known
 

@@ -89,7 +89,7 @@ class TrimReader {
   const Project& project_;
 };
 
-/// Returns the triangles that extend the faults of a horizon with throw beyond their ends.
+/// For a horizon with throw, returns the triangles that extend its faults beyond their ends.
 std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<Index>& faults) {
   std::vector<std::array<Vec3, 3>> partings;
   for (const Index s : faults) {
@@ -142,7 +142,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, specification.volume ? specification.volume->bounds : bounds_of(inputs.surfaces),
                project.naming.attributes, Vec3{});
-  // Settings whose tolerance is reduced by the part that triangulating level sets uses up.
+  // Mesh settings whose tolerance is reduced by the part that triangulated level sets use up.
   RefinementSettings of_build = refinement;
   if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (specification.volume) {
@@ -152,7 +152,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   inputs.add_throws(rules);
   grid_in_blocks(inputs.surfaces, inputs.gridded, rules);
   inputs.complete_field_parts(rules);
-  std::vector<std::string> found, doubts;  // warnings, unused here because the run that made the mesh gave them
+  std::vector<std::string> found, doubts;  // warnings, unused because the run that made the mesh gave them
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);

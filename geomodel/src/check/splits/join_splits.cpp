@@ -232,9 +232,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   CheckedMesh as_split_;
-  std::vector<VertexIndex> row_;                           // for each node of the split mesh, the point after merging
-  std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces that differ in a node
+  std::vector<VertexIndex> row_;  // by node of the file with split faults: the point after merging
+  std::set<Triangle> split_;      // faces, by places
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces with different nodes
   JoinedFiles joined_;
 };
 

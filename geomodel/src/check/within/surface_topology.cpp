@@ -35,7 +35,7 @@ std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangl
 struct Topology {
   std::size_t pieces = 0, borders = 0;
   long euler = 0;
-  bool manifold = true;  ///< whether no edge has more than two triangles
+  bool manifold = true;  ///< whether no edge of the surface has more than two triangles
   friend bool operator==(const Topology&, const Topology&) = default;
 };
 

@@ -206,7 +206,7 @@ class ZoneCloser {
       if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
       const std::string& kind = kind_of[file.edge_curve[e]];
       if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
-        continue;  // a curve along which only the two walls of a zone meet, at an end of the zone
+        continue;  // along it only the two walls of a fault zone meet, at the zone's end
       if (met.contains(file.edge_curve[e]) && within.contains({std::min(a, b), std::max(a, b)})) continue;
       edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
     }

@@ -186,7 +186,7 @@ std::vector<VertexIndex> fixed_points(const ModelRecords& model) {
   for (const auto& p : soup.isolated_points) fixed.push_back(p.v);
   const std::vector<bool> polygons = plane_polygons(model.arranged.surfaces, model.built.rules);
   if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
-  std::vector<bool> is_corner;  // whether each point of the surfaces, concatenated, is the corner of a fracture
+  std::vector<bool> is_corner;  // by point of all surfaces, one after another: whether it is the corner of a fracture
   for (std::size_t s = 0; s < polygons.size(); ++s)
     is_corner.resize(is_corner.size() + model.arranged.surfaces[s].points.size(), polygons[s]);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)

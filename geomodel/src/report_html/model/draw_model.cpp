@@ -68,7 +68,6 @@ class Canvas {
   explicit Canvas(const Camera& camera)
       : camera_(camera), near_(wide * tall, 0.0F), colour_(wide * tall, bytes_of(background)) {}
 
-  /// Draws a convex polygon, with its sides as mesh edges.
   void fill(const std::vector<Vec3>& polygon, const Colour& colour, const Kept& kept) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<Vec3, 3> corners{polygon[0], polygon[i - 1], polygon[i]};

@@ -12,7 +12,6 @@ namespace {
 
 using Colours = std::array<Colour, 12>;
 
-/// Muted colours of units that are distinguishable side by side.
 constexpr Colours unit_colours{{{0.93, 0.79, 0.45},
                                 {0.45, 0.66, 0.80},
                                 {0.62, 0.77, 0.49},

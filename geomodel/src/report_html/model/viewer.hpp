@@ -45,7 +45,6 @@ std::string viewer_data(const ModelMesh& mesh, const Box3& bounds, const MeshCol
 /// `model`. It is under the MIT licence, so that users may pass on the HTML file.
 std::string_view viewer_script();
 
-/// Returns the style sheet of the HTML report.
 std::string_view page_style();
 
 }  // namespace geomesh::geomodel::page
