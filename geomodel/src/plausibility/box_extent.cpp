@@ -61,8 +61,8 @@ class BoxDoubts {
     }
   }
 
-  /// Compares the lengths of the horizons if the box is a margin around the data. Horizons that were already reported
-  /// as misplaced, or in another unit, are ignored.
+  /// Compares the horizontal lengths of the horizons if the box is a margin around the data. Horizons that were already
+  /// reported as misplaced, or in another unit, are ignored.
   void compare_horizons() {
     std::erase_if(horizons_, [&](const Extent& e) {
       return std::ranges::any_of(findings_, [&](const Finding& f) { return std::ranges::count(f.inputs, e.name) > 0; });

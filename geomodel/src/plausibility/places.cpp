@@ -245,8 +245,8 @@ void doubt_places_in(const Inspected& model, const std::vector<Placed>& inputs, 
   }
 }
 
-/// Finds a surface beside all others if the box is placed around the data, and if a change of coordinates or unit would
-/// move the surface to the others.
+/// Finds a surface or well beside all other surfaces in the map, if the box is placed around the data and a change of
+/// coordinates or unit would move it to the others.
 void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>& findings, const std::string& unit) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     Box3 others;

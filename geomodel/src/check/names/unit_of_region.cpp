@@ -92,7 +92,7 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // This horizon does not bound the region if the region lies on both sides of it, or of a horizon beyond it, over a
+    // A horizon does not bound the region if the region lies on both sides of it, or of a horizon beyond it, over a
     // larger area.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);

@@ -129,8 +129,8 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
   }
 }
 
-/// Returns whether p is outside the fault block in which the field of its triangle is valid, or near a fault that
-/// bounds the block.
+/// Returns whether p is outside the fault block in which the scalar field that made its triangle is valid, or near a
+/// fault that bounds the block.
 bool TakenByRules::is_outside_domain(Index surface, Index triangle, const Vec3& p) const {
   const std::vector<FieldPart>& fields = specification_.trims[surface].fields;
   const auto part = std::find_if(fields.begin(), fields.end(), [&](const FieldPart& f) { return triangle < f.end; });

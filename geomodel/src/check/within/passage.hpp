@@ -57,7 +57,7 @@ class FollowedSurface {
 };
 
 /// Functions that passes_through calls while it follows the line in which a plane cuts a surface, until this line is
-/// farther from another surface than the depth.
+/// farther than the given depth from another surface.
 struct AlongLine {
   std::function<bool(const Vec3&)> ends;  ///< returns whether to end the line at a point, as the surface's border does
   /// Called with each examined point of the line; successive points are at most a quarter of the depth apart.

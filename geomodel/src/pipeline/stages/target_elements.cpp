@@ -32,8 +32,8 @@ Box3 bounds_of(const Arranged& model) {
   return box;
 }
 
-/// Returns the largest factor on the target sizes that the tolerance allows: it follows the sizes, and would be refused
-/// above this factor.
+/// Returns the largest factor on the target sizes. The tolerance follows the sizes, and would be refused if this factor
+/// were larger.
 double greatest_factor(const Arranged& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
