@@ -77,7 +77,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 /// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to a
 /// side.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
-  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a volume are its bottom and top
+  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a model volume are its bottom and top
   bool inside = false, near = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];

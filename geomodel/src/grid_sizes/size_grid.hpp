@@ -39,7 +39,7 @@ class SizeGrid {
 
   std::vector<Vec3> points_;
   std::vector<double> sizes_;
-  std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes along each axis, ascending
+  std::array<std::vector<double>, 3> axes_;  ///< by axis: coordinates of the nodes of the lattice, ascending
   std::vector<double> lattice_;  ///< size at each node of the lattice, x fastest; empty if there is no lattice
   std::vector<Index> order_;     ///< k-d tree of points: the median of a range is in its middle, and axes alternate
 };

@@ -212,7 +212,7 @@ class BlockSurfaces {
   const FaultBlocks& blocks_;
   double step_;
   TriangulatedSurface surface_;
-  Box3 over_;  ///< bounds of the surface made from the points of all blocks
+  Box3 over_;  ///< bounds of the surface that was made from the points of all fault blocks
   CompensatedSum squares_;
   std::size_t n_measured_ = 0;
 };

@@ -190,9 +190,7 @@ ProjectTemplate topography_and_wells() {
                                       return 420 + 160 * std::sin(x / 800.7 + 0.3) * std::cos(y / 900.1) + 0.02 * y;
                                     }),
                      height_surface("base_gravel", {-130.7, 6140.3, -120.1, 5130.9, 16},
-                                    [](double x, double y) {
-                                      return 300 + 0.03 * x - 0.01 * y;  // this top horizon crops out in deep valleys
-                                    }),
+                                    [](double x, double y) { return 300 + 0.03 * x - 0.01 * y; }),
                      height_surface("top_bedrock", {-140.9, 6150.1, -130.3, 5140.7, 16},
                                     [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};
   result.files = {

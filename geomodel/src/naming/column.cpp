@@ -111,7 +111,7 @@ UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column) {
   Index first = 0, last = last_unit;
   bool bounded_above = false, bounded_below = false;
   for (const auto& [h, area] : contacts.lies_below) {
-    // The horizon is repeated by a fold or thrust, so the side of the component with the larger area is used.
+    // A fold or thrust may put a horizon on both sides of the component. The side with the larger area is used.
     if (area < area_in(contacts.lies_above, h)) continue;
     if (!bounds(contacts, area, 0, h)) continue;
     first = std::max(first, h + 1);

@@ -44,7 +44,7 @@ std::vector<HorizonContacts> horizon_contacts(const ConstrainedTetrahedralizatio
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p);
 
-/// The unit of a component, as far as its contacts with horizons determine it.
+/// The unit of a component of the mesh, as far as the horizons that touch the component determine it.
 struct UnitVerdict {
   enum class Kind {
     unknown,   ///< no horizon shows to which unit the component belongs

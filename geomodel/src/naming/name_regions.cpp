@@ -239,7 +239,8 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// Data about all components before they have names: measurements, bodies around each component, and its unit.
+/// Data about all components of the mesh before they have names: measurements, bodies around each component, and its
+/// unit.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;
@@ -320,7 +321,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
-/// Returns the name of the unit with its fault block for components that are units of the column, else an empty name.
+/// Returns for each component the name of its unit and fault block; an empty name if it is no unit of the column.
 std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
   std::vector<std::string> names;
   for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");

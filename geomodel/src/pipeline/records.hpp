@@ -77,7 +77,7 @@ struct ModelRecords {
 
 struct Meshed {
   RefineResult refined;
-  RefinementSettings used;  ///< requested mesh settings, with derived sizes and the tolerance that remeshing used
+  RefinementSettings used;  ///< mesh settings as requested, with derived sizes and the tolerance that remeshing used
   NamingRules naming;       ///< naming rules without topography and floor, because parts beyond these were removed
   /// Volume of each component before surfaces were moved within a tolerance; empty if none was moved.
   std::vector<double> volumes_of_input;

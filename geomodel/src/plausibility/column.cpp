@@ -101,7 +101,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // names of the nearest horizons above and below that are in the stratigraphic column
+    std::string above, below;  // the column's horizons next above and next below this surface
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);
@@ -109,7 +109,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
       if (side < 0) above = names[k];
       if (side > 0 && below.empty()) below = names[k];
     }
-    if (!in_order) continue;  // a surface that crosses the column's horizons may be an isotherm or a fluid contact
+    if (!in_order) continue;  // it crosses horizons of the column: an isotherm or a fluid contact
     left_out.push_back(s.name);
     places += (places.empty() ? "" : ", ") + s.name +
               (above.empty()   ? " above " + below

@@ -55,7 +55,7 @@ class FaceUses {
 
  private:
   PodArray<FaceUse> uses_;
-  std::vector<std::size_t> begin_;  ///< index of the first face of each block, and the end
+  std::vector<std::size_t> begin_;  ///< by block of faces: index of its first face; at the end the number of faces
 };
 
 }  // namespace geomesh::geomodel

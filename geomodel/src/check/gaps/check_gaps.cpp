@@ -176,7 +176,7 @@ class GapChecker {
   const MeshWays& ways_;
   std::int32_t region_;
   TriangleSet walls_;                   ///< faces on the boundary of the region, except those of the horizon
-  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, each with the third corner of its face
+  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, with the third corner of the face at each
   std::vector<HorizonSide> side_;       ///< per cell
 };
 

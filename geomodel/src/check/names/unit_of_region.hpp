@@ -17,7 +17,7 @@ namespace geomesh::geomodel::checking {
 
 /// first and last of the consecutive units that are joined in the region; no_index if none is known
 struct UnitVerdict {
-  Index first = no_index, last = no_index;  ///< range of units that are joined in the region; no_index if none
+  Index first = no_index, last = no_index;  ///< first and last unit that are joined in the region; no_index if none
   /// Whether the region has nearly equal areas below and above one horizon, so that its side of it is uncertain.
   bool close = false;
   bool open = false;  ///< whether horizons around the region leave several units possible; the nearest was taken
@@ -71,7 +71,7 @@ class UnitFinder {
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;
   std::map<std::int32_t, Contacts> contacts_;
-  std::vector<TriangulatedSurface> left_;  ///< remaining triangles of each horizon in the mesh
+  std::vector<TriangulatedSurface> left_;  ///< for each horizon, its triangles that are in the mesh
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -64,10 +64,10 @@ struct Specification {
   double merging = 0;            ///< distance within which features were merged (the project's `merge_within`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
-  bool named = false;    ///< whether mesh files name surfaces like `surfaces` does, as after a run of the project
+  bool named = false;    ///< whether the names of surfaces in the mesh files are those of `surfaces`, as with a project
   bool refined = false;  ///< whether the mesher may have added points to improve sizes and shapes
   std::vector<std::string> cell_arrays;  ///< names of the cell arrays of sizes and shapes that the project requests
-  double size_growth = 0;  ///< largest growth of target sizes per unit of distance within one region; 0: not known
+  double size_growth = 0;  ///< largest growth of target sizes per unit of distance inside a region; 0 if not known
 
   WriteOptions output;  ///< which files the project requests, with their contents and form; defaults without a project
 
@@ -75,7 +75,7 @@ struct Specification {
   SpecifiedNames names;
   std::vector<Polyline> wells;
   std::vector<NamedPoint> points;
-  std::vector<Vec3> input_points;  ///< points of all surfaces in their order, to which the mesh's `input_vertex` refers
+  std::vector<Vec3> input_points;  ///< points of all input surfaces; the mesh's `input_vertex` has indices in this list
 };
 
 /// Reads a project, transforms it to the mesh's frame and builds its surfaces. This shares code with the mesher:

@@ -30,7 +30,7 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   if (specification_.volume->box) return false;
   const auto& sides = specification_.volume->sides;
   bool inside = false;
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // the last two sides of a volume are its bottom and top
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // the last two sides of a model volume are its bottom and top
     const Vec3 &a = sides[i].points[0], &b = sides[i].points[1];
     const double t = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
                                     std::max((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), 1e-300),

@@ -38,7 +38,7 @@ class InputBorder {
   std::vector<Corners> edges_;
   std::vector<std::array<VertexIndex, 2>> ends_;
   std::vector<bool> cracks_;
-  std::map<VertexIndex, std::vector<Index>> at_;  ///< by vertex: border edges that end there
+  std::map<VertexIndex, std::vector<Index>> at_;  ///< by vertex of the surface: the border edges that end at it
   TriangleSet set_;                               ///< of edges_
   TriangleSet triangles_;                         ///< welded
   std::vector<VertexIndex> piece_of_triangle_;    ///< by triangle: representative vertex of its connected piece

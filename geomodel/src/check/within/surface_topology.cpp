@@ -22,7 +22,7 @@ Edge edge_of(const Triangle& t, std::size_t i) {
   return {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
 }
 
-/// Relative positions along a segment at which it is sampled.
+/// Relative positions of samples on a segment of a border or of an intersection curve.
 constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
 
 std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
@@ -304,7 +304,7 @@ void TopologyChecker::check_borders(CheckResult& result) {
         "sampled, both ways");
 }
 
-/// Returns the mesh edges at which both surfaces meet, and the mesh faces that belong to both.
+/// Returns the mesh edges at which the surfaces i and j meet, and the mesh faces that belong to both.
 TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {

@@ -15,7 +15,7 @@ namespace geomesh::geomodel::checking {
 /// Largest distances between mesh faces and input surfaces that a check accepts, in the mesh's unit.
 struct Allowed {
   double surfaces = 0;  ///< allowed distance between a surface and its input, in both directions
-  double rounding = 0;  ///< allowance for rounding of coordinates, as in the exact check of coverage
+  double rounding = 0;  ///< allowed distance due to rounding of coordinates
   double both() const { return surfaces + rounding; }
 };
 

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_tolerance = 0.5;      ///< share of the remaining tolerance that merging may use
-constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point, as a multiple of `merge_within`
+constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point by merging, divided by `merge_within`
 constexpr double next_distance = 0.5;          ///< factor from one tried merging distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
 /// Largest number of times that coordinates are rounded to doubles in one attempt to merge surfaces. An attempt that

@@ -24,7 +24,7 @@ namespace {
 nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Vec3& origin) {
   const Vec3 min = volume.bounds.min + origin, max = volume.bounds.max + origin;
   nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // the last two sides of a volume are its bottom and top
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // the last two sides of a volume are bottom and top
     const Vec3 corner = volume.sides[i].points[0] + origin;
     box["corners"].push_back({corner.x, corner.y});
   }
