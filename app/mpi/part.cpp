@@ -54,7 +54,7 @@ class BorderHalver {
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of the two ends of the edge, in increasing order
+    Vec3 low, high;  // coordinates of the edge's two ends, in lexicographic order
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;

@@ -110,7 +110,7 @@ class Model:
         return "<geomesh.Model %r: %s>" % (self._keys["name"], ", ".join(words))
 
     def __getstate__(self) -> Dict[str, Any]:
-        """Returns the state with inputs as arrays, for pickling and copying."""
+        """Returns the model's state with its inputs as arrays, for pickling and copying."""
         state = dict(self.__dict__)
         state["_given"] = {name: _arrays_of_given(given) for name, given in self._given.items()
                            if name not in self._grids}

@@ -13,7 +13,7 @@ _LEFT_AT_RANGE = 3.0  # the correlation at the range is exp(-3), one twentieth
 
 
 def correlation(distance, reach, kind):
-    """Returns the correlation of two places at these distances; `reach` is the range, at which 5 % is left."""
+    """Returns the correlation of a random field over a distance; at `reach`, the range, 5 % of it are left."""
     ratio = distance / reach
     return numpy.exp(-_LEFT_AT_RANGE * (ratio * ratio if kind == "gaussian" else ratio))
 

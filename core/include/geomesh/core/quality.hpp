@@ -77,8 +77,8 @@ struct WorstElement {
   Vec3 place;  ///< centroid
   ShapeCause cause = ShapeCause::free;
   double forcing_angle = 0;                      ///< the small angle of the input in degrees, if `cause` is input_angle
-  Index facet_a = no_index, facet_b = no_index;  ///< input facets that form the angle or bound the gap
-  Index segment_a = no_index, segment_b = no_index;  ///< input segments that form the angle, if any
+  Index facet_a = no_index, facet_b = no_index;  ///< input facets that form the small angle or bound the gap
+  Index segment_a = no_index, segment_b = no_index;  ///< input segments that form the small angle, if any
   double gap = 0;                                    ///< width of the gap, if `cause` is thin_gap
 };
 

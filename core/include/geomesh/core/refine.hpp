@@ -124,7 +124,7 @@ struct RefineStatistics {
 /// A place where surfaces were kept exactly, because they could not be proven to be within the tolerance otherwise.
 struct KeptPlace {
   Vec3 place{};
-  Index facet = no_index;  ///< facet of the PLC that is nearest to the place
+  Index facet = no_index;  ///< facet of the PLC that is nearest to `place`
 };
 
 struct RefineResult {

@@ -41,11 +41,11 @@ class SizeField {
 
   /// Returns the target size at a place in a component (no_index: in none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, for callers that do not distinguish sizes up to `enough`: if the size is at
-  /// most `enough`, any value up to `enough` may be returned.
+  /// Returns the target size at p as at() does, but faster, for callers that do not distinguish sizes up to `enough`:
+  /// if the size is at most `enough`, any value up to `enough` may be returned.
   double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, because the size at a place q nearby is known. If the size is at least
-  /// `at_most`, any value of at least `at_most` may be returned, which is faster still.
+  /// Returns the target size at p as at() does, but faster, because the size at a place q nearby is known. If the size
+  /// is at least `at_most`, any value of at least `at_most` may be returned, which is faster still.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;
   /// Returns the largest change of the size per unit of distance; infinity if the size may jump.
@@ -63,8 +63,8 @@ class SizeField {
   struct Node {
     Box3 box;
     double least = 0;           ///< least size of a source in this subtree of the kd-tree
-    double widest = 0;          ///< largest radius of a source in this subtree
-    double gradation = 0;       ///< least gradation of a source in this subtree
+    double widest = 0;          ///< largest radius of a source in this subtree of the kd-tree
+    double gradation = 0;       ///< least gradation of a source in this subtree of the kd-tree
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };

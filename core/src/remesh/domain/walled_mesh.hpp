@@ -57,7 +57,7 @@ class WalledMesh {
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< cells of cavities with more border vertices are linked by sorting
+  static constexpr unsigned table_side = 64;  ///< in cavities with more border vertices, cells are linked by sorting
 
   /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {
@@ -85,7 +85,7 @@ class WalledMesh {
   DomainMesh& mesh_;
   TetMesh& cells_;
   VertexIndex infinite_;
-  std::vector<PointRecord> records_;  ///< record of each vertex; its `place` is 1 if the vertex is on a curve
+  std::vector<PointRecord> records_;  ///< data of each vertex; the member `place` is 1 if the vertex is on a curve
   std::vector<Ghost> ghosts_;
 
   // Cells and border faces of the cavity: only the first n_cavity_ and n_border_ entries of these equally long lists.
@@ -94,7 +94,7 @@ class WalledMesh {
   std::size_t n_cavity_ = 0, n_border_ = 0;
   double nearest_ = 0;  ///< squared distance from the new point to the nearest vertex of the cavity
   std::vector<VertexIndex> numbered_;
-  std::vector<std::array<std::uint16_t, 3>> number_;  ///< for each border face, the numbers of its vertices
+  std::vector<std::array<std::uint16_t, 3>> number_;  ///< faces of the cavity's border, as rows of `numbered_`
   std::array<FaceRef, std::size_t{table_side} * table_side> table_;
   EpochMarks marks_;
   std::vector<CellIndex> kept_;

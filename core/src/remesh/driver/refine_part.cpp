@@ -233,7 +233,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   };
   const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
-    options.size_surfaces = true;  // without this option improvement would add no inner points
+    options.size_surfaces = true;  // if size_surfaces were false, improvement would add no inner points
     remesh::improve_mesh(tools, options, context);
   };
   const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });

@@ -20,11 +20,11 @@ enum class SmoothGoal {
 
 struct SmoothRule {
   unsigned max_steps = 12;
-  double good_enough = 2;  ///< a vertex whose worst shape is above this is not moved any further
+  double good_enough = 2;  ///< a vertex is not moved any further once the worst shape around it is above this limit
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
   double least_rise = 1.0005;  ///< a move must raise the worst shape by at least this factor
-  double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
+  double least_gain = 0.02;    ///< least rise of the sum of worths (CellQuality), when the mean shape is raised
   /// If surfaces are kept exactly: whether vertices on input edges may move along these edges.
   bool slides_on_edges = false;
 };

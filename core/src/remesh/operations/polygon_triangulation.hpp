@@ -88,7 +88,7 @@ class PolygonTriangulation {
     return shell_.triangulate(n_, Goal{of_edge, least, span_value});
   }
 
-  /// Returns an upper bound of the worse shape of the two new cells at side i of the polygon, and of their mean shape.
+  /// Returns an upper bound of the worse and the mean shape of the two new cells at side i of the ring around the edge.
   double bound_at_side(std::size_t i) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
     return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);

@@ -18,7 +18,7 @@ struct RefineRatios {
   /// A shorter edge on a surface is collapsed if improvement does not need its points. It leaves a margin
   /// above a third of the target size, because the result shall have no edges below that.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;    ///< limit for edges that are too short; the result is to have none below a third
+  double promised_edge = 0.34;    ///< too short an edge; the result must have none below a third of the target size
   double stretched_edge = 0.355;  ///< an edge that cannot be collapsed is stretched to this length
   double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
   /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.
@@ -32,9 +32,9 @@ struct RefineRatios {
   double least_height = 0.2;
   /// A new point has at least this share of its ideal height, even if the circumcentre is lower.
   double least_way = 0.5;
-  double surface_shape = 1e-7;  ///< least shape of a cell created by a new point on a surface; more points follow there
-  double collapse_floor = 0.05;  ///< a contraction must not lower the worst shape from above to below this
-  double regular_floor = 1e-3;   ///< flips and moves on surfaces must not lower shapes from above to below this
+  double surface_shape = 1e-7;  ///< least shape of a cell made by a point on a surface, around which more points follow
+  double collapse_floor = 0.05;  ///< a contraction must not lower the worst shape from above to below this limit
+  double regular_floor = 1e-3;   ///< flips and moves on surfaces must not lower shapes from above to below this limit
   unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; the fourth changes one face in a hundred
   /// A vertex is moved only if the worst face around it improves by this factor. At 1.01, with good faces left alone,
   /// refinement takes a tenth less time, but six times as many cells end below 24.85 degrees.
@@ -43,7 +43,7 @@ struct RefineRatios {
   double many_stuck = 0.15;
   /// Insertion counts as slow if a round leaves more than this many large cells for each new point.
   std::size_t slow_front = 20;
-  std::size_t idle_front = 100;  ///< with so many large cells left for each new point, circumcentres are inserted
+  std::size_t idle_front = 100;  ///< from so many large cells per inserted point on, points are put at circumcentres
 };
 inline constexpr RefineRatios refine_ratios{};
 

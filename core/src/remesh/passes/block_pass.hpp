@@ -21,11 +21,11 @@ namespace geomesh::remesh {
 /// the result. Vertices must neither be created nor removed between the first and the last visit.
 class BlockPass {
  public:
-  /// The function called for each vertex. The tools passed to it are those of the block: they share the mesh, the
-  /// envelope, the sizes and the rules with other blocks, but have no caches by vertex.
+  /// The function called for each visited vertex. It receives the Toolbox of the vertex's block, which shares the mesh,
+  /// the envelope, the sizes and the rules with those of other blocks, but has no caches by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
-  /// Both arguments must outlive this object. An exception from the function called for a vertex ends the pass.
+  /// `tools` and `context` must outlive this object. An exception from the function called for a vertex ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
   /// Visits vertices, within each block in the given order. If they are fewer than `least`, one thread visits all in

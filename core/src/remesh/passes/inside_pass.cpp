@@ -238,7 +238,7 @@ class InsideRefiner {
     return s.radius < 1e300 && (insert(s.centre, c) || insert(mesh_.middle(walled_->vertices(c)), c));
   }
 
-  /// Values of WalledMesh::note: whether a cell is too large.
+  /// Values stored for a cell as WalledMesh::note: whether the cell is larger than its target size.
   enum Note : unsigned { not_known, small, large };
 
   Toolbox& tools_;

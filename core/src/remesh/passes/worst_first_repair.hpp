@@ -17,7 +17,7 @@ enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, poin
 
 class WorstFirstRepair {
  public:
-  /// All arguments must outlive this object. `out_of_time` is polled from time to time.
+  /// `tools` and `schedule` must outlive this object. `out_of_time` is polled; once it returns true, repair ends.
   WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 

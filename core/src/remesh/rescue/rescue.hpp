@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 struct RescueRule {
   double bad_shape;          ///< a cell with a lower shape is bad
   unsigned smoothing_steps;  ///< largest number of steps when a vertex is moved
-  unsigned max_steps;        ///< largest number of operations in a sequence
+  unsigned max_steps;        ///< largest number of operations in one sequence that repairs a bad cell
 };
 
 using OutOfTime = std::function<bool()>;

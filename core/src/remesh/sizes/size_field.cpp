@@ -20,7 +20,7 @@ constexpr Index leaf_size = 8;
 /// beyond. Computed without roots and divisions.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  // gradation times the distance from the source within which it requires a size below `bound`
+  // gradation times the distance from the source at which the size that it requires reaches `bound`
   const double reach = radius * gradation + (bound - size);
   return squared_distance * gradation * gradation >= reach * reach;
 }

@@ -12,8 +12,9 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// A new place that is closer to another point than this share of the size at the point beside it is refused before its
-/// own size is evaluated. If sizes decrease by less than 0.5 per unit of distance, it would be refused anyway.
+/// A candidate point that is closer to another point than this share of the size at the point beside it is refused
+/// before the size at the candidate is evaluated. If sizes decrease by less than 0.5 per unit of distance, it would be
+/// refused anyway.
 constexpr double surely_crowded = 0.5;
 
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
@@ -162,7 +163,8 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
 }
 
 std::vector<Vec2> PlanarSampler::run() {
-  // Adds points first beside the edges of the border, then around each accepted point, then where there is still room.
+  // Adds points to the polygon: first beside the edges of its border, then around each accepted point, then where there
+  // is still room.
   for (const auto& [a, b, size_at_a] : edges_) {
     const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});

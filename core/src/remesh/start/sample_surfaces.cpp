@@ -121,8 +121,8 @@ class SurfaceSampler {
   /// Divides the edge into pieces with equal integrals of 1 / size.
   void cut(const Edge& edge, EdgeParts& parts) {
     if (whole_.edges.contains(edge)) return;
-    // An edge shorter than this many times the smaller size at its ends is surely one piece: an edge becomes two pieces
-    // only from 1.5 times the size on.
+    // An edge shorter than this many times the smaller target size at its ends is not divided, whatever the sizes along
+    // it: an edge becomes two pieces only from 1.5 times the size on.
     constexpr double surely_one = 1.2;
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);

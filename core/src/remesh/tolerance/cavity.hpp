@@ -134,7 +134,8 @@ void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex
 /// ring[k]).
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
-  /// Tags of the first two constrained faces, seen from the cell after each in the ring (or from the last cell).
+  /// For each of the first two constrained faces at the edge, its tag in the cell after the face in the ring of cells
+  /// (in the last cell, if no cell follows).
   std::array<FaceTag, 2> tag{};
   std::size_t n = 0;
 };
