@@ -43,7 +43,7 @@ struct MeshFaces {
   struct Use {
     std::uint64_t low;  ///< the two smallest vertex numbers of the face, packed into one number
     VertexIndex high;
-    Index code;  ///< index of the cell times four, plus that of the face
+    Index code;  ///< index of the cell times four, plus that of the face in the cell (0 to 3)
     Index other = no_index;
     Index cell() const { return code / 4; }
     Corners corners() const {

@@ -279,8 +279,8 @@ class StripImprover {
     return n;
   }
 
-  /// Improves the tetrahedra of a strip. Points that do not move, as on the strip's border, keep their mark as
-  /// `pending`.
+  /// Improves the tetrahedra of a strip beside a border between ranks. Points that do not move, as on the border of the
+  /// strip, keep their mark as `pending`.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

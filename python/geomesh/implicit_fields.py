@@ -47,7 +47,7 @@ class FaultField(NamedTuple):
 
 
 def _neighbour(values: Any, axis: int, step: int, outside: Any) -> Any:
-    """Returns the value `step` nodes farther along an axis; `outside` beyond the border."""
+    """Returns the value `step` nodes farther along an axis for each node of a lattice; `outside` beyond its border."""
     moved = numpy.full_like(values, outside)
     n = values.shape[axis]
     if abs(step) >= n:
@@ -172,7 +172,7 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
     for side in itertools.product((True, False), repeat=len(faults)):
         nodes = numpy.ones(values.shape, dtype=bool)
         for fault, is_positive in zip(faults, side):
-            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes this near to a fault belong to neither side
+            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes with smaller values are on neither side
             nodes &= (fault.values > rounding) if is_positive else (fault.values < -rounding)
         if not numpy.isfinite(values[nodes]).any():
             continue

@@ -102,7 +102,7 @@ class Model:
         self._given: Dict[str, _geomodel.Given] = {}
         self._fields: Dict[str, Any] = {}
         self._functions: Dict[int, Any] = {}
-        self._grids: Dict[str, Tuple[Any, ...]] = {}  # arguments of _geomodel.grid, from which a copy is made
+        self._grids: Dict[str, Tuple[Any, ...]] = {}  # arguments of _geomodel.grid for each grid, kept for pickling
 
     def __repr__(self) -> str:
         counts = [(len(self._surfaces), "surface"), (len(self._wells), "well"), (len(self._points), "point")]

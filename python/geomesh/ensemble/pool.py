@@ -41,7 +41,7 @@ class Pool:
         self._give(process)
 
     def _give(self, process):
-        """Sends the next realisation to a process, or ends its work."""
+        """Sends the next realisation to a worker process, or ends the process if none is left."""
         if not self._left:
             self._retire(process)
             return

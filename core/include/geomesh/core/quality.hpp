@@ -65,7 +65,7 @@ struct ShapeStatistics {
 
 /// Why an element is bad.
 enum class ShapeCause {
-  free,         ///< no feature of the input imposes the shape
+  free,         ///< no feature of the input imposes the element's bad shape
   input_angle,  ///< two facets or segments of the input meet at less than `forcing_angle` at a vertex of the element
   /// The element spans a gap thinner than a quarter of the target size that the tolerance does not allow to close.
   thin_gap,

@@ -9,7 +9,7 @@ namespace geomesh {
 
 /// Why an edge is short.
 enum class EdgeCause {
-  free,         ///< no feature of the input imposes the edge
+  free,         ///< no feature of the input imposes the short edge
   input_angle,  ///< facets or segments of the input meet at less than 20 degrees at an end of the edge
   thin_gap,     ///< the edge lies in a gap between surfaces that is thinner than the limit of short edges
   near_curves,  ///< the edge connects two curves of the input that are close to each other, or two ends of curves

@@ -20,8 +20,8 @@ namespace geomesh {
 struct SizeSource {
   Vec3 point;
   double size = 0;
-  double radius = 0;     ///< distance up to which the size is constant
-  double gradation = 0;  ///< growth of the size beyond the radius; 0: that of the field
+  double radius = 0;     ///< distance from the source up to which its size is constant
+  double gradation = 0;  ///< growth of the size per unit of distance beyond `radius`; 0: the field's gradation
 };
 
 class SizeField {

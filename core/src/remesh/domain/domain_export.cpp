@@ -115,8 +115,7 @@ class Exporter {
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
-  /// Writes the cells to the export, then the constrained faces in the order of the cells. All vertices must be
-  /// numbered.
+  /// Writes the cells to the export, then the constrained faces in the cells' order. All vertices must be numbered.
   void fill_cells() {
     constexpr std::size_t chunk = 16384;
     out_.tetrahedra.resize(cells_.size());

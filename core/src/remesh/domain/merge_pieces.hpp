@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 struct MergedFacets {
   PiecewiseLinearComplex plc;       ///< the original points, segments and seeds, with merged facets
-  std::vector<Index> row_of_facet;  ///< facet of `plc` that contains each original facet
+  std::vector<Index> row_of_facet;  ///< for each original facet, the facet of `plc` that contains it
 };
 
 /// Merges triangles that are pieces of one input triangle (the same number in `parent`, which is no_index if there is

@@ -182,7 +182,7 @@ Constrained constrained_of(const DomainMesh& mesh) {
 /// Removes inner points that were made for larger sizes, because they obstruct points at the new sizes. Insertion then
 /// starts at the border, as in a mesh without inner points.
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
-  constexpr double far_larger = 4;  // sizes so large that almost every inner point is superfluous
+  constexpr double far_larger = 4;  // factor of the sizes with which almost every inner point is superfluous
   constexpr unsigned rounds = 2;
   const SizeField loose = tools.lengths.field().times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);

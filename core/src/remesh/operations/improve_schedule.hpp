@@ -19,7 +19,7 @@ struct AscentLimits {
   /// First step, as a share of the distance to the nearest vertex of the link; longer steps invert cells.
   double first_reach = 0.3;
   double least_reach = 1e-3;   ///< smallest step of the vertex, as a share of its first; shorter ones do not matter
-  double active_share = 1.03;  ///< a step raises all shapes up to this factor times the least shape
+  double active_share = 1.03;  ///< a step of the ascent raises all shapes up to this factor times the least shape
   /// A step also raises the shapes within this difference of the least, so that shapes near zero count as equal.
   double active_margin = 1e-4;
   unsigned trials = 6;        ///< number of step lengths tried along one direction; the sixth is 0.01 of the first
@@ -46,8 +46,7 @@ inline constexpr PointLimits point_limits{};
 
 /// Parameters of the sequences of operations that repair a bad cell, and are kept only if the result is better.
 struct RescueLimits {
-  /// Least distance of a new point to others, as a share of the target size; small, as a bad cell is worse than a short
-  /// edge.
+  /// Least distance of a new point to others, in target sizes; small, as a bad cell is worse than a short edge.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
   /// With as many bad cells as before, a trial succeeds if the sum of their 1 - shape / bad_shape falls by this.
@@ -73,8 +72,9 @@ struct RescueLimits {
   std::size_t cells_a_vain_opening = 10;  ///< one sequence of repair operations may fail per so many cells of the mesh
   std::size_t least_vain = 4'000;  ///< failed sequences of repair allowed in any mesh, however small; takes seconds
   std::size_t most_vain = 60'000;
-  std::size_t least_vain_free = 10'000;  ///< least number of sequences that may fail at cells not imposed by the input
-  std::size_t most_vain_poor = 10'000;   ///< most failed sequences of repair allowed at poor cells; takes 1 to 2 s
+  std::size_t least_vain_free =
+      10'000;  ///< failed sequences of repair allowed, in any mesh, at cells not imposed by the input
+  std::size_t most_vain_poor = 10'000;  ///< most failed sequences of repair allowed at poor cells; takes 1 to 2 s
   /// One trial to repair a bad cell is allowed per so many cells. All trials take less than a fifth of the time.
   std::size_t cells_a_trial = 25;
 };

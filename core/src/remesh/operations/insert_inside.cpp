@@ -27,8 +27,7 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 
 namespace {
 
-/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face or many cells
-/// intervene.
+/// Finds the cell that contains p by a walk from `start`. Returns nothing at a constrained face, or after many cells.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn =
       0;  // The walk to the cell of p varies the order in which it tries faces, so it cannot cycle for long.

@@ -80,8 +80,7 @@ std::optional<VertexIndex> split_edge(Toolbox& tools, CellIndex c, VertexIndex a
 
 enum class CollapseRule {
   improve,  ///< the worst shape around the removed vertex must rise
-  /// The worst shape must not fall below both its former value and `floor`, and no new edge may be longer than 1.4
-  /// times its size.
+  /// The worst shape must not fall below both its former value and `floor`, nor new edges exceed 1.4 times their size.
   coarsen,
   thin_out,  ///< as `coarsen`, and the number of bad cells must not rise, unless bad_cells_may_spread is set
 };

@@ -72,8 +72,8 @@ class PolygonTriangulation {
  private:
   using Shell = EdgeShell<double, max_ring + 1>;
 
-  /// Finds the best triangulation by dynamic programming. An edge of the polygon has the value `of_edge`, and values up
-  /// to `least` are dropped. `span_value` combines the values on both sides of a triangle (EdgeShell).
+  /// Finds the best triangulation of the polygon around an edge by dynamic programming. A side of the polygon has the
+  /// value `of_edge`; values up to `least` are dropped. `span_value` combines the values beside a triangle (EdgeShell).
   template <class SpanValue>
   double triangulate(double of_edge, double least, const SpanValue& span_value) {
     struct Goal {

@@ -23,9 +23,11 @@ struct RefineRatios {
   double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
   /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.
   double surface_spacing_off = 0.3;
-  double large_cell = 0.75;  ///< a cell with a larger circumradius gets a point; the regular tetrahedron has 0.61
-  double large_face = 0.72;  ///< a face with a larger circumradius gets a point; the equilateral triangle has 0.58
-  double long_edge = 1.2;    ///< a face with a longer edge needs further points; must be below split_edge
+  double large_cell =
+      0.75;  ///< a cell with a larger circumradius gets a point; a regular cell with edges of 1 has 0.61
+  double large_face =
+      0.72;  ///< a face with a larger circumradius gets a point; an equilateral one with edges of 1 has 0.58
+  double long_edge = 1.2;  ///< a face with a longer edge needs further points; must be below split_edge
   /// Width of a strip of triangles on a kept surface below which points between the borders of the strip are useless.
   double hair = 1e-6;
   /// Least squared height of a new point above its face, relative to the squared target edge.

@@ -97,8 +97,7 @@ class Smoother {
   }
 
   /// Projects p from the line through the neighbours of v on its curve to the line through the ends of the input edge
-  /// at v, so that rounding does not add up over moves. Finding the ends takes a walk, so it is done just before v
-  /// moves.
+  /// at v, so that rounding does not add up. Finding the ends takes a walk, so it is done just before v moves.
   Vec3 on_input_edge(const Vec3& p) {
     for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
     const Vec3 d = ends_[1] - ends_[0];

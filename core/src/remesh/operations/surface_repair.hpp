@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Operations on all surfaces of the mesh: assignment of facets to faces, repair of places outside the tolerance,
-/// Delaunay flips.
+/// Operations on all surfaces of the mesh: assignment of facets to faces, repair outside the tolerance, Delaunay flips.
 #pragma once
 
 #include <cstdint>

@@ -28,8 +28,7 @@ class BlockPass {
   /// `tools` and `context` must outlive this object. An exception from the function called for a vertex ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
-  /// Visits vertices, within each block in the given order. If they are fewer than `least`, one thread visits all in
-  /// order.
+  /// Visits vertices, within each block in the given order. If there are fewer than `least`, one thread visits all.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
   /// Numbers of vertices visited in all calls of `run`: concurrently in blocks of vertices, or by one thread.

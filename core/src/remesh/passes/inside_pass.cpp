@@ -42,8 +42,8 @@ class InsideRefiner {
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
       if (n_front + n_centre > 0) continue;
-      // The front cannot advance, for example if sizes change over distances shorter than themselves. Cells beyond the
-      // front are refined too, so that the space there does not remain empty.
+      // The front of inserted points cannot advance, e.g. if sizes change over distances shorter than themselves. Cells
+      // beyond the front are refined too, so that the space there does not remain empty.
       const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
       total += n_beyond;
       if (n_beyond == 0) break;
@@ -247,7 +247,7 @@ class InsideRefiner {
   const double steepest_ = tools_.lengths.field().steepest();
   std::optional<WalledMesh> walled_;
   PassNumber pass_ = 0;
-  std::vector<PassNumber> changed_;  // for each vertex, the last pass that created a cell at it
+  std::vector<PassNumber> changed_;  // for each vertex, the number of the last pass that created a cell at it
   std::array<std::vector<PassNumber>, 3> refused_;
 };
 

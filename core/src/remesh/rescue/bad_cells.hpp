@@ -25,8 +25,7 @@ double shape_at_percentile(const DomainMesh& mesh, double share, unsigned thread
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
 /// Lists cells with a shape below `limit` by classes of equal width in shape, the worst class first. Within a class,
-/// cells are in the order of the mesh: cells close in memory are examined one after the other, which is many times as
-/// fast.
+/// cells are in the order of the mesh: cells close in memory are examined one after the other, which is far faster.
 std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes);
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c);
 

@@ -24,8 +24,7 @@ class PlanarSampler {
   };
   /// A function that returns the size at p, given a place nearby at which the size is known.
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
-  /// The loops are the border of the polygon, with vertices at about the target distances. The outer loop is
-  /// counter-clockwise, holes are clockwise.
+  /// The loops bound the polygon, with vertices at about the target distances; the outer loop is counter-clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
   /// Adds an existing point, or an inner segment with its ends, from which new points must keep their distance.
   void block(const Place& p) { add(p.at, p.size); }

@@ -40,8 +40,7 @@ std::optional<PlaneFrame> frame_of(const PiecewiseLinearComplex& plc, std::span<
       f.v[(axis + 2) % 3] = n[axis] > 0 ? 1 : -1;
       return f;
     }
-  // A short edge may deviate from the best plane of many points by much of its length, so only its component in the
-  // plane is used.
+  // A short edge may deviate from the best plane by much of its length, so only its component in the plane is used.
   const Vec3 unit = (1 / l) * n, along = plc.points[loop[1]] - o, flat = along - dot(along, unit) * unit,
              u = (1 / length(flat)) * flat;
   return PlaneFrame{o, u, cross(unit, u)};
@@ -175,7 +174,7 @@ class SurfaceSampler {
   /// Samples facets in parallel. The points on edges and their sizes must have been computed before.
   void sample_facets(const RunContext& context) {
     constexpr std::size_t batch = 4096, chunk = 64;
-    // A function of the caller is evaluated on one thread only.
+    // If sizes are given by a function of the caller, it is evaluated on one thread only.
     const unsigned threads = size_.limits().background ? 1 : thread_count(context.threads);
     if (size_.limits().component_size.empty()) {
       vertex_size_.resize(out_.plc.points.size(), -1);

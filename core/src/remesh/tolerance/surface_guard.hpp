@@ -38,7 +38,7 @@ struct Hold {
   /// Share of the tolerance that samples may use, so that the final proof seldom fails or has to subdivide faces.
   double margin = 0.7;
   std::vector<TightZone> zones;  ///< zones in which a smaller tolerance applies
-  unsigned run = 0;              ///< number of the run, from 0; earlier runs had larger tolerances
+  unsigned run = 0;              ///< number of this run of refinement, from 0; earlier runs had larger tolerances
   /// Reference surfaces, by patch; null: the triangles of the input. Reference curves are always those of the input.
   std::shared_ptr<const search::ReferenceSurfaces> surfaces = nullptr;
 };
@@ -99,11 +99,10 @@ class SurfaceGuard {
   /// have the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
-  /// Returns whether the reference surface is a single smooth layer over each of the patch's faces (`over`), and all of
-  /// these are oriented to the same side of it.
+  /// Returns whether the reference surface is a single smooth layer over the patch's faces (`over`), all on the same
+  /// side.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
-  /// Returns the cosine between the normals of a face and of the reference surface nearest to its centroid; 1 for zero
-  /// area.
+  /// Returns the cosine between the normals of a face and of the nearest reference surface; 1 for a face without area.
   double direction_cosine(const SurfaceFace& f) const;
   void find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc);
   /// Returns whether the whole face is proven to be within the limit (times the local share of the tolerance) of the
