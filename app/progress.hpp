@@ -64,7 +64,7 @@ class Progress {
   std::mutex mutex_;  ///< locked by a thread that uses the members below or standard error
   std::condition_variable ends_;
   bool ended_ = false;
-  std::string stage_, note_;   ///< the running stage, and the text of what it has counted
+  std::string stage_, note_;   ///< name of the running stage, and the text about what it has counted
   std::string remark_;         ///< last remark of the stage about a surface, printed if the stage makes only one
   std::size_t n_remarks_ = 0;  ///< number of remarks about surfaces in the running stage
   bool is_held_ = false;  ///< whether the stage has ended, and the next stage may be shown in the same line of output

@@ -10,8 +10,8 @@ import numpy
 
 class Lattice(NamedTuple):
     """A regular 3D grid of nodes: origin, spacing and counts along x, y, z."""
-    origin: Any  # coordinates of the first node
-    spacing: Any  # distances between adjacent nodes along x, y, z
+    origin: Any  # Coordinates of the first node.
+    spacing: Any  # Distances between adjacent nodes along x, y, z.
     shape: Tuple[int, int, int]
 
     def places(self) -> Any:

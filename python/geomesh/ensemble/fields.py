@@ -27,7 +27,7 @@ def _wave_vectors(stream, dimension, reach, kind):
 
 
 def gaussian_field(places, reach, kind, stream):
-    """Returns a field with mean 0 and variance 1 at the places (n, d)."""
+    """Returns the values at the places (n, d) of a random field with mean 0 and variance 1."""
     waves = _wave_vectors(stream, places.shape[1], reach, kind)
     amplitudes = stream.normals(2 * N_WAVES).reshape(2, N_WAVES) / numpy.sqrt(N_WAVES)
     values = numpy.empty(len(places))

@@ -83,7 +83,7 @@ class Pool:
             record["drawn"] = drawn.values
             write_input(self._study, drawn, self._store.failure_folder(index))
         except Error:
-            pass  # a realisation that could not be drawn has no input to keep
+            pass  # there is no input to keep if its random values could not be drawn
         self._store.put(record)
         self._told(index, "failed")
 

@@ -24,7 +24,7 @@ def composed(file):
 
 
 class Problems:
-    """Collects the mistakes in one file."""
+    """Collects the mistakes found in one YAML file."""
 
     def __init__(self, file):
         self._file, self._found = file, []

@@ -84,7 +84,7 @@ def unpacked(text, cells):
 
 
 class Probability:
-    """Counts units at cells over realisations."""
+    """Counts, for each cell of a grid, in how many realisations each rock unit is there."""
 
     def __init__(self, grid):
         self._grid = grid

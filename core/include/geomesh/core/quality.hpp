@@ -53,9 +53,9 @@ struct ShapeStatistics {
   Distribution min_dihedral, max_dihedral, solid_angle, radius_ratio, aspect, mean_ratio, edge_length;
   /// Shares of elements whose least dihedral angle is below 10 or above 24.85 degrees.
   double share_below_10 = 0, share_above_24_85 = 0;
-  std::array<std::size_t, 36> dihedral_histogram{};  ///< all dihedral angles, in bins of 5 degrees
-  std::array<std::size_t, 18>
-      min_dihedral_histogram{};  ///< least angle of each element, in bins of 5 degrees from 0 to 90
+  std::array<std::size_t, 36> dihedral_histogram{};      ///< histogram of all dihedral angles, in bins of 5 degrees
+  std::array<std::size_t, 18> min_dihedral_histogram{};  ///< histogram of the elements' least dihedral angles, in bins
+                                                         ///< of 5 degrees from 0 to 90
   std::array<std::size_t, 20> radius_ratio_histogram{};
   /// Number of edges by length / target size: below 1/4, 1/2, 1/sqrt 2, 1, sqrt 2, 2, 4, above. Zero without sizes.
   std::array<std::size_t, 8> edge_size_histogram{};

@@ -43,8 +43,8 @@ struct SlotEvent {
   What what;
 };
 
-/// The recorded changes of a trial. Vertices and cells are saved before their first change. Slots and curve edges are
-/// saved at every change, in order.
+/// The recorded changes of an undoable trial. Vertices and cells are saved before their first change. Slots and curve
+/// edges are saved at every change, in order.
 struct MeshJournal {
   bool is_open = false;
   std::size_t n_vertices = 0;  ///< number of vertices at the start of the undoable trial

@@ -45,7 +45,7 @@ class WalledMesh {
     flags = static_cast<std::uint8_t>((flags & ~(3u << note_shift)) | note << note_shift);
   }
 
-  /// Finds the cell that contains p by a walk from `start`. Returns nothing if the walk meets a wall or is too long.
+  /// Finds the cell that contains p by a walk from `start`. Returns nothing if it meets a constrained face or is long.
   std::optional<CellIndex> locate(const Vec3& p, CellIndex start) const;
   /// Inserts p, which is in the cell `home`, by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), reduced until
   /// p sees its whole border. Returns nothing if a vertex of the cavity is nearer than `spacing`, or if a vertex or an
@@ -57,7 +57,7 @@ class WalledMesh {
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< in cavities with more border vertices, cells are linked by sorting
+  static constexpr unsigned table_side = 64;  ///< number of border vertices above which cells are linked by sorting
 
   /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {

@@ -48,7 +48,7 @@ inline constexpr PointLimits point_limits{};
 struct RescueLimits {
   /// Least distance of a new point to others, in target sizes; small, as a bad cell is worse than a short edge.
   double room = 0.03;
-  double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
+  double notable_rise = 1.05;  ///< factor by which a sequence of repair must raise the worst shape to be worthwhile
   /// With as many bad cells as before, a trial succeeds if the sum of their 1 - shape / bad_shape falls by this.
   double notable_relief = 0.02;
   std::size_t most_given_up = 3;  ///< repair around a bad cell ends once this many cells could not be improved
@@ -87,16 +87,16 @@ struct ImproveSchedule {
   /// rounds that raise the mean shape before and after repair if many cells are poor
   unsigned mean_rounds_if_poor = 2;
   double mean_floor_angle = 30;    ///< raising the mean shape lowers no cell below this angle (see floor_percentile)
-  double floor_percentile = 0.01;  ///< percentile (0..1) of all shapes to which raising the mean may lower a shape
+  double floor_percentile = 0.01;  ///< percentile (0..1) of all shapes to which raising their mean may lower a shape
   double many_poor = 0.1;          ///< share of cells (0..1) below `target_angle` from which many cells count as poor
 
   // Parameters of repair, which treats the worst cells first.
   unsigned repair_rounds = 8;
-  double target_angle = 32;  ///< cells below this angle are repaired
+  double target_angle = 32;  ///< cells whose least dihedral angle is below this are repaired
   /// Number of classes of shape in which poor cells are repaired, the worst class first; within a class in the order of
   /// memory. 0: strictly the worst cell first.
   unsigned poor_classes = 32;
-  double insertion_angle = 26;    ///< cells below this angle are also repaired by new points
+  double insertion_angle = 26;    ///< cells whose least dihedral angle is below this are also repaired by new points
   double good_above_target = 4;   ///< degrees above `target_angle` from which a vertex is not moved further
   unsigned smoothing_steps = 12;  ///< of one vertex
   double least_rise = 1.03;       ///< factor (> 1) by which a move must raise the worst shape around a vertex

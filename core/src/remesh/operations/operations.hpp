@@ -82,7 +82,7 @@ enum class CollapseRule {
   improve,  ///< the worst shape around the removed vertex must rise
   /// The worst shape must not fall below both its former value and `floor`, nor new edges exceed 1.4 times their size.
   coarsen,
-  thin_out,  ///< as `coarsen`, and the number of bad cells must not rise, unless bad_cells_may_spread is set
+  thin_out,  ///< as for `coarsen`, and no more bad cells than before the contraction, unless bad_cells_may_spread
 };
 
 /// Contracts the edge u-v by moving u to v, if u is no corner and the edge lies on the curve or patch of u. The

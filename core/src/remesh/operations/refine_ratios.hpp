@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 /// are split are longer than edges that are collapsed, and no point is put nearer to others than `spacing`.
 struct RefineRatios {
   double split_edge = 1.4;  ///< a longer edge is split at its middle; its halves are longer than split_edge / 2
-  /// A shorter edge is collapsed; below split_edge / 2, so that halves of split edges are kept.
+  /// An edge shorter than this is collapsed. Below split_edge / 2, so that the halves of split edges are kept.
   double collapse_edge = 0.6;
   double thin_out_edge = 0.5;  ///< an edge shorter than this is collapsed if improvement does not need its points
   /// A shorter edge on a surface is collapsed if improvement does not need its points. It leaves a margin

@@ -87,7 +87,7 @@ class BorderBalancer {
     return {};
   }
 
-  /// Returns the area between a chord and the input's border; positive if the border is outside the chord.
+  /// Returns the area between a border edge of the mesh and the input's border; positive if the latter is outside.
   double area_lost(const Vec3& a, const Vec3& b, Index curve, const Vec3& out) const {
     double sum = 0;
     for (unsigned k = 0; k < n_samples; ++k) {

@@ -34,7 +34,7 @@ class BlockPass {
   /// Numbers of vertices visited in all calls of `run`: concurrently in blocks of vertices, or by one thread.
   struct Counts {
     std::size_t in_blocks = 0;      ///< vertices visited concurrently, inside blocks of vertices
-    std::size_t put_off = 0;        ///< vertices whose visit needed cells of another block and was repeated
+    std::size_t put_off = 0;        ///< vertices visited again, because the visit needed cells of another block
     std::size_t by_one_thread = 0;  ///< vertices left to be visited by one thread
     std::size_t critical = 0;       ///< vertices in the largest block of each division into blocks
   };

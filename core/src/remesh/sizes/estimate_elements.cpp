@@ -31,7 +31,7 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
 double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
   // Sizes that are too small to be sampled are enlarged 8, 64, 4096 ... times, because their unit may be wrong.
   constexpr double larger = 8;
-  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // evaluations of the size in 1.5 s, 0.15 s
+  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // size evaluations that take 1.5 s and 0.15 s
   if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);

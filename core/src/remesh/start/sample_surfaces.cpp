@@ -267,7 +267,7 @@ class SurfaceSampler {
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;
-  std::vector<double> vertex_size_;  // size at each vertex; negative if not yet evaluated
+  std::vector<double> vertex_size_;  // target size at each vertex; negative if not yet evaluated
   SampledComplex out_;
 };
 
@@ -279,7 +279,7 @@ std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& p
 
 /// Returns whether the facet is so thin that rounding may change it.
 bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
-  constexpr double least_width = 1e-6;  // twice the area over the squared longest edge
+  constexpr double least_width = 1e-6;  // twice the area of a facet over its squared longest edge
   const auto loop = plc.outer_loop(f);
   double longest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)

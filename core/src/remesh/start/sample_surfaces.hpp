@@ -29,7 +29,7 @@ struct WholeParts {
 struct SampledComplex {
   PiecewiseLinearComplex plc;
   std::vector<Index> segment;  ///< for each segment, the original segment of which it is a piece
-  /// The edge of each new point on an edge; the list starts at the first of these points.
+  /// For each point that was added on an edge of the original complex, the ends of that edge.
   std::vector<std::array<VertexIndex, 2>> edge_of_point;
 };
 

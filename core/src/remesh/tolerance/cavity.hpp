@@ -35,7 +35,7 @@ struct Spoke {
   Index facet;
 };
 
-/// An edge (apex, a) of a curve.
+/// An edge of a curve from the apex of a cavity's star to another vertex `a` of the star.
 struct CurveSpoke {
   VertexIndex a;
   Index curve;

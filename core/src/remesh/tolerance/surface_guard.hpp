@@ -119,7 +119,7 @@ class SurfaceGuard {
                     const std::vector<SurfaceFace>& after, const std::vector<SurfaceFace>& around) const;
   bool curves_near(const std::vector<CurvePiece>& before, const std::vector<CurvePiece>& after) const;
 
-  /// Returns whether each new corner is within rounding of a removed face.
+  /// Returns whether each corner of the new faces is on a removed face, up to rounding.
   bool corners_on(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after) const;
 
   Honour honour_ = Honour::exact;

@@ -23,7 +23,7 @@ struct Breach {
   Vec3 place{};
   double distance = 0;     ///< distance of `place` from the other model; within the tolerance if only the proof failed
   Index group = no_index;  ///< patch of a face, or class of a curve edge
-  Index facet = no_index;  ///< facet of the input; none for curves
+  Index facet = no_index;  ///< facet of the input at a face; none for a curve edge
   bool on_curve = false;
   bool of_input = false;  ///< whether this piece belongs to the input, not to the result
 };
