@@ -90,7 +90,7 @@ def continued(values: Any) -> Any:
 
 
 def _harmonic(values: Any) -> Any:
-    """Returns the values with NaN replaced by means of their neighbours, from coarse grids to fine ones."""
+    """Returns the values on a grid with NaN replaced by means of their neighbours, from coarse grids to fine ones."""
     missing = numpy.isnan(values)
     if not missing.any():
         return values
@@ -172,7 +172,7 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
     for side in itertools.product((True, False), repeat=len(faults)):
         nodes = numpy.ones(values.shape, dtype=bool)
         for fault, is_positive in zip(faults, side):
-            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes with smaller values are on neither side
+            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes with |value| below this are on neither side of a fault
             nodes &= (fault.values > rounding) if is_positive else (fault.values < -rounding)
         if not numpy.isfinite(values[nodes]).any():
             continue

@@ -17,7 +17,7 @@ def units_at(mesh, grid, names):
         raise ValueError("a grid of units holds %d units at most" % (OUTSIDE - 1))
     rows = numpy.array([row_of.get(i, OUTSIDE) for i in range(max(row_of) + 1)], dtype=numpy.uint8)
     spacing = numpy.array(grid.spacing())
-    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # cell centres get integer coordinates
+    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # centres of grid cells get integer coordinates
     found = numpy.full(numpy.prod(grid.cells), len(mesh.tetrahedra), dtype=numpy.int64)
     for start, end in _batches(points, mesh.tetrahedra, grid.cells):
         _mark(points[mesh.tetrahedra[start:end]], start, grid.cells, found)

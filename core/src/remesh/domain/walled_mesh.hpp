@@ -94,7 +94,7 @@ class WalledMesh {
   std::size_t n_cavity_ = 0, n_border_ = 0;
   double nearest_ = 0;  ///< squared distance from the new point to the nearest vertex of the cavity
   std::vector<VertexIndex> numbered_;
-  std::vector<std::array<std::uint16_t, 3>> number_;  ///< faces of the cavity's border, as rows of `numbered_`
+  std::vector<std::array<std::uint16_t, 3>> number_;  ///< vertices of each border face, as numbers within the cavity
   std::array<FaceRef, std::size_t{table_side} * table_side> table_;
   EpochMarks marks_;
   std::vector<CellIndex> kept_;

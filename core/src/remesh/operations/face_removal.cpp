@@ -22,7 +22,7 @@ class FaceRemoval {
 
   double shape_before(std::size_t k) const { return mesh_.shape_of(removed_[k]); }
 
-  /// Makes the flip if all new shapes are above `least`.
+  /// Makes the 2-3 flip if the shapes of all new cells are above `least`.
   bool attempt(double least) {
     if (!are_all_above(least)) return false;
     auto& added = tools_.work.added;

@@ -18,7 +18,7 @@ struct RefineRatios {
   /// A shorter edge on a surface is collapsed if improvement does not need its points. It leaves a margin
   /// above a third of the target size, because the result shall have no edges below that.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;    ///< too short an edge; the result must have none below a third of the target size
+  double promised_edge = 0.34;    ///< edges shorter than this are too short; none may remain below a third of the size
   double stretched_edge = 0.355;  ///< an edge that cannot be collapsed is stretched to this length
   double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
   /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.
@@ -45,7 +45,7 @@ struct RefineRatios {
   double many_stuck = 0.15;
   /// Insertion counts as slow if a round leaves more than this many large cells for each new point.
   std::size_t slow_front = 20;
-  std::size_t idle_front = 100;  ///< from so many large cells per inserted point on, points are put at circumcentres
+  std::size_t idle_front = 100;  ///< from so many large cells per inserted point on, circumcentres are tried
 };
 inline constexpr RefineRatios refine_ratios{};
 

@@ -230,8 +230,8 @@ class InsideRefiner {
 
   bool is_on_front(CellIndex c) { return is_front(c, 0) || is_front(c, 1) || is_front(c, 2) || is_front(c, 3); }
 
-  /// Inserts a point at the circumcentre or centroid of a cell at the front or beyond it. Points beyond the front are
-  /// tried only when it cannot advance, because it would reach them later at an unsuitable distance.
+  /// Inserts a point at the circumcentre or centroid of a cell at the advancing front or beyond it. Points beyond the
+  /// front are tried only when it cannot advance, because it would reach them later at an unsuitable distance.
   bool insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return false;
     const Sphere s = circumsphere(mesh_, c);

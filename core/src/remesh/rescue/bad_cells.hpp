@@ -50,7 +50,8 @@ struct Tally {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && worst > rescue_limits.notable_rise * other.worst));
   }
-  /// Compares the sums over all bad cells, because the worst shape says nothing next to cells that cannot be improved.
+  /// Compares sums of 1 - shape / bad_shape, because the worst shape says nothing next to cells that cannot be
+  /// improved.
   bool is_less_bad_than(const Tally& other) const {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - rescue_limits.notable_relief));

@@ -19,8 +19,9 @@ namespace geomesh::remesh {
 
 /// Parts of the complex to which no points are added.
 struct WholeParts {
-  std::set<std::array<VertexIndex, 2>> edges;  ///< edges that get no points, lower vertex first
-  std::set<Index> facets;                      ///< facets (before merging) that get no inner points
+  std::set<std::array<VertexIndex, 2>>
+      edges;               ///< edges of the complex that get no points, each with its lower vertex first
+  std::set<Index> facets;  ///< facets (before merging) that get no inner points
 
   std::size_t size() const { return edges.size() + facets.size(); }
 };

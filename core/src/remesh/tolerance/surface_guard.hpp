@@ -56,7 +56,7 @@ class SurfaceGuard {
   /// Returns a distance that may be caused by rounding alone.
   double rounding() const { return rounding_; }
 
-  /// Returns the direction in which a vertex on a patch may not move: the normal of the reference near p.
+  /// Returns the direction in which a vertex on a patch may not move: the normal of the reference surface near p.
   Vec3 normal(Index patch, const Vec3& p) const;
   /// Returns whether the original of the patch lies in one plane. Not for exact mode.
   bool is_flat(Index patch) const { return flat_.is_flat(patch); }

@@ -37,7 +37,7 @@ std::vector<std::size_t> in_order(const Items& items) {
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
 struct Difference {
-  std::vector<std::size_t> same;        ///< for each piece of the second list, its index in the first, or no_row
+  std::vector<std::size_t> same;        ///< index of each face or edge of the second list in the first, or no_row
   search::ClosestPointTrees exchanged;  ///< pieces (faces or curve edges) that only one of the two lists contains
 };
 
