@@ -52,11 +52,9 @@ class SizeField {
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations are
-  /// kept.
+  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations remain.
   SizeField times(double factor) const;
-  /// Returns the sources that are not redundant, with their gradations. With the same limits they define the same
-  /// field.
+  /// Returns the sources that are not redundant, with their gradations. With equal limits they define the same field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 
  private:

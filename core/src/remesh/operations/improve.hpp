@@ -80,8 +80,7 @@ bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexInde
 inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell if this raises the worst shape around it. The cavity grows greedily across the faces
-/// that would make the worst new cells (Klingner and Shewchuk 2007, section 3.4), and the place of the vertex is
-/// optimised.
+/// that would make the worst new cells (Klingner and Shewchuk 2007, section 3.4), and its place is optimised.
 bool insert_to_improve(Toolbox& tools, CellIndex c, double room = usual_room);
 /// Splits an edge if this, with the new vertex at its best place, raises the worst shape around it.
 bool split_to_improve(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double room = usual_room);

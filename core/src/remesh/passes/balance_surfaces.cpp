@@ -68,8 +68,7 @@ class BorderBalancer {
   }
 
  private:
-  /// Number of samples on a border edge for its distance from the input's border. For parabolas the sum is accurate to
-  /// 1 %.
+  /// Number of samples on a border edge for its distance from the input's border. For parabolas the sum is within 1 %.
   static constexpr unsigned n_samples = 8;
 
   bool is_on_free_border(VertexIndex v) const {

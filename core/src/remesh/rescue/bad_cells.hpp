@@ -50,8 +50,8 @@ struct Tally {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && worst > rescue_limits.notable_rise * other.worst));
   }
-  /// Compares sums of 1 - shape / bad_shape, because the worst shape says nothing next to cells that cannot be
-  /// improved.
+  /// Returns whether the worst shape is no lower, and there are fewer bad cells, or as many with a clearly lower sum of
+  /// 1 - shape / bad_shape. Next to cells that cannot be improved, the worst shape alone says nothing.
   bool is_less_bad_than(const Tally& other) const {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - rescue_limits.notable_relief));

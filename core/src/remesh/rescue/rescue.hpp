@@ -17,9 +17,9 @@ struct RescueRule {
 
 using OutOfTime = std::function<bool()>;
 
-/// Number of sequences of operations that may still fail, over all cells. Sequences around a cell that is improved in
-/// the end do not count. Therefore all bad cells are tried if they are few, and the work is bounded if the input
-/// imposes many.
+/// Number of sequences of repair that may still fail, over all cells. Sequences around a cell that is improved in the
+/// end do not count. Therefore all bad cells are tried if they are few, and the work is bounded if the input imposes
+/// many.
 struct VainTrials {
   std::size_t left;
 };

@@ -105,8 +105,7 @@ class Integral {
   }
 
   /// A piece with a small contribution is estimated from one of its halves, chosen at random and counted twice (Russian
-  /// roulette). The expected value of the sum is unchanged, and the number of samples is limited however slender the
-  /// cells are.
+  /// roulette). The expected sum is unchanged, and the number of samples is limited however slender the cells are.
   void visit(const std::array<Vec3, n>& p, Index component, KnownPlace& near, const Share& share) {
     if (sampler_.is_exhausted()) return;
     Vec3 centre;

@@ -108,8 +108,7 @@ class SurfaceSampler {
     return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
   }
 
-  /// Returns the target size at an original point or a new point on an edge. It is stored if sizes do not depend on the
-  /// facet.
+  /// Returns the target size at an original point or one on an edge; stored if sizes do not depend on the facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
     const std::vector<Vec3>& points = out_.plc.points;
     if (!size_.limits().component_size.empty()) return size_at(points[v], facets);

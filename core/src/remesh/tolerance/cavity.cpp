@@ -12,8 +12,7 @@ void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index fa
   cavity.spokes.push_back({f[(k + 1) % 3], f[(k + 2) % 3], facet});
 }
 
-/// Adds the edges of curves at v: to vertices of its constrained faces or, for curves inside a region, to any
-/// neighbour.
+/// Adds the edges of curves at v: to vertices of its constrained faces or, for curves in a region, to any neighbour.
 void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
   if (mesh.kind(v) > VertexKind::curve) return;
   auto& asked = cavity.neighbours_asked;  // neighbours of v that were examined

@@ -99,8 +99,8 @@ class SurfaceGuard {
   /// have the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                        const std::vector<Index>& over, bool curves_stay) const;
-  /// Returns whether the reference surface is a single smooth layer over the patch's faces (`over`), all on the same
-  /// side.
+  /// Returns whether the reference surface is one smooth layer over the patch's faces (`over`), and these are on one
+  /// side of it.
   bool are_turned_alike(Index patch, const std::vector<SurfaceFace>& faces, const std::vector<Index>& over) const;
   /// Returns the cosine between the normals of a face and of the nearest reference surface; 1 for a face without area.
   double direction_cosine(const SurfaceFace& f) const;
