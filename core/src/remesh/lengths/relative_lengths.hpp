@@ -72,7 +72,7 @@ class RelativeLengths {
   /// Returns whether the size field calls a function of the caller, which may be evaluated on one thread only.
   bool asks_caller() const { return field_.limits().background != nullptr; }
 
-  /// Evaluates all target sizes at vertices that are not yet stored, in parallel. Allows concurrent use.
+  /// Evaluates and stores all missing target sizes at vertices, in parallel. Lengths may then be used concurrently.
   void evaluate(unsigned threads);
   /// Stores the target size at a vertex, evaluated elsewhere.
   void set_size(VertexIndex v, double size);

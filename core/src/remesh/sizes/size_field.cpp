@@ -54,7 +54,7 @@ SizeField SizeField::times(double factor) const {
 }
 
 /// Removes redundant sources and returns whether there were any. A source is redundant if no source has a larger
-/// gradation, and another source requires less at its point by more than the former's gradation times its radius.
+/// gradation, and another source requires less at its point by more than the redundant one's gradation times radius.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

@@ -130,7 +130,7 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// The constrained faces at an edge (a, b): indices k in its ring of vertices with constrained (a, b, ring[k]).
+/// The constrained faces at an edge (a, b): indices k in its ring of vertices for which (a, b, ring[k]) is one.
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
   /// For each of the first two constrained faces at the edge, its tag in the cell after the face in the ring of cells
