@@ -44,8 +44,8 @@ std::string told(const std::string& unit, const ModelRules& rules, const ThinPla
 
 /// A horizon interpolated on the common triangulation of several horizons in the map.
 struct Draped {
-  std::vector<bool> has;       ///< for each triangle of the common triangulation, whether the horizon is present
-  std::vector<double> height;  ///< height of the horizon at each point; NaN if no triangle needs it
+  std::vector<bool> has;       ///< for each triangle of the horizons' common triangulation: whether it has the horizon
+  std::vector<double> height;  ///< height of the horizon at each point of the common triangulation; NaN where absent
   bool overhangs = false;
 };
 

@@ -400,7 +400,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
-  // Continued horizons end at the parts of faults that were not removed by the rules above.
+  // Continued horizons end at faults, but only at the parts that the rules for faults have not removed.
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);

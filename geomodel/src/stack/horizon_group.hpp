@@ -49,7 +49,7 @@ class HorizonGroup {
   std::size_t first_that_overhangs() const;
   Settling settle();
 
-  // The functions below may only be called after settle() has returned Settling::settled.
+  // The settled horizons and their report may only be queried after settle() has returned Settling::settled.
 
   SettledStack& told() { return told_; }
   /// Returns a settled horizon without throw, in model coordinates and with its original orientation.

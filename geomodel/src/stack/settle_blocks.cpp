@@ -112,7 +112,7 @@ class BlockSheets {
 
  private:
   struct Sheet {
-    std::vector<Index> given;  ///< indices of original triangles, ascending
+    std::vector<Index> given;  ///< indices of the horizon's original triangles in the block, ascending
     BlockExtension extension;
   };
   TriangulatedSurface continued_, given_;

@@ -135,7 +135,7 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
   }
 }
 
-/// Returns whether the rules request that the stack is put in order, and contain the options that this needs.
+/// Returns whether the rules request that the stack of horizons is put in order, and give tolerance, size and outline.
 bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }

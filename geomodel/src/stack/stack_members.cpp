@@ -44,7 +44,7 @@ Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelR
 
 struct Lie {
   double volume_over = 0, volume_under = 0;
-  /// Area where the horizon lies below the other one, and total length of the lines in which they cross.
+  /// Area in which one horizon lies below another, and total length of the lines in which both horizons cross.
   double area_under = 0, crossing = 0;
 
   bool is_over() const { return volume_over > far_over * volume_under; }

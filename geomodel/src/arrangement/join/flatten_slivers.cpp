@@ -23,7 +23,7 @@ bool is_sliver(const Complex& complex, const Triangle& t, double width) {
   return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) < width * longest_side(complex, t);
 }
 
-/// Unmarks in `active` all facets that marked facets connect, through shared vertices, with a facet of `left_alone`.
+/// Unmarks in `active` facets that marked ones connect, through shared vertices, with a facet that could not move.
 void leave_places_of(const std::vector<Index>& left_alone, const Complex& complex, std::vector<std::uint8_t>& active) {
   UnionFind joined(complex.points.size());
   const auto join_corners = [&](Index f) {

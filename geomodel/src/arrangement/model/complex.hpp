@@ -53,7 +53,7 @@ struct Complex {
 
 /// A facet that lost its area when its corners were rounded or merged, with the current places of its corners.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< surfaces from which the facet stems; its loss is reported for the first one
+  std::vector<Index> surfaces{};  ///< surfaces of the facet; only for the first one, the loss of the facet is reported
   std::array<Vec3, 3> corners{};
 };
 

@@ -61,7 +61,7 @@ class PlanarTriangulation {
   struct Stop {
     int vertex = none;
     bool is_edge = false;  ///< whether an edge from a to `vertex` exists
-    /// If no edge at a runs along the segment: the face at a that the segment crosses, and its edge opposite a.
+    /// The face at vertex a that the segment crosses, and its edge opposite a, if no edge at a runs along the segment.
     int face = none, edge = none;
   };
   Place locate(int p, int& face, int& index) const;

@@ -34,8 +34,8 @@ std::vector<Triangle> triangles_of(const Complex& complex, const std::vector<Fac
   return triangles;
 }
 
-/// Returns the corner of one wall that is farthest from the other, if all of the wall is proven to be within the
-/// distance.
+/// Returns the corner of one wall of a thin void that is farthest from the other wall, if all of this wall is proven to
+/// be within the distance.
 std::optional<Displacement> way_between(const Complex& complex, const std::vector<FacetSide>& wall,
                                         const SurfaceDistance& other, double distance) {
   Displacement way;

@@ -112,7 +112,7 @@ class BoxTree {
   std::vector<FloatBox> boxes_;  ///< in that order
   std::vector<FloatBox> nodes_;
   std::vector<Index> groups_;       ///< group of each box in Morton order; empty if there are no groups
-  std::vector<Index> node_groups_;  ///< for each node: the common group of all its boxes, or no_index
+  std::vector<Index> node_groups_;  ///< for each tree node: the group to which all its boxes belong, or no_index
 };
 
 }  // namespace geomesh::geomodel::arrangement

@@ -53,7 +53,7 @@ class JoinRule {
     return rule;
   }
 
-  /// Allows the surfaces of these pairs to be merged wherever they are near, whether they end there or not.
+  /// Allows both surfaces of each pair to be merged wherever they are near each other, even where neither of them ends.
   void join_all_of(const std::set<SurfacePair>& pairs) {
     following_.insert(pairs.begin(), pairs.end());
     known_.clear();

@@ -103,7 +103,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// Splits again the facets with an edge in `whole`, from which all insertions were dropped.
+  /// Splits again the facets with an edge in `whole`, the edges from which all inserted vertices were dropped.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {

@@ -89,7 +89,7 @@ class Search {
     const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
     const auto nearest = nearest_of_edges(point(e.first), point(e.second), point(f.first), point(f.second));
-    if (!nearest) return;  // parallel edges, or nearest at an end, which was inserted in the other edge before if near
+    if (!nearest) return;  // parallel edges, or nearest at an end, which was tested against the other edge before
     const auto& [p, q] = *nearest;
     if (length(p - q) >= distance_) return;
     const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);

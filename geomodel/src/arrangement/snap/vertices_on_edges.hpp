@@ -77,7 +77,7 @@ class VerticesByPlace {
 
  private:
   Complex& complex_;
-  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< indices of the first n_known_ points by coordinates
+  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< vertices by coordinates, of the first n_known_ points
   std::size_t n_known_ = 0;
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 using Origin = PolygonSoup::Origin;
 
-/// For each connected piece, returns the area that stems from triangles accepted by `counts`.
+/// For each connected piece of a horizon, returns the area that stems from input triangles accepted by `counts`.
 std::vector<double> area_of(const WorkingSoup& soup, const std::vector<Piece>& pieces,
                             const std::function<bool(const Origin&)>& counts) {
   std::vector<double> area(pieces.size(), 0);

@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 struct Apron {
   std::vector<Vec3> added;
   std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
-  std::vector<Index> side;          ///< for each triangle: the side of the bounding surfaces whose heights it has
+  std::vector<Index> side;          ///< for each triangle: the side of bounding surfaces from which its heights come
   std::vector<Index> walls;         ///< indices of the surfaces that the strip of triangles crosses, ascending
   bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty
 };

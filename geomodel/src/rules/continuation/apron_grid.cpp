@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Smallest spacing of grid points as a fraction of the strip's width, which then has at most about ten rows.
+/// Smallest spacing of grid points as a fraction of the width of the strip that continues a surface: about ten rows.
 constexpr double least_step = 1.0 / 8;
 /// Smallest distance of grid points from the border, as a fraction of their spacing.
 constexpr double room_at_border = 0.5;
@@ -41,7 +41,7 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
-/// Returns whether a bounding surface hides the node from a border place; from places beyond one, no node is visible.
+/// Returns whether a bounding surface hides the node from a border place, or separates that place from the surface.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
   const std::uint8_t cut_off = border_.cut_off[at.edge];
   if (cut_off == 3) return true;
@@ -89,7 +89,7 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   nodes_.back().is_seen = false;
 }
 
-/// Triangulates the nodes. Returns false if the run of border crosses itself in the plane.
+/// Triangulates the border's vertices and the grid. Returns false if the border crosses itself in the plane.
 bool ApronGrid::find_triangles() {
   std::vector<std::pair<Index, Index>> constraints;
   for (std::size_t e = 0; e < chain_.n_edges(); ++e)
@@ -113,8 +113,8 @@ bool ApronGrid::is_in_model(const Vec3& p) const {
          p.y < bounds_.max.y && p.z < bounds_.max.z;
 }
 
-/// Removes triangles at border edges from which a point of the model beyond the distance is visible: no bounding
-/// surface stops the surface there, and the border remains open.
+/// Removes the triangles at border edges from which a grid node in the model beyond the distance of continuation is
+/// visible: no bounding surface stops the surface there, and the border remains open.
 void ApronGrid::leave_out_open() {
   std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
   for (Index v = n_border_; v < nodes_.size(); ++v)

@@ -20,7 +20,7 @@ struct LoopEdge {
   VertexIndex a, b;
   Index triangle;
   double length;
-  bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this edge
+  bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this border edge
   std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
   bool is_beyond = false;    ///< whether the edge lies outside the model
   bool enters = false;       ///< whether the edge lies on a side of the box, with its triangle outside of it
@@ -186,7 +186,7 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
     if (std::any_of(run.begin(), run.end(), [](const LoopEdge& e) { return e.goes_on && e.counts; }))
       chains.push_back(chain_of(s, run));
   };
-  const auto ends_after = [&](std::size_t k) {  // whether the loop is cut between edge k and the next
+  const auto ends_after = [&](std::size_t k) {  // whether a chain of border edges ends between edge k and the next
     return !loop[k].hit || !loop[(k + 1) % n].hit;
   };
   std::size_t cut = n;
@@ -229,12 +229,12 @@ struct BorderSearch {
   const Walls& walls;
   const Box3& box;
   double within;
-  /// Whether an edge counts as continued if only a part of it stops short of a bounding surface. If false, the edge's
-  /// midpoint decides, since aprons continue whole edges.
+  /// Whether a border edge counts as continued if only a part of it stops short of a bounding surface. If false, the
+  /// edge's midpoint decides, since strips of triangles continue whole edges.
   bool by_parts;
 };
 
-/// Returns the loops of border edges, with the bounding surface in front of each; edges of `done` triangles have none.
+/// Returns loops of border edges, with the bounding surface in front of each edge; none for triangles marked `done`.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, const BorderSearch& how,
                                                     const std::vector<bool>& done) {
   const auto& [row, walls, box, within, by_parts] = how;

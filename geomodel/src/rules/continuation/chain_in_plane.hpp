@@ -24,8 +24,8 @@ class ChainInPlane {
     double along = 0;  ///< position of the nearest point on the edge, from 0 to 1
     double distance = 0;
   };
-  /// Returns the nearest point of the chain if it is no farther than twice `within`; farther points may or may not be
-  /// found.
+  /// Returns the point of the border chain that is nearest to p, if it is no farther than twice `within`; farther
+  /// points may or may not be found.
   std::optional<Nearest> nearest(const Vec2& p) const;
   /// Returns the nearest point of each edge that is no farther than `most`, nearest first; `most` must be at most twice
   /// `within`.
@@ -33,7 +33,7 @@ class ChainInPlane {
   /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point on the chain. False
   /// beyond an open end of the chain and beside edges that are not continued.
   bool is_outside(const Vec2& p, const Nearest& at) const;
-  /// Returns the coordinates of a nearest point, in the frame.
+  /// Returns the coordinates of a nearest point on the border chain, in the frame.
   Vec3 foot(const Nearest& at) const;
   double height(const Vec2& p, const Nearest& at) const;
 

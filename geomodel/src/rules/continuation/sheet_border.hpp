@@ -30,11 +30,11 @@ class SheetBorder {
   bool faces_up() const { return faces_up_; }
 
   struct Place {
-    Vec3 at;            ///< the place, with the height extrapolated from the border
+    Vec3 at;            ///< the place in the model, with the height extrapolated from the horizon's border
     double distance;    ///< distance of the place from the horizon's border, in the map
-    Vec2 slope;         ///< slope of the horizon at the nearest border; zero if that is farther than `within`
+    Vec2 slope;         ///< slope of the horizon at the nearest border edge; zero if that is farther than `within`
     bool has_met_wall;  ///< whether the nearest border edge lies on or beyond a bounding surface
-    Vec3 inside;        ///< the centroid of the triangle at the nearest border
+    Vec3 inside;        ///< centroid of the horizon's triangle at the border edge nearest to the place
   };
   /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges in the map up to about
   /// twice the distance of the nearest one, or of `within`.

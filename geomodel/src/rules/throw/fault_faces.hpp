@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 /// Position of a place relative to a fault.
 struct Beside {
   double distance;
-  double across;   ///< horizontal distance at the height of the place, positive above the fault
+  double across;   ///< horizontal distance of the place from the fault at the same height, positive above the fault
   double along;    ///< the strike
   Vec2 direction;  ///< of `across`
   bool is_within;  ///< whether the place is not beyond the fault's end
@@ -39,7 +39,7 @@ class FaultFaces {
     Vec3 normal;
     Box3 bounds;
     bool is_further(const Vec3& p, double reach) const;
-    /// Returns the distance of p, and whether p projects onto the triangle, or nearly so at a bend between two
+    /// Returns the distance of p from the triangle, and whether p projects onto it, or nearly so at a bend between two
     /// triangles.
     std::pair<double, bool> distance(const Vec3& p) const;
   };

@@ -14,7 +14,7 @@ inline constexpr double most_cells = 1e6;
 
 /// Values at the centres of square cells; NaN means no value.
 struct MapRaster {
-  Vec2 origin;  ///< centre of the first cell
+  Vec2 origin;  ///< centre of the raster's first cell
   double step = 1;
   std::size_t n_columns = 0, n_rows = 0;
   std::vector<double> values;  ///< values row by row from the south
@@ -29,7 +29,7 @@ struct MapRaster {
   double at(std::size_t column, std::size_t row) const { return values[row * n_columns + column]; }
   /// Returns the cell that contains p or is nearest to it.
   std::size_t cell_of(Vec2 p) const;
-  /// Interpolates bilinearly between the centres of cells; beyond the rim the value of the nearest cell is used.
+  /// Interpolates the raster bilinearly between cell centres; beyond the rim, the value of the nearest cell is used.
   double between(Vec2 p) const;
 };
 
@@ -39,9 +39,9 @@ void fill_from_neighbours(MapRaster& raster);
 /// Smooths the raster `passes` times by the binomial mean over three cells in each direction. All cells need values.
 void smooth(MapRaster& raster, int passes);
 
-/// Groups of cells, connected across sides, whose values are all negative (if `below` is set), or all not negative.
+/// Groups of raster cells, connected across sides, whose values are all negative (if `below`), or all not negative.
 struct CellGroups {
-  std::vector<Index> group;  ///< group of each cell; no_index for cells with the other sign
+  std::vector<Index> group;  ///< group of each raster cell; no_index for cells whose values have the other sign
   std::vector<std::size_t> n_cells;
   std::vector<double> least, greatest;  ///< smallest and largest value of each group
 };

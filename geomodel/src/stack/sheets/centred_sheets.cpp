@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr int rounds = 20;
-constexpr int hops = 6;  // number of edges over which a round passes on corrections that vertices could not take
+constexpr int hops = 6;  // number of edges over which a round passes on height corrections that vertices could not take
 constexpr double most_places = 1e5;
 // Largest distance between sampled places, as a fraction of the cells of the thickness raster.
 constexpr double place_of_cell = 0.25;
@@ -100,7 +100,7 @@ class Centring {
     return false;
   }
 
-  /// Extends the room of vertices beside a pinch-out line, for the horizon that is moved where the unit closes.
+  /// Lets the vertices beside a pinch-out line move farther, for the horizon that is moved where the unit closes.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])
@@ -126,7 +126,7 @@ class Centring {
         }
   }
 
-  /// Returns the weight with which a vertex takes on corrections that its neighbours could not take.
+  /// Returns the weight with which a vertex takes on height corrections that its neighbours could not take.
   double taking(VertexIndex v, std::size_t horizon) const {
     return follows(v, horizon) ? 0 : weights_[v * n_ + horizon];
   }
@@ -148,7 +148,7 @@ class Centring {
     }
   }
 
-  /// Moves each vertex by its weighted mean distance from the data, as far as allowed. Returns the remaining sums.
+  /// Moves vertices by their weighted mean distance from data, as far as allowed. Returns sums of the distances left.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -205,8 +205,8 @@ class Centring {
   std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
   std::vector<double> first_;           ///< heights of all vertices before the first round
-  SheetRoom room_;                      ///< largest vertical moves, from the heights before the first round
-  std::vector<double> sums_, weights_;  ///< per vertex and horizon: weighted sum of distances from the data; of weights
+  SheetRoom room_;                      ///< largest moves of vertices from their heights before the first round
+  std::vector<double> sums_, weights_;  ///< per vertex and horizon: sum of weighted distances from data, and of weights
   std::vector<RuledPlace> places_;
 };
 

@@ -75,7 +75,7 @@ class Sheets {
     set_heights(v);
   }
 
-  /// Fits the planes at a vertex again, with half of the radius.
+  /// Fits the horizons' planes at a vertex again, to the data within half of the previous radius.
   void sharpen(VertexIndex v) {
     radius_[v] *= 0.5;
     set_heights(v);
@@ -85,7 +85,7 @@ class Sheets {
     if (radius_[v] == 0) return 0;
     return std::abs(heights_on_triangles(map_.points()[v], vertex_merged_[v])[horizon] - heights_[v * n_ + horizon]);
   }
-  /// Returns the heights on the input triangles at the place p, after they were put in order.
+  /// Returns the heights of all horizons at the place p on their input triangles, after putting them in order.
   std::span<const double> heights_on_triangles(const Vec2& p, MergedPairs merged) {
     samples_.heights_at(p, exact_);
     settle_column(exact_, merged, options_.keepers, options_.gap);
@@ -292,7 +292,7 @@ class Approximation {
     take_change();
     sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);
-    // A constraint segment in other cells may have been split instead, so the sample must be handled again.
+    // If inserting the vertex split a segment in other cells instead, the cell of the sample is measured again.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
   }
 

@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 class SheetLocator {
  public:
-  /// Precondition: `sheets` must outlive this object.
+  /// Precondition: `sheets` outlives the SheetLocator.
   explicit SheetLocator(const MapSheets& sheets);
 
   struct Place {
