@@ -52,7 +52,7 @@ class FacetSplitter {
 
   /// Returns the triangles on the left of the closed walk along `border`.
   std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
-    std::map<std::pair<int, int>, int> walls;  // number of times that the walk traverses each directed edge
+    std::map<std::pair<int, int>, int> walls;  // number of times that the closed walk traverses each directed edge
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(border[k]), rows_.at(border[(k + 1) % border.size()]));
       for (std::size_t s = 0; s + 1 < chain.size(); ++s) ++walls[{chain[s], chain[s + 1]}];

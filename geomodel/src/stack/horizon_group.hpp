@@ -37,8 +37,8 @@ enum class Settling {
 
 class HorizonGroup {
  public:
-  /// `built` receives notes and holds the names of the horizons. All arguments except `members` must outlive this
-  /// object.
+  /// `built` holds the horizons' names and receives notes. All arguments except `members` must outlive the
+  /// HorizonGroup.
   HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame);
 
   /// Returns whether a horizon ends inside the model. It perhaps ends exactly on a fault, which it would leave if

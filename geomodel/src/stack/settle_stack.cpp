@@ -80,7 +80,7 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
   return s.kind == SurfaceKind::fault || s.kind == SurfaceKind::body;
 }
 
-/// Puts the stack in order over the whole map. Returns false without a change; `why` is the obstacle, if there is one.
+/// Puts the stack of horizons in order over the whole map, or returns false without a change; `why` is any obstacle.
 bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);
@@ -101,8 +101,8 @@ bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rule
   return true;
 }
 
-/// Puts the column in order, together with the topography and the base. Returns false if that was not needed, or was
-/// not possible, which a note explains.
+/// Puts the horizons of the column in order, with topography and base. Returns false if that was not needed, or not
+/// possible, which a note explains.
 bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The facets of one surface; a facet that several of its triangles share is counted once for each of them.
+/// The facets of one surface; a facet that several triangles of the surface share is counted once for each of them.
 class PartFacets {
  public:
   PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in) : of_(of), in_(in) {

@@ -38,7 +38,7 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Merges everything within the distance of marked facets, except immovable ones; nothing if facets would cross anew.
+/// Merges all that is within the merging distance of marked, movable facets; nothing if facets would cross anew.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

@@ -33,7 +33,7 @@ class PlanarTriangulation {
     /// Edge i of a face is opposite v[i].
     std::array<int, 3> v, neighbour{none, none, none}, constraint{none, none, none};
   };
-  /// Makes the point where the lines of two constraints cross; the triangulation then adds it.
+  /// Makes the point where the lines of two constraints cross, which the triangulation then adds to itself.
   using Crossing = std::function<PlanarPoint(int line_a, int line_b)>;
 
   PlanarTriangulation(const ExactFrame& frame, std::size_t i, std::size_t j, Crossing crossing)

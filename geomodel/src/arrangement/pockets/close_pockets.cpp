@@ -192,7 +192,7 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Adds to a facet of the kept wall the surfaces of the nearest facet of the removed one, as if it had moved there.
+  /// Adds to a facet of a void's kept wall the surfaces of the removed wall's nearest facet, as if that had moved.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

@@ -57,7 +57,7 @@ struct DanglingPiece {
   Displacement way;  ///< distance and place of the dangling piece's corner farthest from the edges that attach it
 };
 
-/// The facets of one surface at each edge.
+/// The facets of one surface, by the edges at which they lie.
 class SurfaceFacets {
  public:
   SurfaceFacets(const Complex& complex, const std::vector<Index>& facets) : complex_(complex) {

@@ -245,7 +245,7 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
   const Vec3 margin{distance_, distance_, distance_};
   const Cell low = cell_of(p - margin), high = cell_of(p + margin);
   double best_distance = distance_;
-  // The diameter of the search ball is half a cell, so it meets at most two cells along an axis.
+  // The ball in which vertices are sought has half a cell as diameter, so it meets at most two cells along an axis.
   for (unsigned k = 0; k < 8; ++k) {
     Cell cell = low;
     bool is_same = false;  // as one before

@@ -22,9 +22,9 @@ namespace {
 
 // Margin on either side of a ramp (throw smeared by gridding), in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-// Largest and smallest restored throw that is accepted, as a fraction of the ramps' height.
+// Largest and smallest throw accepted in place of ramps, as fractions of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
-// Least number of triangles of a separate part; smaller ones between ramps are treated as part of the ramps.
+// Least number of triangles of a connected part of the horizon; smaller parts between ramps count as parts of ramps.
 constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// A fault at which a horizon may have a ramp.
+/// A fault at which a horizon may have a ramp (throw smeared by gridding).
 struct RampFault {
   ThrowFault fault;
   const TriangulatedSurface* stop = nullptr;  ///< surface at which the fault ends; null if there is none

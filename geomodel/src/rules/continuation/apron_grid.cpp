@@ -56,7 +56,7 @@ bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at
   return hit.has_value();
 }
 
-/// Adds grid points beside the run of border, on a grid that is fixed in space and does not depend on the border.
+/// Adds grid points beside the border that is continued, on a grid that is fixed in space whatever the border.
 void ApronGrid::add_grid() {
   Vec2 low = nodes_.front().place, high = low;
   for (const ApronNode& n : nodes_) {
@@ -76,8 +76,8 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
       !chain_.is_outside(p, *nearest))
     return;
-  // Beyond the distance of continuation, a grid node is visible only if nothing hides it from the nearest border, which
-  // no bounding surface then stops.
+  // Beyond the distance of continuation, a grid node counts as visible only if no bounding surface hides it from the
+  // nearest border edge.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;
     const ApronNode node = node_at(p, at);

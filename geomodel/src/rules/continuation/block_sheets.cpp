@@ -71,7 +71,7 @@ class Continuation {
     made_.triangles.push_back(own);
   }
 
-  /// Adds a margin: the triangles beyond the bounding surfaces that share a corner with kept triangles.
+  /// Adds a margin to the continuation: the triangles beyond bounding surfaces that share a corner with kept ones.
   void add_margin(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) {
     std::vector<bool> is_reached(places_.points().size(), false);
     for (std::size_t k = 0; k < all.size(); ++k)

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 struct BlockExtension {
   Index block = no_index;
   std::vector<Vec3> added;          ///< points added to the surface; they are numbered after its own points
-  std::vector<Triangle> triangles;  ///< new triangles, with the surface's orientation
+  std::vector<Triangle> triangles;  ///< triangles added to the surface, with its orientation
   /// Indices of the surfaces that the continuation's triangles cross, ascending; Walls::side_of_volume last.
   std::vector<Index> walls;
   double length = 0;  ///< length in m of the horizon's border that is continued in the block

@@ -37,7 +37,7 @@ class ChainInPlane {
   Vec3 foot(const Nearest& at) const;
   double height(const Vec2& p, const Nearest& at) const;
 
-  const std::vector<Vec3>& points() const { return points_; }  ///< vertices of the chain, in the frame
+  const std::vector<Vec3>& points() const { return points_; }  ///< vertices of the chain, in the frame of the plane
   std::size_t n_edges() const { return slopes_.size(); }
   double mean_edge() const;
   std::size_t end_of(std::size_t edge) const { return (edge + 1) % points_.size(); }
@@ -50,7 +50,7 @@ class ChainInPlane {
   double length(std::size_t edge) const;
 
   std::vector<Vec3> points_;
-  std::vector<Vec2> slopes_, out_;     ///< slope and outward unit vector of each edge
+  std::vector<Vec2> slopes_, out_;     ///< for each edge of the chain: slope of the surface and outward unit vector
   std::vector<std::uint8_t> goes_on_;  ///< per edge
   bool closed_;
   double cell_;

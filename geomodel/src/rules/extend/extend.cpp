@@ -148,7 +148,7 @@ Triangle oriented(Triangle t, bool up) {
   return t;
 }
 
-/// Groups connected triangles inside holes (of depth 2, 4, ...); returns each group with the length of its border.
+/// Groups triangles inside holes (2, 4, ... borders away from outside); returns each group with its border's length.
 std::vector<std::pair<std::vector<std::size_t>, double>> holes_of(const std::vector<PlanarTriangle>& triangles,
                                                                   const PlanarBorder& border) {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> at_edge;

@@ -34,7 +34,7 @@ struct ArrangedWalls {
 /// the sides of the model. Requires ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
-/// Faults after cutting off what overshoots other faults, and the edges at which they end inside the model.
+/// Faults after the parts that overshoot other faults were cut off, and the edges at which faults end inside the model.
 struct EndedFaults {
   std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; those of faults end where other faults truncate them
   std::vector<FaultTip> tips;

@@ -26,7 +26,7 @@ class Walls {
     double share = 0;                ///< fraction of the segment, from 0 to 1, at which it meets the surface
   };
 
-  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are those of the model volume.
+  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are the sides of the model volume.
   Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
         const std::vector<TriangulatedSurface>& sides);
 

@@ -28,7 +28,7 @@ class HeightVote {
   int side_of(const Piece& piece) const;
 
  private:
-  /// The remaining facets of some surfaces, with a locator in the map.
+  /// The facets of some surfaces that were not removed from the soup, with a locator in the map.
   class Left {
    public:
     Left(const WorkingSoup& working, const std::function<bool(Index facet)>& is_mine);

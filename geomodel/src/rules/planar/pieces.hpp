@@ -60,8 +60,8 @@ std::vector<Piece> pieces_of(const WorkingSoup& working, const std::function<boo
                              const std::vector<Index>& cutters, const UpwardSides* sides,
                              BeyondEnd beyond = BeyondEnd::has_a_side, const std::vector<Index>& dividers = {});
 
-/// Returns the side of a piece relative to surface y: 1 above, -1 below, 0 unknown. The edges where they meet decide,
-/// otherwise the vertical through the piece's largest facet.
+/// Returns the side of surface y on which a piece of another surface lies: 1 above, -1 below, 0 unknown. The edges at
+/// which both meet decide, otherwise the vertical through the piece's largest facet.
 int side_of(const WorkingSoup& working, const Piece& piece, Index y, const UpwardSides& sides);
 
 }  // namespace geomesh::geomodel

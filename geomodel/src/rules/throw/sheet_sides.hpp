@@ -39,7 +39,7 @@ std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pai
 class FaultSides {
  public:
   explicit FaultSides(const TriangulatedSurface& fault);
-  /// Returns whether p is above the plane of the triangle whose centre is nearest.
+  /// Returns whether p is above the plane of that triangle of the fault whose centre is nearest to p.
   bool is_above(const Vec3& p) const;
 
  private:

@@ -20,7 +20,7 @@ struct RampWidth {
   double below = 0, above = 0;
 };
 
-/// The ramp along a fault, by segments along its strike.
+/// The ramp by which a gridded horizon crosses a fault, by segments along the fault's strike.
 struct Ramp {
   std::map<long, RampWidth> at;
   std::vector<double> steps;  ///< heights of the ramp in m, for those segments of the fault that have a ramp
@@ -29,7 +29,7 @@ struct Ramp {
 
   /// Returns whether at least a quarter of the fault's segments have a ramp.
   bool is_there() const;
-  /// Returns the ramp's width in this segment and its neighbours, or in the nearest with a ramp; requires is_there().
+  /// Returns the ramp's width around a segment of the fault, or in the nearest one with a ramp; requires is_there().
   RampWidth width(long stretch) const;
 };
 

@@ -38,7 +38,7 @@ class GrowingTriangulation {
   /// Sets `cells` to the cells around a vertex, in no particular order.
   void star(VertexIndex v, std::vector<Index>& cells) const;
 
-  /// The changes to the cells that one insertion caused.
+  /// The changes to the triangulation's cells by the insertion of one point.
   struct Change {
     VertexIndex vertex = no_vertex;  ///< the inserted vertex; no_vertex if nothing was inserted
     std::vector<Index> emptied;      ///< indices of removed cells; new cells reuse them first

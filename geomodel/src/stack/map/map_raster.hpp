@@ -17,7 +17,7 @@ struct MapRaster {
   Vec2 origin;  ///< centre of the raster's first cell
   double step = 1;
   std::size_t n_columns = 0, n_rows = 0;
-  std::vector<double> values;  ///< values row by row from the south
+  std::vector<double> values;  ///< values of the cells, row by row from the south
 
   MapRaster() = default;
   MapRaster(const MapBounds& bounds, double cell);

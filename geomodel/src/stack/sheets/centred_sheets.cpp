@@ -15,10 +15,10 @@ namespace {
 constexpr int rounds = 20;
 constexpr int hops = 6;  // number of edges over which a round passes on height corrections that vertices could not take
 constexpr double most_places = 1e5;
-// Largest distance between sampled places, as a fraction of the cells of the thickness raster.
+// Largest distance between sampled places, as a fraction of the thickness raster's cell size.
 constexpr double place_of_cell = 0.25;
 constexpr double fit_of_spacing = 2;  // radius in which data are averaged, as a multiple of the sample spacing
-constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the cells of the thickness raster
+constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the thickness raster's cell size
 // Additional room of the moved horizon where a unit closes, as a fraction of the least thickness.
 constexpr double more_where_closing = 0.5;
 
@@ -167,7 +167,7 @@ class Centring {
   }
 
   /// Moves the horizons at vertex v by at most `most` towards their data, then restores their order. Returns false if
-  /// this pushes one farther than it may move.
+  /// this moves a horizon farther than allowed.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };

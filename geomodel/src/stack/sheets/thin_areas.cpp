@@ -11,7 +11,7 @@ namespace {
 
 constexpr double cells_a_size = 4;
 constexpr std::uint32_t few_samples = 4;  // of a cell
-constexpr int places_a_side = 3;          // number of sampled places per side of a cell that contains few samples
+constexpr int places_a_side = 3;          // number of sampled places along a side of raster cells with few samples
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
 constexpr double least_squares = 2;   // least area of a thin area or an opening in one, in squares of the target size
@@ -41,7 +41,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns each horizon's mean height over the samples in each cell, or over evenly spaced places if there are few.
+/// Returns each horizon's mean height over the samples in a raster cell, or over evenly spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);

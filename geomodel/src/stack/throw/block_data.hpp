@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 /// A horizon of a stack. Without throw, it consists of the surface `single` only.
 struct BlockData {
-  /// Triangles with none of another block above or below. For original triangles, those made by rules do not count.
+  /// Triangles without another block above or below. For original triangles, those made by rules do not count.
   TriangulatedSurface single;
   std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
   /// All triangles of each block, including those that belong to every block and the block's extension through its

@@ -164,7 +164,7 @@ class StripTriangles {
     share_where_crossed(k);
   }
 
-  /// Assigns triangles connected without crossing a fault to the block that is present alone over most of their area.
+  /// Assigns triangles connected without crossing a fault to the horizon's block that alone covers most of their area.
   void label_parts(std::size_t k) {
     const std::size_t n = sheets_.triangles.size();
     const auto counts = [&](std::size_t t) { return crossing_[k][t] == Crossing::none; };

@@ -29,7 +29,7 @@ std::vector<bool> blocks_across_alone(const SidedHorizon& after, std::size_t n_b
   return across;
 }
 
-/// Returns whether the block lies, at some place of the map, on the sides of all faults to which it belongs.
+/// Returns whether the block is, at some place of the map, on its own side of every fault.
 bool has_a_place(const TriangulatedSurface& block, const std::vector<bool>& sides, const BlockPlaces& places) {
   if (block.triangles.empty()) return false;
   std::vector<FaultSides> faults;
