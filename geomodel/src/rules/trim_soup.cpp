@@ -79,7 +79,7 @@ struct Trimming {
     return faults;
   }
 
-  /// Returns the faults other than surface x at which horizon y is divided. Topography and base may have scarps at any.
+  /// Returns the faults except x at which horizon y is divided. Topography and base may have a scarp at any fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
     if (is_end || rules.of(y).fills_blocks()) return faults_but(x);

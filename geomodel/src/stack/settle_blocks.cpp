@@ -362,8 +362,8 @@ class BlockStack {
   MapBounds bounds_;
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
-  std::size_t n_left_ = 0;  ///< number of blocks that cannot be put in order
-  std::string why_left_;    ///< reason why the first block that failed cannot be put in order
+  std::size_t n_left_ = 0;  ///< number of fault blocks in which the horizons cannot be put in order
+  std::string why_left_;    ///< reason why the horizons of the first block that failed cannot be put in order
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 // Least ratio of the volumes above and below another horizon for a horizon to count as lying over it.
 constexpr double far_over = 4;
-// Width of islands, as a multiple of the target size, below which a mesh cannot resolve them.
+// Width of islands in which two horizons cross, in target sizes, below which a mesh cannot resolve them.
 constexpr double narrow = 3;
 // Pi / 4: ratio of a line's length to the total length of the lattice edges that it crosses.
 constexpr double length_of_edges = 0.785;

@@ -51,7 +51,7 @@ class PlanarTriangulation {
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<PlanarPoint>& points() const { return points_; }
   Sign orient(int a, int b, int c) const;
-  /// Returns the vertices on the way from a to b along existing edges.
+  /// Returns the triangulation's vertices on the way from a to b along existing edges.
   std::vector<int> chain(int a, int b) const;
   /// Returns the face to the left of edge ab and the edge's index in that face; {none, none} on the border.
   std::pair<int, int> left_face(int a, int b) const;
@@ -87,7 +87,7 @@ class PlanarTriangulation {
   Crossing crossing_;
   std::vector<PlanarPoint> points_;
   std::vector<Face> faces_;
-  std::vector<int> face_of_;  ///< for each point: a face around it; none before its insertion
+  std::vector<int> face_of_;  ///< for each point: a face of the triangulation at it; none before its insertion
   mutable int hint_ = 0;
   mutable unsigned turn_ = 0;
 };

@@ -52,7 +52,7 @@ Neighbours find_neighbours(const Complex& complex) {
 
 struct View {
   std::size_t axis;
-  /// Smallest cosine of the angle between the axis and the normal of a facet that may join the chart.
+  /// Smallest cosine of the angle between the projection axis and the normal of a facet that may join the chart.
   double least_cosine;
 };
 

@@ -223,7 +223,7 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
-/// Options for the search for bounding surfaces in front of the border.
+/// Options for the search for bounding surfaces in front of a surface's border.
 struct BorderSearch {
   Index row;
   const Walls& walls;

@@ -24,7 +24,7 @@ struct GapSetting {
   Box3 box;
   double within = 0;                        ///< m
   std::function<bool(const Vec3&)> counts;  ///< whether triangles with their centroid at a place may be added
-  bool holes_alone = false;                 ///< whether only gaps enclosed by the border are filled
+  bool holes_alone = false;                 ///< whether only gaps enclosed by the surface's border are filled
 };
 
 /// Fills the areas between borders of the surface in the map with triangles of the borders' constrained Delaunay

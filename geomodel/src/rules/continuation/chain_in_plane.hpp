@@ -27,8 +27,8 @@ class ChainInPlane {
   /// Returns the point of the border chain that is nearest to p, if it is no farther than twice `within`; farther
   /// points may or may not be found.
   std::optional<Nearest> nearest(const Vec2& p) const;
-  /// Returns the nearest point of each edge that is no farther than `most`, nearest first; `most` must be at most twice
-  /// `within`.
+  /// Returns the point nearest to p on each edge of the chain, if it is no farther than `most`, nearest first; `most`
+  /// must be at most twice `within`.
   std::vector<Nearest> all_near(const Vec2& p, double most) const;
   /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point on the chain. False
   /// beyond an open end of the chain and beside edges that are not continued.

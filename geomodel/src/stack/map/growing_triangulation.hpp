@@ -29,7 +29,7 @@ class GrowingTriangulation {
   const std::vector<Cell>& cells() const { return cells_; }
   std::size_t n_zones() const { return n_zones_; }
 
-  /// Returns the cell that contains p, found by a walk from `hint`; no_index outside the rim.
+  /// Returns the triangulation's cell that contains p, found by a walk from `hint`; no_index outside its rim.
   Index locate(const Vec2& p, Index hint) const;
   /// Walks the straight line from p, in cell `at`, to q and calls f(cell, first vertex, second vertex of the crossed
   /// side, fraction of the line) for each cell that it leaves.

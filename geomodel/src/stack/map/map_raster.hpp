@@ -43,7 +43,7 @@ void smooth(MapRaster& raster, int passes);
 struct CellGroups {
   std::vector<Index> group;  ///< group of each raster cell; no_index for cells whose values have the other sign
   std::vector<std::size_t> n_cells;
-  std::vector<double> least, greatest;  ///< smallest and largest value of each group
+  std::vector<double> least, greatest;  ///< smallest and largest value of the cells of each group
 };
 CellGroups groups_of(const MapRaster& raster, bool below);
 

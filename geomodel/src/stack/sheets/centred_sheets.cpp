@@ -19,7 +19,7 @@ constexpr double most_places = 1e5;
 constexpr double place_of_cell = 0.25;
 constexpr double fit_of_spacing = 2;  // radius in which data are averaged, as a multiple of the sample spacing
 constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the thickness raster's cell size
-// Additional room of the moved horizon where a unit closes, as a fraction of the least thickness.
+// Additional vertical move that a horizon may make where a unit closes, as a fraction of the least thickness.
 constexpr double more_where_closing = 0.5;
 
 /// A place of the map, and the heights that data and rules give to the horizons there; NaN for absent horizons.
@@ -114,7 +114,7 @@ class Centring {
     room_.down[row] = std::max(room_.down[row], least);
   }
 
-  /// Gives horizons that share a vertex the smaller of their allowed moves.
+  /// Gives horizons that are merged at a vertex the smaller of their allowed vertical moves.
   void share_room() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (int way = 0; way < 2; ++way)
@@ -185,7 +185,7 @@ class Centring {
     return true;
   }
 
-  /// Distributes the corrections that vertices could not take among their neighbours.
+  /// Distributes the height corrections that vertices could not take among their neighbours.
   std::vector<double> passed_on(const std::vector<double>& left) const {
     std::vector<double> passed(left.size(), 0);
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
@@ -204,7 +204,7 @@ class Centring {
   /// For each vertex, the pairs of horizons that are merged in any triangle around it.
   std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
-  std::vector<double> first_;           ///< heights of all vertices before the first round
+  std::vector<double> first_;           ///< heights of all vertices before the first round of moves
   SheetRoom room_;                      ///< largest moves of vertices from their heights before the first round
   std::vector<double> sums_, weights_;  ///< per vertex and horizon: sum of weighted distances from data, and of weights
   std::vector<RuledPlace> places_;

@@ -14,7 +14,7 @@ class SheetLocator {
   explicit SheetLocator(const MapSheets& sheets);
 
   struct Place {
-    Index triangle = no_index;  ///< index of the triangle; no_index outside the triangulation
+    Index triangle = no_index;  ///< index of the triangle that contains the place; no_index outside the triangulation
     std::array<double, 3> weights{};
   };
   Place find(const Vec2& p) const;

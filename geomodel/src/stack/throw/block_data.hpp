@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 struct BlockData {
   /// Triangles without another block above or below. For original triangles, those made by rules do not count.
   TriangulatedSurface single;
-  std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
+  std::vector<Index> block_of_single{};  ///< fault block of each triangle, as in BuiltRows
   /// All triangles of each block, including those that belong to every block and the block's extension through its
   /// faults.
   std::vector<TriangulatedSurface> blocks{};

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double furthest_carried = 40;  // largest distance of extrapolation, in median edge lengths of a block
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr Index no_throw = no_index - 2;  // stands for the block of a horizon without throw
+constexpr Index no_throw = no_index - 2;  // value that stands for the block of a horizon without throw
 
 /// Heights of the blocks of one horizon: on their triangles, and extrapolated beyond them.
 class BlockHeights {

@@ -35,7 +35,7 @@ struct SidedHorizon {
   std::vector<Vec3> points;
   /// Counter-clockwise triangles: first those with a single height, then those that exist on both sides of a fault.
   std::vector<Triangle> triangles;
-  std::vector<Index> block;  ///< block of each triangle, as in BuiltRows
+  std::vector<Index> block;  ///< fault block of each triangle, as in BuiltRows
   Index n_single = 0;        ///< number of triangles with one height; the others exist once on each side of a fault
   double area = 0;           ///< area in the map of the strips along faults
   double largest_move = 0;   ///< largest move in the strips along faults that restoring the order required
