@@ -99,7 +99,7 @@ double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
     const double gap = younger.height[v] - older.height[v];
-    if (!(std::abs(gap) < wanted)) continue;  // skips points where a horizon is absent (NaN), too
+    if (!(std::abs(gap) < wanted)) continue;  // heights of absent horizons are NaN, so their points are skipped, too
     largest = std::max(largest, std::abs(gap));
     younger.height[v] = older.height[v];
   }

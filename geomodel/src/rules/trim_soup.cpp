@@ -356,7 +356,7 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
 
 /// Removes, from horizons that fill their fault blocks, the data beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
-  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface overshoots
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface is found to overshoot another
   for (Index s = 0; s < work.n_given(); ++s) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};

@@ -20,7 +20,7 @@ namespace geomesh::geomodel {
 /// The horizons of a group, youngest first, and the area of the map over which they are put in order.
 struct GroupMembers {
   Stack stack;
-  std::vector<BlockData> data;        ///< data of each horizon, in the coordinate frame of the map
+  std::vector<BlockData> data;        ///< each horizon's triangles and blocks, in the coordinate frame of the map
   std::vector<HorizonFaults> faults;  ///< one a horizon
   MapBounds bounds;                   ///< in the frame
   /// Returns whether a place of the model counts for the areas, moves and volumes in the report. If empty, all places

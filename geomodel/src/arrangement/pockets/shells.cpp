@@ -34,7 +34,7 @@ class AngleOrder {
   const Vec3& corner(const EdgeFacets::Use& use) const {
     return complex_.points[third_corner(complex_.facets[use.facet], use)];
   }
-  /// Returns the angle about an edge from its first facet to another: 0 none, 1 under 180 degrees, 2 180, 3 more.
+  /// Returns the angle about an edge from its first facet to another: 0 none, 1 below, 2 equal to, 3 above 180 degrees.
   int part_of_turn(const EdgeFacets::Use& use) const {
     const Vec3& p = corner(use);
     if (p == first_) return 0;

@@ -108,7 +108,7 @@ class BoxTree {
 
   Vec3 origin_;
   std::size_t n_leaves_ = 0, n_slots_ = 1;
-  std::vector<Index> order_;     ///< boxes in Morton order
+  std::vector<Index> order_;     ///< the tree's boxes in Morton order
   std::vector<FloatBox> boxes_;  ///< in that order
   std::vector<FloatBox> nodes_;
   std::vector<Index> groups_;       ///< group of each box in Morton order; empty if there are no groups

@@ -56,7 +56,7 @@ class Border {
            std::max(std::min(a.y, b.y), std::min(c.y, d.y)) <= std::min(std::max(a.y, b.y), std::max(c.y, d.y));
   }
 
-  /// Returns whether segments s p and s q overlap.
+  /// Returns whether the segments from s to p and from s to q overlap.
   static bool overlap_from(const Vec2& s, const Vec2& p, const Vec2& q) {
     return orient2d(s, p, q) == Sign::zero && before(s, p) == before(s, q);
   }

@@ -109,7 +109,7 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves vertices, and undoes the moves that would invert a facet.
+/// Moves vertices to sides of the volume, and undoes the moves that would invert a facet.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}

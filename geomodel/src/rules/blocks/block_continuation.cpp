@@ -69,7 +69,7 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
       if (e.first != e.second) visit(e);
     });
   };
-  std::map<MapEdge, Index> at_edge;  // triangles without a block, by edge
+  std::map<MapEdge, Index> at_edge;  // triangles that belong to no block, by their edges
   UnionFind joined(block.size());
   std::map<MapEdge, bool> is_held;  // by the block
   for (Index t = 0; t < block.size(); ++t)

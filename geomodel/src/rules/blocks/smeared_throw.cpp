@@ -295,13 +295,13 @@ class Restorer {
   std::vector<Ramp> ramps_;
   std::vector<std::size_t> n_across_;   ///< number of triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;  ///< per given triangle
-  /// For each original node: the nearest fault and the distance from it, perpendicular to strike.
+  /// For each original node of the horizon: the nearest fault, and the distance from it perpendicular to its strike.
   std::vector<std::pair<Index, double>> nearest_fault_;
-  std::vector<Vec2> across_;  ///< for each original node: direction perpendicular to the strike of its nearest fault
+  std::vector<Vec2> across_;  ///< for each original node of the horizon: direction across the nearest fault's strike
   /// For each original triangle of the horizon, the number of its connected part after ramps were removed; and the
   /// numbers of those parts that are large enough to be kept.
   std::vector<Index> sheet_, numbers_;
-  /// For each original node in a ramp: heights extrapolated from the two sides of the fault.
+  /// For each original node of the horizon in a ramp: heights extrapolated from the two sides of the fault.
   std::map<VertexIndex, std::vector<double>> heights_;
 };
 

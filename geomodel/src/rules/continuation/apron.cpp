@@ -208,7 +208,7 @@ class SidedApron {
   /// Returns a copy of the border or grid node v with a height from `side`, another side of the bounding surfaces;
   /// no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // the surface already connects border vertex v with `side`
+    if (sides_.before(v) == side) return row_of(v);  // the surface itself connects border vertex v with nodes of `side`
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 /// then `added`.
 struct Apron {
   std::vector<Vec3> added;
-  std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
+  std::vector<Triangle> triangles;  ///< triangles of the strip, oriented as the surface at its border
   std::vector<Index> side;          ///< for each triangle: the side of bounding surfaces from which its heights come
   std::vector<Index> walls;         ///< indices of the surfaces that the strip of triangles crosses, ascending
   bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty

@@ -15,12 +15,12 @@
 
 namespace geomesh::geomodel {
 
-/// A horizon, and the blocks and bounding surfaces in which it is continued. Referenced data must outlive this object.
+/// A horizon, and the blocks and bounding surfaces of its continuation, as in BlockSetting. References must stay valid.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< `cutters` to `has_margin` have the same meaning as in struct BlockSetting
+  const Walls& cutters;  ///< faults and bodies that bound the blocks in which the horizon is continued
   const Walls& walls;
   double within;
   const HorizonDivision& division;

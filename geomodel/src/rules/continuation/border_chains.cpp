@@ -22,7 +22,7 @@ struct LoopEdge {
   double length;
   bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this border edge
   std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
-  bool is_beyond = false;    ///< whether the edge lies outside the model
+  bool is_beyond = false;    ///< whether the border edge lies outside the model
   bool enters = false;       ///< whether the edge lies on a side of the box, with its triangle outside of it
   bool counts = true;  ///< false for edges outside the model, where the continuation will be cut off with the surface
   std::optional<Walls::Hit> hit{};  ///< the nearest bounding surface in front of the edge; `share` is its distance in m
@@ -53,7 +53,7 @@ class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
       : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
-    const auto inner = static_cast<Index>(s.points.size());  // union-find index that stands for all inner vertices
+    const auto inner = static_cast<Index>(s.points.size());  // union-find index for the surface's inner vertices
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;

@@ -23,7 +23,7 @@ struct GapSetting {
   const std::vector<Frame>& frames;
   Box3 box;
   double within = 0;                        ///< m
-  std::function<bool(const Vec3&)> counts;  ///< whether triangles with their centroid at a place may be added
+  std::function<bool(const Vec3&)> counts;  ///< whether a triangle with its centroid at a place may be added
   bool holes_alone = false;                 ///< whether only gaps enclosed by the surface's border are filled
 };
 

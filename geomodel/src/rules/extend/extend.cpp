@@ -23,7 +23,7 @@ constexpr double slope_radius = 0.05;  // radius for the mean slope near a borde
 /// The surface's border projected to a frame: distinct points and the edges between them.
 struct PlanarBorder {
   std::vector<BorderEdge> edges;
-  std::vector<VertexIndex> row;  ///< for each point in the plane: its index in the surface
+  std::vector<VertexIndex> row;  ///< for each border point in the plane: its index in the surface
   std::vector<Vec3> in_frame;    ///< parallel
   std::vector<std::pair<Index, Index>> constraints;
   std::vector<Vec2> planar() const {

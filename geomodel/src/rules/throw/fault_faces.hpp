@@ -20,7 +20,7 @@ struct Beside {
   double across;   ///< horizontal distance of the place from the fault at the same height, positive above the fault
   double along;    ///< the strike
   Vec2 direction;  ///< of `across`
-  bool is_within;  ///< whether the place is not beyond the fault's end
+  bool is_within;  ///< whether the place lies beside the fault, not beyond its end
 };
 
 /// Triangles of a fault with normals to one side, their bounding boxes, and the mean strike. A query visits about as
@@ -49,7 +49,7 @@ class FaultFaces {
   std::vector<Index> faces_within(const Vec3& p, double reach) const;
 
   std::vector<Face> faces_;
-  std::vector<Index> steep_;  ///< indices of the triangles that are not horizontal
+  std::vector<Index> steep_;  ///< indices of the fault's triangles that are not horizontal
   NearestPoint steep_centres_;
   arrangement::BoxTree tree_;
   Box3 bounds_;

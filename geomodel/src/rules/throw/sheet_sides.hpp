@@ -43,7 +43,7 @@ class FaultSides {
   bool is_above(const Vec3& p) const;
 
  private:
-  std::vector<SidedPlane> planes_;  ///< planes through the centres of the triangles, in their order
+  std::vector<SidedPlane> planes_;  ///< planes through the centres of the fault's triangles, in their order
   NearestPoint nearest_;
   SideBounds bounds_;
 };

@@ -41,7 +41,7 @@ class GrowingTriangulation {
   /// The changes to the triangulation's cells by the insertion of one point.
   struct Change {
     VertexIndex vertex = no_vertex;  ///< the inserted vertex; no_vertex if nothing was inserted
-    std::vector<Index> emptied;      ///< indices of removed cells; new cells reuse them first
+    std::vector<Index> emptied;      ///< indices of the triangulation's removed cells; new cells reuse them
     std::vector<Index> made;
   };
   /// Inserts p inside cell `at`, or on a side of it. If p lies in the diametral circle of a constraint segment longer

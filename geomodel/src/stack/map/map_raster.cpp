@@ -40,7 +40,7 @@ double MapRaster::between(Vec2 p) const {
 
 namespace {
 
-/// Calls f with each cell that shares a side with `cell`.
+/// Calls f with each cell of the raster that shares a side with `cell`.
 template <class F>
 void for_neighbours(const MapRaster& r, std::size_t cell, F&& f) {
   const std::size_t i = cell % r.n_columns, j = cell / r.n_columns;

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 /// Largest number of cells of a raster. More would take seconds and resolve features smaller than the elements.
 inline constexpr double most_cells = 1e6;
 
-/// Values at the centres of square cells; NaN means no value.
+/// A raster of the map: values at the centres of square cells; NaN means no value.
 struct MapRaster {
   Vec2 origin;  ///< centre of the raster's first cell
   double step = 1;
@@ -27,7 +27,7 @@ struct MapRaster {
   }
   double& at(std::size_t column, std::size_t row) { return values[row * n_columns + column]; }
   double at(std::size_t column, std::size_t row) const { return values[row * n_columns + column]; }
-  /// Returns the cell that contains p or is nearest to it.
+  /// Returns the raster cell that contains p or is nearest to it.
   std::size_t cell_of(Vec2 p) const;
   /// Interpolates the raster bilinearly between cell centres; beyond the rim, the value of the nearest cell is used.
   double between(Vec2 p) const;

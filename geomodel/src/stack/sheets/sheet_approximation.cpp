@@ -92,7 +92,7 @@ class Sheets {
     return exact_;
   }
 
-  /// Returns the barycentric coordinates of the place p in a cell.
+  /// Returns the barycentric coordinates of the place p in a cell of the triangulation.
   std::array<double, 3> weights(Index cell, const Vec2& p) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
@@ -256,7 +256,7 @@ class Approximation {
   }
 
   struct Worst {
-    double excess;  ///< a sample's distance from the approximation, divided by the allowed one
+    double excess;  ///< a sample's vertical distance from the approximation, divided by the allowed distance
     Index cell, version, sample;
     bool operator<(const Worst& other) const {
       return excess != other.excess ? excess < other.excess : cell > other.cell;

@@ -15,7 +15,7 @@ constexpr int places_a_side = 3;          // number of sampled places along a si
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
 constexpr double least_squares = 2;   // least area of a thin area or an opening in one, in squares of the target size
-constexpr double surely_thin = 0.75;  // units thinner than this fraction of the least thickness are merged
+constexpr double surely_thin = 0.75;  // units below this fraction of the least thickness have their horizons merged
 constexpr double surely_thick = 1.5;  // units thicker than this multiple of the least thickness are kept separate
 // Multiple of the least thickness from which an island of the unit is kept whatever its area.
 constexpr double kept_however_small = 3;
