@@ -133,7 +133,7 @@ std::vector<std::uint8_t> all_facets(const Complex& complex) {
   return std::vector<std::uint8_t>(complex.facets.size(), 1);
 }
 
-/// Returns the sides of the box or the volume. Throws if the box is empty.
+/// Returns the sides of the model's box or volume as surfaces. Throws if the box is empty.
 std::vector<TriangulatedSurface> sides_of(const ArrangementOptions& options) {
   if (!options.box) return options.volume;
   check_box(*options.box);

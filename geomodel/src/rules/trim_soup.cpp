@@ -95,7 +95,7 @@ struct Trimming {
       if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
   }
 
-  /// Returns 1 if most of the piece lies above surface y, -1 if below, 0 if unknown.
+  /// Returns 1 if most of a piece of another surface lies above surface y, -1 if below, 0 if unknown.
   int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
     const int by_height = heights ? heights->side_of(piece) : 0;
     if (by_height != 0) return by_height;

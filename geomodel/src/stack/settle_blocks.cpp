@@ -181,7 +181,7 @@ class Rebuilt {
   }
 
  private:
-  /// Sorts the triangles by part, so that original ones come first, as in all surfaces that were continued.
+  /// Sorts the horizon's triangles by part, so that original ones come first, as in all continued surfaces.
   void sort_by_part() {
     std::vector<Index> order(part_.size());
     std::iota(order.begin(), order.end(), Index{0});

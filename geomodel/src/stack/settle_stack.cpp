@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Margin around an outline that is not an axis-aligned box, as a fraction of the target size.
+// Margin around a model outline that is not an axis-aligned box, as a fraction of the target size.
 constexpr double margin_of_size = 0.25;
 
 /// Returns why the stack cannot be put in order at all, neither block by block nor over the whole map; empty if it can.

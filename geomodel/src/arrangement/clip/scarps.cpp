@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-// Fraction of the length of a topography's ends at a fault that may contradict the fault being a scarp.
+// Fraction of the length of a topography's ends at a fault that may contradict that the fault is a scarp.
 constexpr double least_share = 0.01;
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }

@@ -163,7 +163,7 @@ class Clusters {
     for (const auto& m : members_) out[m.second] = 1;
     return out;
   }
-  /// Returns a cluster with the contacts on its facets; `contact_ends` are the end vertices of all contacts.
+  /// Returns a cluster of facets with the contacts on them; `contact_ends` are the end vertices of all contacts.
   ClusterInput input(std::size_t cluster, const Contacts& contacts,
                      const std::vector<std::array<Index, 2>>& contact_ends) const {
     ClusterInput input;

@@ -40,12 +40,12 @@ class PlanarTriangulation {
       : frame_(frame), i_(i), j_(j), crossing_(std::move(crossing)) {}
 
   int add_point(const PlanarPoint& p);
-  /// Creates the first face, which must be counter-clockwise and contain every later point.
+  /// Creates the triangulation's first face, which must be counter-clockwise and contain every later point.
   void start(int a, int b, int c);
   void insert_point(int p);
   /// Makes the segment a union of constrained edges with the label `line`.
   void insert_constraint(int a, int b, int line);
-  /// Constrains edges of the first face; to be called before anything else is inserted.
+  /// Constrains edges of the triangulation's first face; to be called before anything else is inserted.
   void constrain_border(const std::array<int, 3>& lines) { faces_[0].constraint = lines; }
 
   const std::vector<Face>& faces() const { return faces_; }

@@ -74,7 +74,7 @@ class Parts {
 
 /// Surfaces that were assigned to facets because the void between them was closed.
 struct GivenSurfaces {
-  /// Surfaces assigned to each facet, which is given by its sorted corners.
+  /// Surfaces assigned to each facet when voids were closed; the facet is given by its sorted corners.
   std::map<Triangle, std::set<Index>> of_facet;
   std::set<SurfaceEdge> borders;  ///< edges at which surfaces ended before any void was closed
 };

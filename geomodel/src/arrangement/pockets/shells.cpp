@@ -18,7 +18,7 @@ VertexIndex third_corner(const Triangle& t, const EdgeFacets::Use& use) {
   return no_vertex;
 }
 
-/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, starting at the first one.
+/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, from the first facet on.
 class AngleOrder {
  public:
   AngleOrder(const Complex& complex, const EdgeFacets::Use& first)

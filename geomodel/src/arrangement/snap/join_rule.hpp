@@ -59,7 +59,7 @@ class JoinRule {
     known_.clear();
   }
 
-  /// Allows the surfaces of these pairs to be merged where one of them ends, although they meet nowhere.
+  /// Allows both surfaces of each pair to be merged where one of them ends, although they meet nowhere.
   void join_ends_of(const std::set<SurfacePair>& pairs) {
     meeting_.insert(pairs.begin(), pairs.end());
     known_.clear();

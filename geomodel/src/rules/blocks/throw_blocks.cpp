@@ -20,7 +20,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Fraction of the greatest throw that may remain at the end of a fault without a warning.
 constexpr double most_throw_left = 0.5;
-constexpr double much_alone = 0.02;  // fraction of the horizon's area in the box that may lie in no block
+constexpr double much_alone = 0.02;  // fraction of the horizon's area in the box that may belong to no fault block
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&

@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 class ChainInPlane {
  public:
-  /// Continues with the slopes of the triangles at the border, averaged along the chain over `within` to both sides.
+  /// Continues surfaces with the slopes of triangles at the border, averaged along the chain over `within` both ways.
   ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame, double within);
 
   struct Nearest {

@@ -169,7 +169,7 @@ class Continuing {
     }
   }
 
-  /// A continued piece of border: one chain of edges, or all of the border in one block.
+  /// A piece of a surface's border that is continued: one chain of edges, or the whole border in one block.
   struct Run {
     double length, farthest;
     Vec3 place;

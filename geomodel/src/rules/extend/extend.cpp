@@ -286,7 +286,7 @@ void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& l
         greatest[k] = std::max(greatest[k], p[k]);
       }
     }
-    // Finds the side of the box to which the loop as a whole is nearest, or beyond which it is farthest.
+    // Finds the side of the box to which the border loop as a whole is nearest, or beyond which it is farthest.
     std::size_t axis = 2;
     bool at_max = false;
     double gap = std::numeric_limits<double>::infinity();

@@ -26,7 +26,7 @@ void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& su
 
 /// The bounding surfaces of fault blocks, intersected with the sides of the model and without the parts outside it.
 struct ArrangedWalls {
-  /// The built surfaces, followed by the sides; surfaces that were not requested have no triangles.
+  /// The built surfaces, followed by the sides of the model; surfaces that were not requested have no triangles.
   std::vector<TriangulatedSurface> surfaces;
   PolygonSoup soup;
 };

@@ -16,7 +16,7 @@ constexpr double least_of_sides = 0.1;
 constexpr double least_beside_another = 0.25;
 // Least fraction of a connected part on each side of a fault that it crosses, if other faults separate these sides.
 constexpr double least_of_corner = 0.02;
-// Area of the smallest connected part that counts, as a fraction of the horizon's area.
+// Area below which a connected part of a horizon is ignored, as a fraction of the horizon's area.
 constexpr double least_sheet = 0.005;
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
@@ -25,7 +25,7 @@ std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   return centres;
 }
 
-/// Returns planes through the centres of the triangles, with normals to one side.
+/// Returns planes through the centres of a surface's triangles, with normals to the same side.
 std::vector<SidedPlane> planes_of(const TriangulatedSurface& s) {
   const UpwardSides up = orient_upward(s);
   std::vector<SidedPlane> planes;

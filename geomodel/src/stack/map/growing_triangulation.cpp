@@ -107,7 +107,7 @@ Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
 void GrowingTriangulation::star(VertexIndex v, std::vector<Index>& cells) const {
   cells.clear();
   const Index start = cell_of_vertex_[v];
-  // Cells are visited in one direction around the vertex; if that ends at the rim, in the other direction too.
+  // Cells are visited in one direction around the vertex; if that ends at the triangulation's rim, in the other, too.
   for (const std::size_t turn : {1U, 2U}) {
     Index at = start;
     while (at != no_index) {

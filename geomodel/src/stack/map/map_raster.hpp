@@ -55,7 +55,7 @@ std::vector<std::vector<Vec2>> zero_curves(const MapRaster& raster);
 /// point would have to move farther than a quarter of a piece. The ends of an open curve do not move.
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length);
 
-/// Returns the curve with each point moved to its left by the distance `left`.
+/// Returns the curve with each point moved to the curve's left by the distance `left`.
 std::vector<Vec2> beside(const std::vector<Vec2>& curve, double left);
 
 }  // namespace geomesh::geomodel

@@ -369,7 +369,7 @@ class Approximation {
   GrowingTriangulation map_;
   Sheets sheets_;
   HeldSamples held_;
-  std::vector<Index> version_;  ///< version of each cell; queue entries with an older version are ignored
+  std::vector<Index> version_;  ///< version of each triangulation cell; queue entries with an older version are ignored
   std::priority_queue<Worst> queue_;
   GrowingTriangulation::Change change_;
 };

@@ -15,16 +15,16 @@ constexpr int places_a_side = 3;          // number of sampled places along a si
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
 constexpr double least_squares = 2;   // least area of a thin area or an opening in one, in squares of the target size
-constexpr double surely_thin = 0.75;  // units below this fraction of the least thickness have their horizons merged
-constexpr double surely_thick = 1.5;  // units thicker than this multiple of the least thickness are kept separate
-// Multiple of the least thickness from which an island of the unit is kept whatever its area.
+constexpr double surely_thin = 0.75;  // thin areas must somewhere be below this fraction of the least thickness
+constexpr double surely_thick = 1.5;  // openings in thin areas must exceed this multiple of the least thickness
+// Multiple of the least thickness from which an opening in a thin area is kept whatever its area.
 constexpr double kept_however_small = 3;
 constexpr double line_piece = 0.7;  // of the size
 constexpr double led_from = 0.12;   // of the size
 constexpr double same_line = 0.35;  // of the size
 
-/// Averages each horizon's height over evenly spaced places of one cell. If some horizon is absent at each place, the
-/// heights at the cell's centre are used.
+/// Averages each horizon's height over evenly spaced places of one raster cell. If some horizon is absent at each
+/// place, the heights at the cell's centre are used.
 void average_places(const MapSamples& samples, const MapRaster& like, std::size_t cell, std::vector<MapRaster>& means) {
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);

@@ -21,7 +21,7 @@ void for_each_place(const MapBounds& bounds, F&& visit) {
                  bounds.min.y + (j + 0.5) / places_across * (bounds.max.y - bounds.min.y)});
 }
 
-/// Returns the blocks all of whose triangles cross a fault, or that have no triangles.
+/// Returns a horizon's blocks all of whose triangles cross a fault, or that have no triangles.
 std::vector<bool> blocks_across_alone(const SidedHorizon& after, std::size_t n_blocks) {
   std::vector<bool> across(n_blocks, true);
   for (Index t = 0; t < after.n_single; ++t)
