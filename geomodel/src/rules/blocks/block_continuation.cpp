@@ -160,7 +160,7 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    // For each connected set of triangles, whether all of them lie beyond the fault, by the set's representative.
+    // For each connected set of triangles, by its union-find root: whether all of them lie beyond the fault.
     std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)

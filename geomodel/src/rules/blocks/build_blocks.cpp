@@ -106,7 +106,7 @@ std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFau
   return "";
 }
 
-/// Removes faults that end inside the model from the list. Returns false, without a change, if none or all do.
+/// Keeps only those dividing faults that do not end in the model. Returns false, without a change, if none or all do.
 bool keep_through(PartingFaults& parting, const Box3& box) {
   PartingFaults through;
   for (std::size_t k = 0; k < parting.faults.size(); ++k)

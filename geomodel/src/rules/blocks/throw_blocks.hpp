@@ -20,7 +20,7 @@ struct BlockFaults {
 
 /// The connected parts of a horizon after its ramps were removed; empty lists if they are not known.
 struct KnownSheets {
-  std::vector<Index> sheet{};      ///< for each triangle, its connected part, or BuiltRows::of_every_block
+  std::vector<Index> sheet{};      ///< for each triangle: connected part of the horizon, or BuiltRows::of_every_block
   std::vector<Triangle> before{};  ///< triangles of the horizon before ramps were removed
 };
 
