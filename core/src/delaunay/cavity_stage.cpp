@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t points_a_part = 300000, fewest_in_parts = 40000;
 
-/// The positions that one part inserts, and the outcome for those it could not insert.
+/// The points that one part of a parallel run inserts, and the outcome for those that it could not insert.
 struct PartRun {
   Ownership owned;
   std::size_t begin, end;
@@ -107,8 +107,8 @@ void CavityStage::insert_one_by_one(const std::vector<VertexIndex>& positions, d
   }
 }
 
-/// Returns the first position whose point lies in a cell that the part owns, and sets this cell as the part's hint.
-/// Returns `end` if a few tries find none.
+/// Returns the first position whose point lies in a cell that a part of the parallel run owns, and lets the part's
+/// walks start at this cell. Returns `end` if a few tries find none.
 std::size_t CavityStage::start_part(Part& part, const std::vector<VertexIndex>& positions, std::size_t begin,
                                     std::size_t end, Ownership owned) {
   constexpr std::size_t step = 48, tries = 64;

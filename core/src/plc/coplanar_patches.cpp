@@ -11,7 +11,7 @@ namespace geomesh {
 
 namespace {
 
-/// A facet, segment or inner segment at an edge; `facet` is no_index for anything but a plain triangle.
+/// An item of the complex at an edge; `facet` is no_index unless it is a triangular facet with nothing inside.
 struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
@@ -162,7 +162,7 @@ class PatchFinder {
   std::vector<Index> row_;    ///< for each facet that is the first of its patch, the patch's row in patches_
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
-  std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge
+  std::vector<Index> facet_of_inner_edge_;  ///< for each of inner_edges_, one of the two facets at the edge
 };
 
 }  // namespace

@@ -128,7 +128,7 @@ class PatchCrossings {
   std::span<const InnerEdge> edges_;
   std::span<const Index> first_;
   std::vector<VertexIndex> vertices_;  ///< vertices of the patch that is being triangulated
-  std::vector<VertexIndex> row_;       ///< row of each point in vertices_; undefined for points of other patches
+  std::vector<VertexIndex> row_;       ///< row of each point of the complex in vertices_; undefined for other patches
 };
 
 }  // namespace

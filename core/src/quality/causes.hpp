@@ -20,9 +20,9 @@ InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOption
 
 class CauseFinder {
  public:
-  /// All arguments must outlive this object.
+  /// The mesh, the options and the feature edges must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of an element and the data that belong to it. Angles at a vertex are kept for its other elements.
+  /// Sets the cause of a bad element and the data of that cause. Angles at its vertices are remembered for others.
   void explain(WorstElement& w);
   /// Sets the cause of an edge that is shorter than `share` of its target size. `cells` are the cells around the edge.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);

@@ -36,10 +36,10 @@ class GapFinder {
   Gap narrowest(Index tetrahedron, double above) const;
 
  private:
-  /// A path from a vertex to the nearest point of a part at another vertex.
+  /// A path across the element, from one of its vertices to the nearest point of an input item at another vertex.
   struct Way {
     VertexIndex from, to;
-    Vec3 inside;  ///< centroid of the element; facets are seen from it
+    Vec3 inside;  ///< centroid of the element, which shows on which side of a facet the element lies
   };
   void to_facets(const Way& way, double above, Gap& best) const;
   void to_segments(const Way& way, double above, Gap& best) const;

@@ -46,14 +46,14 @@ class DistanceProver {
  private:
   struct Spot {
     double distance;
-    Vec3 point;  ///< point of a triangle of the set that is nearest to a corner of the piece
+    Vec3 point;  ///< point on a triangle of the set, nearest to a corner of the piece to be proven
   };
-  /// A triangle of the set that may be near a piece, and its points nearest to the corners of that piece.
+  /// A triangle of the reference set near the piece to be proven, with its points nearest to the piece's corners.
   struct Candidate {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// Rows in candidates_ of the triangles near one piece. Those near the half that is being examined follow them.
+  /// Rows in candidates_ of the triangles near a piece; rows of those near its half that is being examined follow.
   struct Range {
     std::size_t first, last;
   };

@@ -35,7 +35,7 @@ struct DihedralMeasure {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// Returns the gradient with respect to the apex. Each factor of the least sine adds its logarithmic derivative.
+  /// Returns the measure's gradient by the apex: the least sine times the sum of its factors' logarithmic derivatives.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);

@@ -64,7 +64,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Adds a vertex that is not yet in any cell.
   VertexIndex add_point(const Vec3& p);
   VertexIndex add_point(ExactPlace place);
-  /// Moves a vertex. The caller must have checked its star, unless the vertex is in no cell.
+  /// Moves a vertex. The caller must have checked that all cells at the vertex, if any, remain positive.
   void move_point(VertexIndex v, const Vec3& p) {
     exact_.erase(v);
     points_[v] = p;
@@ -187,7 +187,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
     Tetrahedron vertices;
     CellIndex slot;  ///< slot in which the cell was stored when it was created
   };
-  /// Rows at which the lists of removed and created cells of each replacement begin.
+  /// Rows in the journal at which the lists of cells that one exchange of cells removed and created begin.
   struct JournalEntry {
     std::size_t removed, created;
   };

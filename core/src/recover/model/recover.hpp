@@ -25,10 +25,10 @@ struct Recovery {
   Constraints& constraints;
   RecoveryStatistics& statistics;
   const RunContext& context;
-  /// Row in plc.points for each vertex (no_vertex for added ones).
+  /// Row in plc.points of each mesh vertex; no_vertex for vertices that are not in the input.
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
-  const ModelNames& names;  ///< the caller's indices and frame, for texts of messages
+  const ModelNames& names;  ///< indices and coordinate frame of the caller's model, for the texts of messages
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   double expected_points_per_vertex =
@@ -91,8 +91,8 @@ void require_untouched_boundary(Recovery& recovery);
 
 /// The cells that are filled anew when an added point is removed.
 enum class RefilledCells {
-  star,               ///< the point's star, and cells behind faces that are not visible from its new place
-  region_about_star,  ///< the point's star, and a region of cells around the star
+  star,               ///< the removed point's star, and cells behind faces that its new place does not see
+  region_about_star,  ///< the removed point's star, and a region of cells around it
 };
 
 /// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.

@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the same key for both directions of an edge.
+/// Returns the same hash key for the edges a-b and b-a.
 std::uint64_t edge_key(VertexIndex a, VertexIndex b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A direction in which an exact point may move, and the step for place_moved() that moves it by unit length.
+/// A direction in which a Steiner point with exact coordinates may move, and the step of place_moved() for unit length.
 struct Freedom {
   Vec3 direction, step;
 };

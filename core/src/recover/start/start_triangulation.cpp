@@ -193,7 +193,7 @@ void remember(const Candidate& candidate, Constraints& constraints) {
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
-/// Counts the facets that a start triangulation lacks. `candidate` and `points` are used meanwhile and restored.
+/// Counts the facets that a start triangulation lacks. Moves `candidate` and `points` into a mesh meanwhile, and back.
 MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
                                       const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                       const RunContext& context) {

@@ -45,7 +45,7 @@ class SatSolver {
   /// Adds a variable. It is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Reserves memory for `n_clauses` clauses and as many at-most-one constraints, each kind with `n_literals` in all.
+  /// Reserves memory for `n_clauses` clauses of `n_literals` literals in all, and as much for at-most-one constraints.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
