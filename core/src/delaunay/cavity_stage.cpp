@@ -85,7 +85,7 @@ void CavityStage::insert_waiting() {
   insert_all(positions, 0);
 }
 
-/// Inserts `positions`, which are in the order of the Hilbert curve.
+/// Inserts the points at `positions` of the insertion order, which are sorted along the Hilbert curve.
 void CavityStage::insert_all(const std::vector<VertexIndex>& positions, double distance) {
   if (positions.size() < fewest_in_parts) return insert_one_by_one(positions, distance);
   insert_one_by_one(insert_in_parts(positions, distance), distance);

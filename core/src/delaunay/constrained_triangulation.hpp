@@ -16,7 +16,7 @@
 
 namespace geomesh {
 
-/// Holds the mesh and the points to which the base class has references.
+/// Holds the mesh and the points, to which the other base class of ConstrainedTriangulation has references.
 struct PlaneStore {
   TriMesh mesh;
   std::vector<PointRecord> records;  ///< the points by index, followed by the infinite vertex

@@ -20,7 +20,7 @@ namespace geomesh {
 enum class InsertionOutcome {
   inserted,
   duplicate,  ///< the point equals a vertex, which `IncrementalTriangulation::twin()` returns
-  too_near,   ///< the point is closer to a vertex than the cluster distance; nothing was changed
+  too_near,   ///< the point is closer to a vertex than cluster_distance; nothing was changed
   not_owned,  ///< nothing changed: the insertion needs cells that another part of the parallel run owns
 };
 

@@ -50,7 +50,7 @@ class EdgeShell {
     return n < 3 ? goal.edge() : best_[0][n - 1];
   }
 
-  /// Calls visit(i, k, j) for each triangle of the best triangulation of the polygon, i < k < j.
+  /// Calls visit(i, k, j), i < k < j, for each triangle of the best triangulation that was found for the polygon.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const {
     if (n_ >= 3) descend(0, n_ - 1, visit);

@@ -44,7 +44,7 @@ class CauseFinder {
   const QualityOptions& options_;
   SoupStars stars_;
   GapFinder gaps_;
-  std::vector<MeetingAngle> angles_;  // least angle at each vertex; negative if not computed yet
+  std::vector<MeetingAngle> angles_;  // least angle of input items at each vertex; negative if not computed yet
 };
 
 /// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`, otherwise nothing.

@@ -28,7 +28,6 @@ struct ShapeSums {
   ShapeSums();
   void add(const TetrahedronShape& shape);
   void join(const ShapeSums& other);
-  /// Returns the statistics with shares, means, least and greatest values.
   ShapeStatistics statistics() const;
 };
 

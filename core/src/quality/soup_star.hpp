@@ -68,7 +68,7 @@ class SoupStars {
   std::span<const Index> facet_patch_;
   const InputCreases* creases_;
   std::vector<std::vector<Index>> faces_at_;     // mesh faces on facets, by vertex
-  std::vector<std::vector<SoupEdge>> edges_at_;  // edges at each vertex, sorted by their other end
+  std::vector<std::vector<SoupEdge>> edges_at_;  // edges on facets and segments, by vertex, sorted by their other end
 };
 
 }  // namespace geomesh

@@ -13,8 +13,8 @@ namespace geomesh {
 
 struct Gap {
   double width = std::numeric_limits<double>::infinity();
-  Index facet_a = no_index, facet_b = no_index;      ///< facets on the two sides of the gap
-  Index segment_a = no_index, segment_b = no_index;  ///< listed segments on the two sides of the gap
+  Index facet_a = no_index, facet_b = no_index;      ///< facets of the input on the two sides of the gap, if any
+  Index segment_a = no_index, segment_b = no_index;  ///< listed segments on the two sides of the gap, if any
 };
 
 /// An element spans a gap between two parts of the input if it has a vertex on each part and the parts face each other

@@ -68,7 +68,7 @@ class PreparedTriangle {
 struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vec3 point;
-  Index item = no_index;  ///< the caller's id of the triangle or line segment
+  Index item = no_index;  ///< the caller's id of the triangle or line segment on which the point lies
 };
 
 /// Bounding-box trees, one for each group (the triangles of a patch, or the line segments of a class of curves). A line
@@ -92,7 +92,7 @@ class ClosestPointTrees {
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit(row) for the items of a group near the box, where `row` is an item's row in items() and prepared().
+  /// Calls visit(row) for the items of a group near the box; `row` refers to items() and prepared().
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

@@ -20,7 +20,7 @@ constexpr std::size_t pieces_per_item = 8;
 constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece =
     1.0 / 64;  ///< pieces of a triangle with a smaller radius, as a share of the distance limit, are not halved
-/// corners of a piece that are nearer to a cutting plane than this share of its radius count as on the plane
+/// corners of a piece of a triangle that are nearer to a cutting plane than this share of its radius count as on it
 constexpr double on_plane = 1e-9;
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }

@@ -35,7 +35,6 @@ class CoverProver {
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// Sets the largest distance from the set that later proofs allow.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Tries to prove that `item` lies within the limit of a group of the set. A line segment has its last two corners

@@ -38,7 +38,7 @@ enum class Over : std::uint8_t {
 /// Proof that a triangle F is within a distance limit of a surface.
 class SheetProof {
  public:
-  /// Starts a proof that `triangle` (F) is within `limit` of a surface.
+  /// Starts a proof that `triangle`, called F, is within the distance `limit` of a surface.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
   /// Returns whether the triangle to be proven has an area, without which nothing can be proven.
   bool is_possible() const { return is_possible_; }

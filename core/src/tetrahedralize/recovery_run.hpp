@@ -51,7 +51,7 @@ class RecoveryRun {
   RecoveryStatistics statistics_{};
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
-  std::size_t n_without_double_ = 0;  ///< number of points without a double in their stars, over all attempts
+  std::size_t n_without_double_ = 0;  ///< number of points that no double in their stars can replace, over all attempts
   std::size_t n_decided_ = 0;         ///< number of orientations decided that involve exact places
 };
 

@@ -118,7 +118,7 @@ class RoofOnSide {
   RoofSide side_;
   std::vector<Index> star_;
   const std::vector<Vec3>& flat_;
-  std::vector<VertexIndex> inner_;  ///< for each point of part_.inner, the roof's point on this side of the plane
+  std::vector<VertexIndex> inner_;  ///< for each point of part_.inner, its copy in the roof on one side of the plane
   VertexIndex centre_ = no_vertex;  ///< point between polygon and lifted roof, a vertex of all cells between them
 };
 
@@ -153,7 +153,7 @@ class RoofStar {
   }
 
  private:
-  std::vector<std::array<Index, 2>> pairs_;  ///< cells of the star that share a face, each pair in both orders, sorted
+  std::vector<std::array<Index, 2>> pairs_;  ///< pairs of cells that share a face off the roof, in both orders, sorted
 };
 
 }  // namespace

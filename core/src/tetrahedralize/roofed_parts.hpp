@@ -50,7 +50,7 @@ class RoofedParts {
   const PiecewiseLinearComplex& given_;
   PiecewiseLinearComplex plc_;
   std::vector<RoofedPart> parts_;
-  /// For each facet of plc_ its row among the given facets; for a facet in the roof of part k, n_given_facets + k.
+  /// For each facet of plc_, its row among the given facets; for one of the roof of part k, n_given_facets + k.
   std::vector<Index> facet_;
 };
 

@@ -67,7 +67,7 @@ namespace detail {
 extern const LaneKernels baseline_kernels, avx2_kernels;
 }
 
-/// Returns the kernels for this processor; all versions compute the same bits.
+/// Returns the functions of the lane kernels for this processor; all versions compute the same bits.
 const LaneKernels& lane_kernels();
 
 }  // namespace geomesh

@@ -26,7 +26,7 @@ struct LinkKernels {
   /// Computes the normals and squared edge lengths of the faces of the link from their corners.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
-  /// Returns the least shape, or some shape that is at most `enough`.
+  /// Returns the worst shape of the cells between a link and its apex p, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
   /// Returns the sum of CellQuality::worth of all cells; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);

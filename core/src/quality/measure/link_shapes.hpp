@@ -14,7 +14,7 @@ namespace geomesh::remesh {
 /// these cells are computed with the same bits as by CellQuality::shape.
 class LinkShapes {
  public:
-  /// Removes all faces, and sets the measure of the shapes that will be computed.
+  /// Removes all faces of the link, and sets the measure of the shapes that will be computed.
   void clear(const LinkKernels& kernels) {
     n_ = 0;
     kernels_ = &kernels;

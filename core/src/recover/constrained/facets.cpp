@@ -102,7 +102,7 @@ class FacetRecovery {
  private:
   struct Piercing {
     PiercingEdge edge;
-    /// 0 if flips have not been tried on this edge; else 1 + the mesh's number of changes when they last failed
+    /// 0 if flips have not tried to remove the edge; else 1 + the mesh's number of changes when they last failed
     std::size_t tried;
   };
 
@@ -167,8 +167,8 @@ class FacetRecovery {
     return true;
   }
 
-  /// Returns the point at which the edge pierces the plane of the input's corners. It is computed with twice a double's
-  /// precision, because the plane of a thin triangle is known to fewer digits than its corners.
+  /// Returns the point at which the edge pierces the plane of the facet's input vertices. It is computed with twice a
+  /// double's precision, because the plane of a thin triangle is known to fewer digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
     using exact::TwoDouble;
     const Vec3 &p = mesh_.point(plane_[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);

@@ -212,7 +212,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
   std::vector<FaceRef> star_faces_;  ///< for each new cell of a star, its face on the former cavity's boundary
-  std::vector<CellIndex> tested_;    ///< cells that the search for a cavity has examined and left out
+  std::vector<CellIndex> tested_;    ///< cells that a search for a cavity has tested and not added to it
   EpochMarks marks_;
   Random random_;
 };

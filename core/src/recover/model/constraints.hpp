@@ -43,7 +43,7 @@ struct Subfacet {
 struct FacetPiece {
   std::vector<DirectedEdge>
       border;  ///< border edges, with the facet's piece on their left seen from above; segments inside it both ways
-  std::vector<VertexIndex> members;  ///< all vertices of the piece, on its border and inside
+  std::vector<VertexIndex> members;  ///< all vertices on the border of the facet's piece and inside it
   std::vector<Triangle> seen{};      ///< mesh faces that covered the piece of the facet when they were last found
   std::vector<CellIndex> seen_in{};  ///< for each face of `seen`, the cell in which it was found
 };
@@ -57,7 +57,7 @@ struct ModelSegment {
 /// The input item on which a vertex was placed, as recorded at its insertion instead of found by its coordinates.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
-  Index owner = no_index;  ///< row of the model segment or facet on which the vertex was added
+  Index owner = no_index;  ///< row of the model segment or facet on which meshing added the vertex
 };
 
 class Constraints {

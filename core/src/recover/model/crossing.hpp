@@ -17,7 +17,7 @@ enum class CrossingKind {
 
 struct Crossing {
   CrossingKind kind = CrossingKind::edge_present;
-  CellIndex cell = no_cell;  ///< a cell that has the line's start and the mesh face or edge that the line crosses
+  CellIndex cell = no_cell;  ///< a cell that has the vertex at the line's start and the mesh item that it crosses
   FaceRef face;              ///< the face of `cell` opposite the vertex at which the line starts
   std::array<VertexIndex, 3> v{no_vertex, no_vertex, no_vertex};
 };

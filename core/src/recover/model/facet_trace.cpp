@@ -140,7 +140,7 @@ class LeftOfEdge {
     const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
     return length > 0 ? dot(normal, turn) / length : -1;
   }
-  /// Returns the point at which edge u-v crosses the facet's plane.
+  /// Returns the point at which the edge u-v of the mesh crosses the facet's plane.
   Vec3 in_plane(VertexIndex u, VertexIndex v) const {
     const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
     const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());

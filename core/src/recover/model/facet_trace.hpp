@@ -25,7 +25,7 @@ struct PiercingEdge {
 struct FacetTrace {
   enum class Status {
     complete,  ///< mesh faces cover the subfacet completely
-    pierced,   ///< mesh edges pierce the subfacet
+    pierced,   ///< mesh edges pierce the subfacet, so it is not in the mesh
     touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };

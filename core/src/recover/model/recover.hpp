@@ -43,12 +43,12 @@ struct Recovery {
   bool has_exact_points = false;
   unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
-  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of cell regions that cannot be filled anew
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of regions of cells without fillings
 
-  /// The reason why this attempt cannot continue. If a stage sets it, that stage and all later ones return at once.
+  /// The reason why this attempt at recovery cannot go on. If a stage sets it, it and all later stages return at once.
   std::optional<Error> dead_end{};
   bool has_ended() const { return dead_end.has_value(); }
-  /// Ends the attempt for this reason, unless it has already ended for another one.
+  /// Ends this attempt at recovery for the given reason, unless it has already ended for another one.
   void end(Error why) {
     if (!dead_end) dead_end = std::move(why);
   }
@@ -62,7 +62,7 @@ struct Recovery {
 };
 
 /// Makes every live subsegment an edge of the mesh: first by flips (segments_by_flips.cpp), then by points on segments
-/// (segments_by_points.cpp). Ends the attempt if a vertex lies on a segment or two segments cross.
+/// (segments_by_points.cpp). Ends this attempt at recovery if a vertex lies on a segment or two segments cross.
 void recover_segments(Recovery& recovery);
 
 /// Tries to make a-b an edge by flips alone. `work_left` is the number of edges and faces that may be tried, and is
@@ -70,7 +70,7 @@ void recover_segments(Recovery& recovery);
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left);
 
 /// Makes every live subfacet a locked face of the mesh; all subsegments are present before and after. Flips come first,
-/// then points where mesh edges pierce the facet. Ends the attempt if a segment or a vertex pierces a facet.
+/// then points where mesh edges pierce the facet. Ends this attempt if an input segment or vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
 /// Whether Steiner points may remain on segments and facets at the end.
@@ -86,7 +86,7 @@ enum class InnerEffort { star, region };
 /// Removes Steiner points, or moves them from segments and facets into the regions, if the mesh allows it.
 void remove_added_points(Recovery& recovery, BoundaryPoints boundary, InnerEffort effort_at_last = InnerEffort::region);
 
-/// Ends the attempt if an added point is left on a segment or facet (preserve_boundary).
+/// Ends this attempt at recovery if an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(Recovery& recovery);
 
 /// The cells that are filled anew when an added point is removed.

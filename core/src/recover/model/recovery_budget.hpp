@@ -31,7 +31,7 @@ struct RecoveryBudget {
   // Start (start_triangulation.cpp, scale_forecast.cpp).
   std::size_t few_missing = 20;   ///< no axis is stretched if at most this many segments are no Delaunay edges
   std::size_t stretch_from = 10;  ///< axes are stretched if more than one segment in this many is no Delaunay edge
-  std::size_t stretch_gain = 20;  ///< doubling an axis must turn one in this many missing segments into an edge
+  std::size_t stretch_gain = 20;  ///< doubling an axis' scale must make one in this many missing segments an edge
   int stretch_steps = 12;         ///< an axis is stretched at most by two to this power
   /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
   /// about 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of
@@ -44,7 +44,7 @@ struct RecoveryBudget {
   /// Slopes of a shear are multiples of this number, because the tilted plates of test models have simple slopes.
   double slope_step = 0x1p-10;
   std::size_t forecast_sample = 300;  ///< number of missing segments, and of present ones, that a forecast examines
-  double forecast_reach = 1e6;        ///< largest distance of an empty sphere's centre from a segment, in half lengths
+  double forecast_reach = 1e6;        ///< largest distance of an empty sphere's centre from a segment, in its halves
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
   std::size_t ring = 24;  ///< edges with more cells around them are not removed by flips, which costs O(n^3)

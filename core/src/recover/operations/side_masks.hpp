@@ -42,7 +42,6 @@ class LocalPlaces {
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Computes the vectors from one vertex to the others.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;

@@ -140,7 +140,7 @@ void make_room(Recovery& recovery, VertexIndex x) {
   }
 }
 
-/// Returns the exact vertices that will be part of the result, without those in no cell or outside the model.
+/// Returns the vertices with exact places that are part of the result: not those in no cell or outside the model.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;

@@ -171,8 +171,8 @@ class ShapedLattice {
     for (std::size_t k = 0; k < 3; ++k) basis_[k][k] = 1;
   }
 
-  /// Reduces the basis (Lenstra, Lenstra and Lovasz 1982) and moves to a lattice point near the centre. Returns false
-  /// if numbers exceed the range of doubles.
+  /// Reduces the lattice basis (Lenstra, Lenstra and Lovasz 1982) and moves to a lattice point near the polyhedron's
+  /// centre. Returns false if numbers exceed the range of doubles.
   bool prepare() { return reduce() && go_near_centre(); }
 
   /// Returns how much a step along each vector of the lattice basis changes the relative height over each plane.

@@ -169,7 +169,7 @@ void FillingCandidates::gather() {
     }
 }
 
-/// Collects the possible tetrahedra (a, b, c, d) with d > c.
+/// Collects the possible cells of the region with the vertices a, b, c and a greater one.
 void FillingCandidates::gather_above_face(LocalVertex a, LocalVertex b, LocalVertex c) {
   const SideMasks::Masks& abc = sides_.of_sorted(a, b, c);
   for (VertexMask of_d = thirds(a, b) & thirds(a, c) & thirds(b, c) & (abc.first | abc.second) & beyond(c); of_d != 0;

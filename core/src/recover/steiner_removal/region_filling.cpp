@@ -95,7 +95,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 
 namespace {
 
-/// States the formula for the filling of a region and solves it. Its first variables are the candidates in their order.
+/// States the formula for the filling of a region and solves it. Its first variables are the possible cells, in order.
 class RegionFiller {
  public:
   RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}

@@ -57,7 +57,7 @@ class EarClipping {
     corners_[k].found_inside = no_vertex;
   }
 
-  /// Returns the roundest ear that contains no other vertex; the number of corners if there is none.
+  /// Returns the corner with the roundest ear that contains no polygon vertex; the number of corners if there is none.
   std::size_t find_ear() {
     while (true) {
       std::size_t best = corners_.size();
