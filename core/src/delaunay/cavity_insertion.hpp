@@ -231,8 +231,8 @@ inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexInde
   flags_[c] = ghost ? ghost_flag : 0;
 }
 
-/// Numbers the vertices of the boundary from 0 in their order of occurrence and returns their number. The code has no
-/// branch on whether a vertex is new, because that is unpredictable.
+/// Numbers the vertices of the cavity's boundary from 0 in their order of occurrence and returns their number. The code
+/// has no branch on whether a vertex is new, because that is unpredictable.
 template <class Space, bool Shared>
 unsigned CavityInsertion<Space, Shared>::number_boundary() {
   const Face* faces = boundary_.data();

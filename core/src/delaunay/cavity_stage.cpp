@@ -43,7 +43,7 @@ void insert_part(CavityInsertion<Space3, true>& part, PartRun& run, const std::v
   }
 }
 
-/// Divides the Hilbert curve into equal parts.
+/// Divides the Hilbert curve into `n_parts` runs of equally many of the places of SpatialOrder.
 std::vector<PartRun> cut_curve(std::size_t n_parts) {
   std::vector<PartRun> runs;
   const auto place = [&](std::size_t k) { return static_cast<std::uint16_t>(k * SpatialOrder::n_places / n_parts); };

@@ -34,7 +34,7 @@ class CavityStage {
   void insert_round(VertexIndex begin, VertexIndex end);
   /// Inserts the points that were deferred because they were too close to others. The triangulation is then complete.
   void insert_waiting();
-  /// Removes unused slots and writes the statistics.
+  /// Removes the mesh's unused slots and writes the statistics of insertion.
   void finish(DelaunayStatistics& statistics);
 
   const std::vector<Twin>& twins() const { return twins_; }

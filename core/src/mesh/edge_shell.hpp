@@ -32,7 +32,7 @@ class EdgeShell {
     Value best;
   };
 
-  /// Finds the best triangulation of the polygon of n vertices by dynamic programming; returns its value. O(n^3).
+  /// Finds the best triangulation of the n vertices around an edge by dynamic programming; returns its value. O(n^3).
   template <class Goal>
   Value triangulate(std::size_t n, const Goal& goal) {
     n_ = n;

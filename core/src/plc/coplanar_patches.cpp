@@ -91,7 +91,7 @@ bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> p
   return are_coplanar(p[uses[0].a], p[uses[0].b], p[uses[0].apex], p[uses[1].apex]);
 }
 
-/// Finds patches by uniting the two triangles at each edge inside a patch.
+/// Finds patches of coplanar triangles by uniting the two triangles at each edge inside a patch.
 class PatchFinder {
  public:
   PatchFinder(const PiecewiseLinearComplex& plc, std::span<const Index> provenance)

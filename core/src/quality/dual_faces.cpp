@@ -88,7 +88,7 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use) {
-  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // number of parts of dual faces by lower edge vertex
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // dual-face parts by the lower vertex of their edge
   for (const Tetrahedron& t : tetrahedra)
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;

@@ -52,8 +52,8 @@ class ShapeTable {
  private:
   using Step = std::uint16_t;
   std::size_t values_a_row(ShapeMeasure which) const { return which == ShapeMeasure::solid_angle ? 4 : 1; }
-  /// Returns the 16-bit step of the value (of measure `which`) with this rank among the tetrahedra in `rows`, and the
-  /// number of values in lower steps.
+  /// Returns the step (0 to 65,535) of the value that has the given rank when the values of measure `which` are sorted
+  /// over the tetrahedra in `rows`, and the number of values in lower steps.
   std::pair<Step, std::size_t> step_at(std::size_t rank, ShapeMeasure which, std::span<const Index> rows) const;
 
   std::span<const Vec3> points_;

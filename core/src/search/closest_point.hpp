@@ -50,7 +50,7 @@ class PreparedTriangle {
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle = 1e-5);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
-  /// Returns the unit normal; zero for a triangle without area.
+  /// Returns the unit normal of the triangle; zero if it has no area.
   const Vec3& normal() const { return normal_; }
 
  private:

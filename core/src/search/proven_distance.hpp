@@ -69,9 +69,8 @@ class DistanceProver {
   double limit_;
   std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t>
-      by_two_;                 // rows in candidates_ of the triangles within the limit of two corners of the piece
-  std::vector<Spot> centres_;  // by candidate triangle, its point nearest to the middle of the longest edge
+  std::vector<std::size_t> by_two_;  // rows in candidates_ of triangles within the limit of two corners of the piece
+  std::vector<Spot> centres_;        // by candidate triangle, its point nearest to the middle of the longest edge
   std::size_t n_pieces_ = 0;
   Index sheet_row_ = no_index;
 };

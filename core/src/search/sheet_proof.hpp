@@ -43,7 +43,7 @@ class SheetProof {
   /// Returns whether the triangle to be proven has an area, without which nothing can be proven.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Returns whether all of the triangle is within the limit of the surface, if `judge` never returned `border`.
+  /// Returns whether all of F (the triangle to be proven) is near the surface, if `judge` never returned `border`.
   bool is_proven() const { return has_seed_; }
 
  private:

@@ -24,7 +24,7 @@ class RecoveryRun {
   RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names, const TetrahedralizeOptions& options,
               const RunContext& context, const ConformingStep& conform);
 
-  /// Makes the first triangulation (Cavalcanti and Mello 1999, section 2). May throw Error{invalid_input}.
+  /// Makes the triangulation that recovery starts from (Cavalcanti and Mello 1999). May throw Error{invalid_input}.
   void triangulate();
   /// Makes attempts at recovery (section 3) until one succeeds.
   RecoveryOutcome recover();

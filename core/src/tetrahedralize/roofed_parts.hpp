@@ -23,7 +23,7 @@ struct RoofedPart {
   std::vector<Triangle> as_given;   ///< corners of the part's facets, in the orientation of the complex
   std::vector<Triangle> triangles;  ///< corners of the part's facets, in the orientation of the part
   std::vector<bool> is_turned;      ///< whether each of the part's facets is oriented oppositely to the part
-  std::vector<VertexIndex> inner;   ///< the points of the roof that are inside the part, ascending
+  std::vector<VertexIndex> inner;   ///< points that the triangulation adds inside the part, ascending
   std::vector<double> rise;         ///< relative heights by which the points inside the part are lifted off its plane
   std::vector<Triangle> roof;
 };

@@ -82,7 +82,7 @@ GEOMESH_INLINE FourPoints four_points(const PointRecord* points, const VertexInd
   return r;
 }
 
-/// Returns a mask of the lanes whose points lie outside the owned part of the Hilbert curve.
+/// Returns a mask of the lanes whose points lie off the Hilbert curve's part that the insertion may change.
 GEOMESH_INLINE unsigned foreign(Mask tag, Ownership owned) {
   const Mask place = tag >> 48 & 0xFFFF;
   return signs((place - owned.first) | ((owned.end - 1) - place));
@@ -162,7 +162,7 @@ GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e,
   return {det, error};
 }
 
-/// Appends the faces i of the cell for which bit i of `closed` is set, and returns the new number. Needs room for four.
+/// Appends the cell's faces i for which bit i of `closed` is set; returns the new number of faces. Needs room for 4.
 GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
                                         std::size_t n_faces) {
   const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);

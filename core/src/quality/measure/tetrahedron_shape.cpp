@@ -111,7 +111,7 @@ std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
-    unsigned first = 0;  // corner opposite the longest edge
+    unsigned first = 0;  // corner of the face opposite the face's longest edge
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       if (const double edge = distance(p[f[(k + 1) % 3]], p[f[(k + 2) % 3]]); edge > longest) {

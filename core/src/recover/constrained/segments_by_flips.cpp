@@ -64,8 +64,8 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
   return false;
 }
 
-/// Removes by flips one after the other of the mesh faces and edges that the missing edge a-b crosses, in any order, if
-/// fewer remain, or sometimes as many.
+/// Removes the mesh faces and edges that the missing edge a-b crosses by flips, one after the other in any order. A
+/// removal is kept if fewer crossings remain, or sometimes as many.
 class CrossingReduction {
  public:
   CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left)

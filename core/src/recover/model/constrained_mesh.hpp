@@ -113,9 +113,9 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
-  /// Returns a cell with both vertices, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
+  /// Returns a cell with both vertices a and b, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
-  /// Returns a cell with both vertices, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
+  /// Returns a cell with the vertices a and b, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
   CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
     const bool is_there =
         hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);

@@ -31,7 +31,7 @@ using DirectedEdge = std::array<VertexIndex, 2>;
 
 /// A triangle that is, or should become, a mesh face, or a `piece`: a part of a facet that any mesh faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< corners in the facet's orientation; for a piece any three that span its plane
+  Triangle vertices{};  ///< corners of the subfacet in the facet's orientation; for a piece three that span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;

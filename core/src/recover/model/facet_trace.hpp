@@ -27,7 +27,7 @@ struct FacetTrace {
     complete,  ///< mesh faces cover the subfacet completely
     pierced,   ///< mesh edges pierce the subfacet, so it is not in the mesh
     touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
-    unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
+    unclear,   ///< the orientations around a mesh edge contradict each other, which only rounding by a few ulps causes
   };
   Status status = Status::complete;
   std::vector<Triangle> faces;         ///< mesh faces in the subfacet, in its orientation

@@ -29,10 +29,10 @@ struct RecoveryBudget {
   double doubtful_points_per_vertex_conforming = 10;
 
   // Start (start_triangulation.cpp, scale_forecast.cpp).
-  std::size_t few_missing = 20;   ///< no axis is stretched if at most this many segments are no Delaunay edges
-  std::size_t stretch_from = 10;  ///< axes are stretched if more than one segment in this many is no Delaunay edge
+  std::size_t few_missing = 20;   ///< no axis is scaled if at most this many segments are no Delaunay edges
+  std::size_t stretch_from = 10;  ///< axes are scaled if more than one segment in this many is no Delaunay edge
   std::size_t stretch_gain = 20;  ///< doubling an axis' scale must make one in this many missing segments an edge
-  int stretch_steps = 12;         ///< an axis is stretched at most by two to this power
+  int stretch_steps = 12;         ///< largest exponent of two by which an axis of the frame is scaled
   /// Number of crossings of missing segments per cell from which axes are stretched to reduce them. A crossing costs
   /// about 30 microseconds of flips, a cell 1.5 of triangulation, so two dozen triangulations cost less than a third of
   /// what they may save. Two fans of 500 needles have 4.7 to 9.1, of 2,000 more than 15. The solids, structural models
@@ -44,7 +44,7 @@ struct RecoveryBudget {
   /// Slopes of a shear are multiples of this number, because the tilted plates of test models have simple slopes.
   double slope_step = 0x1p-10;
   std::size_t forecast_sample = 300;  ///< number of missing segments, and of present ones, that a forecast examines
-  double forecast_reach = 1e6;        ///< largest distance of an empty sphere's centre from a segment, in its halves
+  double forecast_reach = 1e6;        ///< largest distance of an empty sphere's centre from a segment, in half lengths
 
   // Flips (segments_by_flips.cpp, edge_removal.hpp).
   std::size_t ring = 24;  ///< edges with more cells around them are not removed by flips, which costs O(n^3)
@@ -83,7 +83,7 @@ struct RecoveryBudget {
 
   // Limits for the recovery of facets (facets.cpp).
   unsigned facet_depth = 3;        ///< levels of recursion of flips before points are added to facets
-  unsigned facet_depth_first = 2;  ///< levels of recursion of flips before the first point on a facet, else 1
+  unsigned facet_depth_first = 2;  ///< levels of recursion of flips while the facet has no added point; afterwards 1
   /// Largest number of faces and piercing edges that repeated searches may find for a facet. Without such searches
   /// chazelle_16 and SALT get one more point each; without a limit plates of 5,464 points took over 85 s.
   std::size_t traced_of_facet = 20000;
@@ -113,7 +113,7 @@ struct RecoveryBudget {
   std::array<double, 5> sheet_turns{2, 4, 3, 1, 5};
   /// Largest numbers of vertices of a region that the SAT solver fills, tried in turn; 52 would cost a quarter more.
   std::array<std::size_t, 3> region_vertices{20, 28, 40};
-  std::size_t region_conflicts = 2000;  ///< number of conflicts allowed to the solver: most formulas need a few
+  std::size_t region_conflicts = 2000;  ///< number of conflicts allowed to the SAT solver: most formulas need a few
 
   // Rounding (rounding.cpp).
   unsigned rounding_runs = 3;        ///< how often all Steiner points are rounded, with removals in between
@@ -133,9 +133,9 @@ struct RecoveryBudget {
   std::size_t lattice_points = 3;  ///< on each line
 
   // Conforming mode (conforming.hpp).
-  double sharp_cosine = 0.5;     ///< cosine of 60 degrees: segments at a smaller angle meet sharply
+  double sharp_cosine = 0.5;     ///< cosine of 60 degrees: two segments at a smaller angle meet sharply
   double sharp_rounding = 1e-9;  ///< error of a cosine that rounding of the directions may cause
-  int least_edge = -40;          ///< shortest edge, as a power of two relative to the largest coordinate: 4096 ulps
+  int least_edge = -40;          ///< shortest edge allowed: this power of two times the largest coordinate (4096 ulps)
   std::size_t points_per_vertex = 30;  ///< added points allowed per vertex near sharp angles, and as many elsewhere
   std::size_t sharp_points = 3000;     ///< added points allowed near sharp angles, in addition to points_per_vertex
   std::size_t other_points = 100000;   ///< added points allowed elsewhere in a model, in addition to points_per_vertex

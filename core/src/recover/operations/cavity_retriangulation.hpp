@@ -24,7 +24,7 @@ class Cavity {
   /// triangles (add_sheet). `is_valid()`: whether the cavity may be emptied. O(n log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds an inner triangle that the new cells must have as a face, on the side from which it is counter-clockwise.
+  /// Adds a triangle in the cavity that must be a face of a new cell, on the side where it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
   /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
@@ -33,7 +33,7 @@ class Cavity {
   std::vector<Triangle> boundary() const;
   const std::vector<CellIndex>& cells() const { return cells_; }
   bool has_edge(VertexIndex a, VertexIndex b) const;
-  /// Returns the vertices connected with v by an edge of the boundary, sorted.
+  /// Returns the vertices connected with v by an edge of the cavity's boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
   /// Returns cells that connect all boundary faces of the cavity with y, a point that no cell has yet. The cavity,

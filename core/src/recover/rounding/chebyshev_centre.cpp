@@ -66,7 +66,7 @@ class ActiveSetWalk {
   bool drop_what_holds_back() {
     std::vector<double> factors(active_.size());
     Unknowns rest = upwards;
-    // back substitution, because constraint k lies in the span of the first k + 1 base vectors
+    // back substitution, because active constraint k lies in the span of the first k + 1 base vectors
     for (std::size_t k = active_.size(); k-- > 0;) {
       const double across = dot(row_of(active_[k]), base_[k]);
       factors[k] = dot(rest, base_[k]) / across;

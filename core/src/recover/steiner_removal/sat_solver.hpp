@@ -119,7 +119,7 @@ class SatSolver {
   std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first occurrence as choice, as flag
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first occurrence in a choice, as flag
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;
