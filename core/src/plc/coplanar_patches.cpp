@@ -16,7 +16,7 @@ struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  /// Returns a sort key of this use of an edge a-b by a facet: uses with equal a are sorted by b, then by facet.
+  /// Returns a sort key of the use of edge a-b by an item: uses with equal a are sorted by b, then by facet.
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 

@@ -22,7 +22,7 @@ class CauseFinder {
  public:
   /// The mesh, the options and the feature edges must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of a bad element and the data of that cause. Angles at its vertices are remembered for others.
+  /// Sets the cause of a bad element and its data. Angles at vertices are remembered for other elements there.
   void explain(WorstElement& w);
   /// Sets the cause of an edge that is shorter than `share` of its target size. `cells` are the cells around the edge.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);

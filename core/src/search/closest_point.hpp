@@ -87,12 +87,12 @@ class ClosestPointTrees {
   /// Returns the nearest item of the group within `limit`; the distance is infinite if there is none. O(log n) for
   /// limits of the size of an item.
   ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
-  /// Calls visit(item) for the items of a group whose bounding boxes overlap the box, and for some more near it.
+  /// Calls visit(item) for the triangles or line segments of a group whose bounding boxes overlap `box`, and some more.
   template <class Visit>
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit(row) for the items of a group near the box; `row` refers to items() and prepared().
+  /// Calls visit(row), with rows of items(), for the triangles or line segments of a group near the box.
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

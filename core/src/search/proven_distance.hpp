@@ -61,7 +61,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// Returns a triangle of the set if the set is one smooth surface over all of the piece; otherwise no_index.
+  /// Returns a triangle of the set if it is one smooth surface over all of the piece to be proven, otherwise no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;

@@ -79,7 +79,7 @@ bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_
   return false;
 }
 
-/// Returns whether a part of the segment p-q is inside triangle F by more than rounding errors.
+/// Returns whether the segment p-q, projected to triangle F, is partly inside F by more than rounding errors.
 bool SheetProof::has_within(const Point& p, const Point& q) const {
   double first = 0, last = 1;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -21,8 +21,8 @@ namespace geomesh {
 struct RoofedPart {
   std::vector<Index> facets;        ///< rows, in the given complex, of the facets that make up the part of the patch
   std::vector<Triangle> as_given;   ///< corners of the part's facets, in the orientation of the complex
-  std::vector<Triangle> triangles;  ///< corners of the part's facets, in the orientation of the part
-  std::vector<bool> is_turned;      ///< whether each of the part's facets is oriented oppositely to the part
+  std::vector<Triangle> triangles;  ///< corners of the part's facets, all with the same orientation
+  std::vector<bool> is_turned;      ///< whether each facet of the part is oriented oppositely in the complex
   std::vector<VertexIndex> inner;   ///< points that the triangulation adds inside the part, ascending
   std::vector<double> rise;         ///< relative heights by which the points inside the part are lifted off its plane
   std::vector<Triangle> roof;

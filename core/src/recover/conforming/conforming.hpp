@@ -25,7 +25,7 @@ namespace geomesh::recover {
 /// Reasons for which conforming mode gives a facet up.
 enum class GivenUpFor : std::uint8_t {
   points,     ///< more than max_steiner_per_facet points on the facet or on one of its segments
-  shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
+  shortness,  ///< an edge of the mesh would be shorter than 2^-40 of the largest coordinate
   place,      ///< a new point equals a vertex, or rounding has made the facet's own 2D triangulation invalid
   budget,     ///< no more points are allowed on all facets and segments together
 };

@@ -43,7 +43,7 @@ struct Recovery {
   bool has_exact_points = false;
   unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
-  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of regions that need their Steiner point
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of regions for which no filling was found
 
   /// The reason why this attempt at recovery cannot go on. If a stage sets it, it and all later stages return at once.
   std::optional<Error> dead_end{};

@@ -137,8 +137,8 @@ struct RecoveryBudget {
   double sharp_rounding = 1e-9;  ///< error of a cosine that rounding of the directions may cause
   int least_edge = -40;          ///< shortest edge allowed: this power of two times the largest coordinate (4096 ulps)
   std::size_t points_per_vertex = 30;  ///< added points allowed per vertex near sharp angles, and as many elsewhere
-  std::size_t sharp_points = 3000;     ///< added points allowed near sharp angles, in addition to points_per_vertex
-  std::size_t other_points = 100000;   ///< added points allowed elsewhere in a model, in addition to points_per_vertex
+  std::size_t sharp_points = 3000;     ///< added points allowed near sharp angles, besides points_per_vertex
+  std::size_t other_points = 100000;   ///< added points allowed away from sharp angles, besides points_per_vertex
 };
 inline constexpr RecoveryBudget recovery_budget{};
 

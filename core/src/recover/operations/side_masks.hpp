@@ -91,8 +91,8 @@ class SideMasks {
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
-  /// Decides all triples, for callers that need most of them: O(n^4 / 24) determinants instead of O(n^4 / 6), with
-  /// common parts computed outside the loops.
+  /// Decides the sides of all planes of three vertices, for callers that need most: O(n^4 / 24) determinants instead of
+  /// O(n^4 / 6), with common parts computed outside the loops.
   void decide_all() {
     const std::size_t n = vertices_.size();
     known_.assign(n_triples(n), {0, 0});

@@ -36,7 +36,7 @@ class ActiveSetWalk {
   }
 
  private:
-  /// Makes one step of the linear program, which increases the least height. Returns false at the optimum.
+  /// Makes one step of the linear program, which increases the least height over planes. Returns false at the optimum.
   bool step() {
     find_orthonormal_base();
     Unknowns way = upwards;

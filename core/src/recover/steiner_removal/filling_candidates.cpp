@@ -64,7 +64,7 @@ void FillingCandidates::mark_required() {
   }
 }
 
-/// Returns the vertices b for which the line from a to b passes through the interior of t or its border.
+/// Returns the vertices b for which the line from a to b passes through triangle t or its border.
 VertexMask FillingCandidates::crossing(LocalVertex a, const LocalTriangle& t) {
   VertexMask above = 0, below = 0;
   for (unsigned i = 0; i < 3; ++i) {

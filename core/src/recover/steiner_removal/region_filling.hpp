@@ -27,7 +27,7 @@ struct Region {
   /// listed twice, once in each orientation.
   std::vector<Triangle> boundary;
   std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments in the region, smaller vertex first, sorted
-  std::vector<Tetrahedron> kept;                     ///< cells of the region that have no vertex to be removed
+  std::vector<Tetrahedron> kept;                     ///< cells of the region none of whose vertices is to be removed
 };
 
 /// Returns `seeds` and cells around them, breadth first across faces that are not locked, up to `max_vertices` (at most

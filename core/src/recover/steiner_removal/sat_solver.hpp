@@ -58,7 +58,7 @@ class SatSolver {
 
   /// Decides whether the formula can be satisfied. Returns unknown after `max_conflicts` conflicts.
   Satisfiability solve(std::size_t max_conflicts);
-  /// Returns the value of a variable, after solve() has returned satisfiable.
+  /// Returns the value of a variable of the formula, after solve() has returned satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
 
  private:
@@ -119,7 +119,7 @@ class SatSolver {
   std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first occurrence in a choice, as flag
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first occurrence in choices, and as flag
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;

@@ -14,7 +14,7 @@ namespace geomesh::recover {
 /// The subfacets of one facet at an added point x, from one half of its segment to the other or all around x; or a
 /// sheet, which is a triangle that divides the star of x.
 struct Fan {
-  Index facet = no_index;  ///< the facet; no_index for an added triangle that only divides the star of x
+  Index facet = no_index;  ///< the facet of the subfacets; no_index for an added triangle that divides the star of x
   std::vector<VertexIndex>
       /// vertices opposite x in the facet's triangles at x, in the facet's order; a closed ring if x is inside it
       rim;
