@@ -79,8 +79,8 @@ class SizesAtVertices {
   std::vector<double> sizes_;
 };
 
-/// The edges whose lower vertex is in [begin, end). Their uses are sorted by the lower vertex (a counting sort), then
-/// within each lower vertex.
+/// The mesh edges whose lower vertex is in [begin, end). Their uses by groups and components are sorted by the lower
+/// vertex (a counting sort), then within each lower vertex.
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,

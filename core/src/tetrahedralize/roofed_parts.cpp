@@ -107,7 +107,7 @@ void RoofedParts::write_facets() {
 
 bool RoofedParts::fill(Mesh& mesh) const {
   std::vector<VertexIndex> row(plc_.points.size(), no_vertex);
-  std::vector<Index> part_of(mesh.points.size(), no_index);  // by point: the part of whose roof it is an inner point
+  std::vector<Index> part_of(mesh.points.size(), no_index);  // by mesh point: the part that it lies inside
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
     if (mesh.input_vertex[v] != no_vertex) row[mesh.input_vertex[v]] = v;
   for (Index k = 0; k < parts_.size(); ++k)

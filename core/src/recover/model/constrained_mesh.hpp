@@ -185,7 +185,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< slot in which the cell was stored when it was created
+    CellIndex slot;  ///< slot of the mesh in which the cell was stored when it was created
   };
   /// Rows in the journal at which the lists of cells that one exchange of cells removed and created begin.
   struct JournalEntry {

@@ -59,7 +59,7 @@ struct RecoveryBudget {
 
   /// Largest number of steps of a walk in a vertex' star towards a neighbour; then all cells of the star are searched.
   unsigned star_walk = 24;
-  std::size_t line_walk = 400;  ///< largest number of cells in a walk along a segment
+  std::size_t line_walk = 400;  ///< largest number of mesh cells in a walk along a segment
 
   // Limits for cavities (cavity_retriangulation.hpp, polyhedron_filling.hpp, star_insertion.cpp).
   std::size_t star_cells = 400;  ///< largest number of cells in the cavity of an inserted point
@@ -134,7 +134,7 @@ struct RecoveryBudget {
 
   // Conforming mode (conforming.hpp).
   double sharp_cosine = 0.5;     ///< cosine of 60 degrees: two segments at a smaller angle meet sharply
-  double sharp_rounding = 1e-9;  ///< error of a cosine that rounding of the directions may cause
+  double sharp_rounding = 1e-9;  ///< error of a cosine of two directions that rounding of the directions may cause
   int least_edge = -40;          ///< shortest edge allowed: this power of two times the largest coordinate (4096 ulps)
   std::size_t points_per_vertex = 30;  ///< added points allowed per vertex near sharp angles, and as many elsewhere
   std::size_t sharp_points = 3000;     ///< added points allowed near sharp angles, besides points_per_vertex

@@ -100,7 +100,7 @@ struct OpenFace {
   SideMasks::Masks sides{};   ///< masks of the vertices above and below the plane of the face
   VertexMask candidates = 0;  ///< mask of the vertices that may form a tetrahedron with the face
   int n_candidates = 0;
-  bool is_filtered = false;  ///< whether candidates whose tetrahedron would cross an open face were removed
+  bool is_filtered = false;  ///< whether candidates whose tetrahedron would cross an unfilled face were removed
 };
 
 /// Counts for each triangle how often it bounds the unfilled part of a polyhedron; records changes for undoing.

@@ -54,7 +54,7 @@ class LocalPlaces {
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns how many tetrahedra of this triangle and another vertex have a vertex whose coordinates are not doubles.
+  /// Returns how many tetrahedra of one triangle and another vertex have a vertex whose coordinates are not doubles.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }

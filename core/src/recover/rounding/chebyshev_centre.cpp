@@ -10,7 +10,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The unknowns of the linear program: a displacement and, last, the least height.
+/// The unknowns of the linear program: a displacement and, last, the least height over the planes.
 using Unknowns = std::array<double, 4>;
 
 constexpr double no_length = 1e-12;  ///< a unit vector whose projection is shorter than this counts as perpendicular

@@ -302,7 +302,7 @@ struct Interval {
     if (slope == 0 && !(at > 0)) high = -std::numeric_limits<double>::infinity();
   }
   bool is_bounded() const { return std::isfinite(low) && std::isfinite(high) && low < high; }
-  /// Returns the integers in the interval from the middle outwards, at most the given number.
+  /// Returns the integers in this interval from its middle outwards, at most the given number of them.
   std::vector<double> integers(std::size_t most) const {
     std::vector<double> out;
     if (!is_bounded()) return out;

@@ -147,7 +147,7 @@ class StartSearch {
     mesh.release(candidate.cells, points);
     return out;
   }
-  /// Returns the two axes along which segments extend least, the least first.
+  /// Returns the two axes along which the model's segments extend least, the least first.
   std::array<std::size_t, 2> axes_by_extent() const {
     Vec3 sum;
     for (const Subsegment& s : constraints_.subsegments)

@@ -64,7 +64,7 @@ class SatSolver {
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
   static constexpr std::uint32_t by_literal =
-      0x80000000u;  ///< bit of a stored reason: set if the reason is a literal instead of a clause
+      0x80000000u;  ///< bit of a stored reason for a literal: set if the reason is a literal instead of a clause
 
   /// Entry of the list of clauses that watch a literal. Clause c has the entries 2c and 2c + 1, one for each of its two
   /// watched literals.
@@ -75,7 +75,7 @@ class SatSolver {
   struct Clause {
     std::uint32_t begin, size;
   };
-  /// A constraint: at most one of these variables is true.
+  /// A constraint of the formula: at most one of its variables is true.
   struct Choice {
     std::uint32_t begin, end, flag;
   };
@@ -84,7 +84,7 @@ class SatSolver {
     std::uint32_t choice, next;
   };
 
-  /// Returns the value of a literal: -1 if unassigned, else 0 or 1.
+  /// Returns the value of a literal of the formula: -1 if unassigned, else 0 or 1.
   int value(Literal l) const {
     return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated());
   }
@@ -125,7 +125,7 @@ class SatSolver {
   std::vector<Literal> trail_;
   std::vector<std::uint32_t> level_begin_;
   std::size_t propagated_ = 0;
-  std::vector<Literal> conflict_;  ///< literals of the violated clause, all false
+  std::vector<Literal> conflict_;  ///< literals of the clause that the assignment violates, all false
   bool contradictory_ = false;
 
   std::vector<double> activity_;
