@@ -45,7 +45,8 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // keeps the positions from before the zones that an earlier call opened
+    // If an earlier call opened fault zones, the positions from before that call are kept.
+    if (!mesh.before_zones.empty())
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -183,7 +184,9 @@ class ZoneOpener {
   /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< rows of the columns of nodes at the edge's ends, in the order of the prism's corners
+      /// Rows of the node columns across the fault zone at the two ends of the edge, in the order of the prism's
+      /// corners.
+      std::size_t a, b;
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -194,7 +197,8 @@ class ZoneOpener {
         if (columns_.columns[a].is_closed() && columns_.columns[b].is_closed()) continue;
         ++sides.try_emplace({std::min(a, b), std::max(a, b)}, ColumnEdge{a, b, prism.zone}).first->second.uses;
       }
-    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;  // for each edge: a face on the model's boundary
+    // For each border edge of a fault: a face at the edge on the model's boundary.
+    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;
     for (const auto& [key, side] : sides)
       if (side.uses == 1) outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)] = no_face;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
@@ -207,7 +211,8 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      // The edge has a boundary face: else all tetrahedra around it would be connected, and its nodes not doubled.
+      // Each such border edge of a fault zone has a face on the model's boundary: otherwise all tetrahedra around the
+      // edge would be connected, and its nodes would not have been duplicated.
       GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }

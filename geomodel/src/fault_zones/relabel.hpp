@@ -18,7 +18,7 @@ void renumber_ids(ModelMesh& mesh);
 /// exactly two faces with the same surfaces meet.
 void number_patches(ModelMesh& mesh);
 
-/// Set of edges by their two nodes, the smaller one first.
+/// Set of mesh edges, each stored as its two node numbers in ascending order.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
 /// Renames those of the edges that are intersections, by the surfaces of the faces around each. Wells and fault tips

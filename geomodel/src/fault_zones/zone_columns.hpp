@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 struct ZoneColumn {
   VertexIndex minus, plus;
   std::size_t zone;  ///< row of the first fault zone that contains the column of nodes
-  /// Nodes across the zone from the minus to the plus side, one more than layers; only one if both sides share it.
+  /// Nodes of the column across the fault zone, from the minus to the plus side: one more than the zone has layers, or
+  /// a single one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };

@@ -23,7 +23,8 @@ void write_nodes(OutputText& out, Encoding encoding, const SolverMesh& mesh) {
   out << (encoding == Encoding::binary ? "\n" : "") << "$EndNodes\n";
 }
 
-/// Writes each element once for each of its groups: the first tag is the group, the second the block of cells.
+/// Writes each mesh element once for each of its physical groups. Its first Gmsh tag is the physical group, its second
+/// tag the block of cells.
 void write_elements(OutputText& out, Encoding encoding, const SolverMesh& mesh, const GmshGroups& groups) {
   std::size_t n = 0;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b) n += mesh.blocks[b].n_cells() * groups.of_block[b].size();
@@ -67,7 +68,8 @@ void write_part(OutputText& out, const SolverMesh& whole, const MeshParts& parts
   std::size_t n = 0;
   for (std::size_t b = 0; b < whole.blocks.size(); ++b) n += part.cells[b].size() * groups.of_block[b].size();
   out << n << "\n";
-  std::size_t first = 1;  // number in the whole mesh of the first element of a block and group
+  // Number, in the whole mesh, of the first element of a block of cells in one of its physical groups.
+  std::size_t first = 1;
   for (std::size_t b = 0; b < whole.blocks.size(); ++b) {
     const CellBlock& block = part.mesh.blocks[b];
     for (const std::int32_t tag : groups.of_block[b]) {

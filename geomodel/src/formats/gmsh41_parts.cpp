@@ -18,7 +18,7 @@ struct PartEntity {
   std::size_t block = 0;
   bool is_ghost = false;
   std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block of each cell, and row in that block
-  std::vector<VertexIndex> owned;  ///< the nodes that the entity owns, by their rows in the part
+  std::vector<VertexIndex> owned;  ///< rows, in the mesh part, of the nodes that belong to this Gmsh entity
 };
 
 class PartWriter {

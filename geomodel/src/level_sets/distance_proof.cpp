@@ -62,7 +62,7 @@ bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gr
   });
 }
 
-/// A sample point of a triangle, with a place on either side of it.
+/// A sample point of an isosurface triangle, as two places on either side of it at which the field is evaluated.
 struct Sample {
   std::size_t triangle;
   Vec3 below, above;

@@ -148,7 +148,7 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    // Fields so far of an element with ten nodes, which may continue on the next line at any place.
+    // Fields on the continuation lines of an Abaqus element with ten nodes: a line may end after any node.
     std::vector<std::string> rest;
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();
@@ -174,7 +174,8 @@ class AbaqusReader {
       const std::size_t first = count(fields[0]), last = count(fields[1]),
                         step = fields.size() > 2 ? count(fields[2]) : 1;
       if (step == 0) in_.refuse("the step of a GENERATE line is 0");
-      // Element numbers that do not exist are skipped, all at once if there are far more of them than of others.
+      // A range in an Abaqus set may contain numbers that no element has. They are skipped, all at once if the range is
+      // far longer than the list of elements.
       if (!nodes && first < last && (last - first) / step > 2 * row_of_element_.size())
         return add_between(first, last, step);
       for (std::size_t i = first; i <= last; i += step) add_to_set(i, nodes);

@@ -42,7 +42,8 @@ class ExodusReader {
   }
 
  private:
-  /// Returns the numbers in the whole mesh of the file's items; if the file does not have them, the numbers from 1 on.
+  /// Returns the numbers that the nodes or elements of this Exodus file have in the whole mesh; if the file does not
+  /// say them, the numbers from 1 on.
   std::vector<int> numbers_in_whole(const char* variable, std::size_t n) const {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 1);
@@ -78,7 +79,8 @@ class ExodusReader {
       file_.refuse("node " + std::to_string(number) + " is not there");
     return static_cast<VertexIndex>(number - 1);
   }
-  /// Returns the ids of blocks or sets; if the file has none, the numbers from 1 on.
+  /// Returns the ids of the element blocks, side sets or node sets of an Exodus file; if it has no ids, the numbers
+  /// from 1 on.
   std::vector<int> ids_of(const std::string& kind, std::size_t n) const {
     return numbers_in_whole((kind + "_prop1").c_str(), n);
   }
@@ -169,7 +171,8 @@ class ExodusReader {
       mesh_.cell_arrays.push_back(std::move(array));
     }
   }
-  /// Reads the point arrays from one variable for each, or from a single one in files before 1996.
+  /// Reads the point arrays of an Exodus file: each from a variable of its own, or all from a single variable in files
+  /// before 1996.
   void read_point_arrays() {
     const std::size_t n = file_.dimension("num_nod_var"), n_points = mesh_.points.size();
     const std::vector<std::string> names = file_.texts("name_nod_var", n);

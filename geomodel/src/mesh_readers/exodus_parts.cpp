@@ -24,8 +24,8 @@ std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole
   return static_cast<std::size_t>(number - 1);
 }
 
-/// Returns the largest global number of all parts, which is the count of items if there are no gaps. Throws if it is
-/// more than the parts contain.
+/// Returns the largest global number of the nodes or elements in all parts of an Exodus mesh, which is their count if
+/// no number is missing. Throws if the number is larger than the nodes or elements in the parts are many.
 std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers,
                           const std::filesystem::path& whole) {
   int largest = 0;
@@ -137,7 +137,8 @@ class PartsMerger {
 }  // namespace
 
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
-  // Names of parts have the form NAME.e.COUNT.NUMBER, in which both numbers have the same number of digits.
+  // File names of the parts of an Exodus mesh have the form NAME.e.COUNT.NUMBER, in which both numbers have the same
+  // number of digits.
   std::string name = file.filename().string();
   const auto take_number = [&name] {
     const std::string digits(digits_at_end(name));

@@ -98,7 +98,7 @@ class MedReader {
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {
-    std::vector<med_int> numbers(n, 0);  // if a file has no families, all are 0
+    std::vector<med_int> numbers(n, 0);  // if a MED file has no family numbers, all items are in family 0
     if (MEDmeshEntityFamilyNumberRd(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type, numbers.data()) < 0)
       numbers.assign(n, 0);
     return numbers;

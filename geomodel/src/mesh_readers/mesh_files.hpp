@@ -57,8 +57,8 @@ struct FacesFile {
   std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
-  std::vector<std::string> missing_arrays;  ///< names of arrays that files of geomesh have and this file lacks
-  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::string> missing_arrays;  ///< names of arrays that files written by geomesh have and this file lacks
+  /// for each point of the file of curves: its row in the mesh; empty if the file lacks these rows
   std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
   std::vector<std::string> surface_set_names;  ///< name of each list in surface_sets; empty if the file has none
@@ -72,7 +72,7 @@ struct CurvesFile {
   };
   std::vector<Curve> curves;  ///< curves in the order of the file, including named points
   std::vector<Vec3> points;
-  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  /// for each point of the file of faces: its row in the mesh; empty if the file lacks these rows
   std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<VertexIndex> vertices;                   ///< points that are cells of the file (VTK vertices)

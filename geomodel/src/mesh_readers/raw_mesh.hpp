@@ -24,7 +24,7 @@ struct RawCells {
 
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< number of the set in the file; 0 if it has none
+  std::int32_t id = 0;  ///< number of the set of cells or nodes in the mesh file; 0 if it has none
   int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
@@ -38,9 +38,10 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit on cells and nodes in sets for one more file of this size in bytes.
+  /// Raises the limit on the number of cells and nodes in sets, for one more mesh file of this size in bytes.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Counts `n` more cells or nodes of sets; returns false if they exceed the limit.
+  /// Counts `n` more cells or nodes that a mesh file lists in sets. Returns false if they exceed the limit on all such
+  /// entries.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;
@@ -66,7 +67,7 @@ struct RawMesh {
   /// Kind and input row of each point; empty unless geomesh wrote the file.
   std::vector<std::int32_t> point_kind, input_vertex;
   std::vector<CellArray> cell_arrays;    ///< by tetrahedron
-  std::vector<PointArray> point_arrays;  ///< point arrays, with a value for each row of `points`
+  std::vector<PointArray> point_arrays;  ///< point arrays, with one value for each point of the mesh
   /// Name that a single file of the mesh would have, if it was read from parts; else empty.
   std::filesystem::path whole;
   std::vector<Vec3> before_zones;  ///< points before fault zones were opened; empty unless geomesh wrote the file

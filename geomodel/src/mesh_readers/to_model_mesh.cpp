@@ -226,7 +226,8 @@ class ModelMeshBuilder {
     std::set<std::string> known;
     std::size_t n_rows = 0;
     for (const RawSet& set : raw_.sets) n_rows += set.rows.size();
-    SetBudget budget(n_rows);  // limits the work: each set may have many names, and a name many sets
+    // Limits the work: each set of cells may have many names, and one name may stand for many sets.
+    SetBudget budget(n_rows);
     for (const FullName& full : full_names) {
       for (const RawSet& set : raw_.sets) {
         if (set.dimension != dimension || std::find(full.sets.begin(), full.sets.end(), set.name) == full.sets.end())

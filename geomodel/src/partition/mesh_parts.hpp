@@ -21,9 +21,10 @@ struct MeshPart {
   std::int32_t number = 0;         ///< from 0
   std::vector<std::size_t> cells;  ///< rows of tetrahedra: the part's own cells, then ghosts, both ascending
   std::size_t n_own = 0;
-  std::vector<VertexIndex> nodes;  ///< rows of the part's points and midpoints, ascending
+  std::vector<VertexIndex> nodes;  ///< rows, in the whole mesh, of the part's points and midpoint nodes, ascending
 
-  /// Returns the position in `nodes` of a row of the mesh, or no_vertex if the part does not have this node.
+  /// Converts the row of a node in the whole mesh to its position in the part's `nodes`; no_vertex if the part does not
+  /// have this node.
   VertexIndex local(VertexIndex row) const;
 };
 
@@ -41,7 +42,8 @@ struct GivenPart {
   std::vector<std::int32_t> part_of_cell;  ///< by row
   /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
-  std::vector<std::size_t> first_at_node{0};  ///< for each node: where its parts begin in `parts_at`
+  /// For each node: where the list of the parts that have it begins in `parts_at`.
+  std::vector<std::size_t> first_at_node{0};
   std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
   std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
@@ -91,11 +93,12 @@ class MeshParts {
   std::int32_t n_parts_;
   GivenPart given_;
   bool is_given_ = false;
-  // For a single part: number in the whole mesh of the first cell of each region, by region id - 1.
+  // If only one part of the mesh is available: number in the whole mesh of the first cell of each region, by region id
+  // - 1.
   std::vector<std::size_t> first_of_region_;
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
-  std::vector<std::size_t> first_;  // for each node: where its parts begin in parts_at_
+  std::vector<std::size_t> first_;  // for each node: where its mesh parts begin in parts_at_
   std::vector<std::int32_t> parts_at_;
   std::vector<std::vector<std::size_t>> own_, ghosts_;  // cells by part
 };

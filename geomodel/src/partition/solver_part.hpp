@@ -17,7 +17,8 @@ namespace geomesh::geomodel {
 struct SolverPart {
   MeshPart part;
   SolverMesh mesh;  ///< the mesh of the part, with nodes numbered in the part
-  /// For each block of the whole mesh, the rows in it of the cells that the part has.
+  /// For each block of cells of the whole mesh: the rows, within the block, of the cells that are in this part of the
+  /// mesh.
   std::vector<std::vector<std::size_t>> cells;
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };

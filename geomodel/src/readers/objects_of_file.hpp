@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Splits a file into the objects that it contains.
+/// Divides the contents of an input file into its objects: surfaces, point sets and named lines.
 #pragma once
 
 #include <vector>

@@ -123,9 +123,10 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Returns whether a surface is a layer: the triangles without these heights are most of it, and have one height over
-/// each place of the map, like a horizon. Only then are the heights removed; otherwise the flat base of a fault or
-/// body, which is far from its other vertices too, would be lost.
+/// Returns whether a surface is a layer, like a horizon, apart from unusual heights (`odd`): most triangles have none
+/// of these at their corners, and these triangles have one height over each place of the map. Only then are the unusual
+/// heights removed; otherwise the flat base of a fault or body, which is far from its other vertices too, would be
+/// lost.
 bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
                       std::span<const OddHeight> odd) {
   const auto is_odd = [&](VertexIndex v) {
@@ -203,7 +204,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     });
     if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
     keep_used_points(surface);
-    contents.regions.clear();  // regions refer to rows of triangles, some of which were removed
+    contents.regions.clear();  // The regions of a GOCAD model refer to rows of triangles, some of which were removed.
   }
   for (PointSet& set : contents.point_sets) {
     const std::vector<double> heights = heights_in_file(set.points, contents.frame);

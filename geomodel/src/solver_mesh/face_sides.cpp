@@ -81,7 +81,7 @@ class AcrossFaces {
     const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);
     return {std::min(a, c), std::min(std::max(a, c), std::min(std::max(v[0], v[1]), std::max(v[2], v[3])))};
   }
-  /// Collects the `n` faces whose smallest vertex is in [from, to).
+  /// Collects the `n` faces whose smallest vertex number is in the range [from, to).
   void collect(std::size_t from, std::size_t to, std::size_t n) {
     uses_.clear();
     uses_.reserve(n);
@@ -137,7 +137,8 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   std::sort(list.begin(), list.end(), [](const Face& a, const Face& b) {
     return a.vertices != b.vertices ? a.vertices < b.vertices : a.row < b.row;
   });
-  std::vector<std::size_t> first(n_vertices + 1, 0);  // for each vertex: first row of faces with it as smallest vertex
+  // For each vertex: first row of the faces in which it has the smallest number.
+  std::vector<std::size_t> first(n_vertices + 1, 0);
   for (const Face& face : list) ++first[face.vertices[0] + 1];
   for (std::size_t v = 0; v < n_vertices; ++v) first[v + 1] += first[v];
   std::vector<std::array<TetrahedronSide, 2>> sides(faces.size(), {{{no_side, 0}, {no_side, 0}}});

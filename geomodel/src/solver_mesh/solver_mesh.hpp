@@ -33,11 +33,13 @@ struct CellBlock {
   CellShape shape;
   std::int32_t id;  ///< id of the block, distinct from the ids of all other blocks
   std::string full_name;
-  std::vector<std::int32_t> members;  ///< ids of the region, the surfaces, the curves or the point of the block
+  /// Ids of the region, the surfaces, the curves or the point to which the cells of the block belong.
+  std::vector<std::int32_t> members;
   std::int32_t region_minus = 0, region_plus = 0;
   std::size_t nodes_per_cell;
-  std::vector<VertexIndex> nodes;              ///< in VTK's order
-  std::vector<std::array<FaceSide, 2>> sides;  ///< for blocks of faces: minus side and plus side of each face
+  std::vector<VertexIndex> nodes;  ///< in VTK's order
+  /// For blocks of faces: the volume cells on the minus side and on the plus side of each face.
+  std::vector<std::array<FaceSide, 2>> sides;
   /// for blocks of faces and tetrahedra: their rows in the ModelMesh, as 32-bit numbers
   std::vector<VertexIndex> rows;
   std::size_t n_cells() const {

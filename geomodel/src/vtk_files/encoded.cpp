@@ -71,7 +71,7 @@ std::size_t header_number(ByteSource& source, const VtkEncoding& encoding) {
                                     : read_number<std::uint32_t>(bytes, 0, encoding.order);
 }
 
-/// Positions of the compressed blocks of an array in the packed bytes and in the unpacked ones.
+/// Positions of the compressed blocks of a VTK array: in its packed bytes and in its unpacked ones.
 struct Blocks {
   std::vector<std::size_t> packed{0}, unpacked{0};
   std::size_t size() const { return packed.size() - 1; }

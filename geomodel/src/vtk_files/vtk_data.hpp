@@ -48,7 +48,7 @@ struct VtkColumn {
   std::string name;
   VtkType type = VtkType::float64;
   std::size_t n_components = 1, n_tuples = 0;
-  std::vector<std::byte> bytes;    ///< bytes of all numbers, in the byte order of this machine
+  std::vector<std::byte> bytes;    ///< bytes of the numbers of a VTK array, in the byte order of this machine
   std::vector<std::string> texts;  ///< the texts, if the array is one of texts
 
   bool is_text() const { return type == VtkType::text; }
@@ -65,9 +65,9 @@ struct VtkColumn {
 struct VtkTable {
   std::vector<VtkColumn> columns;
 
-  /// Returns the array of numbers with this name; null if there is none.
+  /// Returns the VTK array of numbers with this name; null if there is none.
   const VtkColumn* numbers(std::string_view name) const;
-  /// Returns the array of texts with this name; null if there is none.
+  /// Returns the VTK array of texts with this name; null if there is none.
   const VtkColumn* texts(std::string_view name) const;
   void put(VtkColumn column);
 };

@@ -60,7 +60,8 @@ std::uint32_t checksum(std::string bytes) {
 struct HeaderStart {
   static constexpr std::size_t n_signature = 4, first_time = 6, n_times = 16;
   std::uint64_t flags;
-  std::size_t size_at, n_size;  ///< position and width (bytes) of the field with the size of the header's first chunk
+  /// Position and width in bytes of the field that holds the size of the first chunk of an HDF5 object header.
+  std::size_t size_at, n_size;
 
   explicit HeaderStart(const std::string& bytes)
       : flags(number_at(bytes, 5, 1)),
@@ -73,7 +74,7 @@ bool clear_times_at(std::fstream& file, std::uint64_t address) {
   constexpr std::size_t most_bytes_of_start = 34;
   std::string bytes(most_bytes_of_start, '\0');
   const auto read = [&] {
-    file.clear();  // a previous read, of the start of a header, may have reached the end of the file
+    file.clear();  // a previous read near the end of the HDF5 file may have reached its end
     file.seekg(static_cast<std::streamoff>(address));
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return static_cast<std::size_t>(file.gcount()) == bytes.size();

@@ -88,7 +88,7 @@ CompressedArray compress_array(const VtkArray& array, Packing packing) {
   return result;
 }
 
-/// Composes the XML text before the appended data.
+/// Composes the XML text of a VTK file, which precedes the appended data.
 class Head {
  public:
   explicit Head(Compression compression) : compression_(compression) {}

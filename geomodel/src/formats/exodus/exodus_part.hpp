@@ -20,7 +20,7 @@ struct ExodusPart {
   const SolverPart& part;
 };
 
-/// Number of side sets and node sets in each file, which is the same in all parts.
+/// Number of side sets and node sets in an Exodus file, which is the same in the files of all parts of a mesh.
 struct ExodusSets {
   std::size_t sides, nodes;
 };

@@ -119,8 +119,9 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes rows of `width` numbers in portions, because a copy of all rows would be as large as the mesh. `add(row,
-  /// list)` appends the numbers of a row to `list`, `put(filter, list)` writes the listed numbers.
+  /// Writes numbers to a MED file as rows of `width` numbers, in portions, because a copy of all rows would be as large
+  /// as the mesh. `add(row, list)` appends the numbers of one row to `list`; `put(filter, list)` writes the list to the
+  /// rows that the MED filter selects.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;

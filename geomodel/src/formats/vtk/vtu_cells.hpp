@@ -30,7 +30,8 @@ class VtuLayout {
 
   std::size_t n_cells() const { return first_cell_.back(); }
   std::size_t n_entries() const { return first_entry_.back(); }
-  /// Calls `f(kind, row)` for a cell of the file: its kind, and its row among the cells of that kind in the mesh.
+  /// Calls `f(kind, row)` for one cell of the VTU file: its kind (tetrahedron, prism, face, ...), and its row among the
+  /// mesh's cells of that kind.
   template <class F>
   auto visit(std::size_t cell, F&& f) const {
     const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];

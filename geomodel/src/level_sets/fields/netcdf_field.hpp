@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 /// A variable of a netCDF or HDF5 file with three dimensions.
 struct NetcdfField {
-  std::string name;  ///< name of the variable; empty if none was found
+  std::string name;  ///< name of the netCDF or HDF5 variable; empty if the file has no suitable one
   /// Coordinates along x, y and z as in the file; they must be ascending and evenly spaced.
   std::array<std::vector<double>, 3> axes;
   std::vector<double> values;      ///< values of the variable with x varying fastest; NaN where there is no value

@@ -35,7 +35,8 @@ struct AdaptResult {
 AdaptResult adapt(BackgroundMesh& mesh, const ScalarField& field, const std::vector<double>& values,
                   const AdaptLimits& limits);
 
-/// Returns the linear function that has these values at the corners; its gradient is 0 if the corners lie in a plane.
+/// Returns the linear function that has the given values at the corners of a tetrahedron; its gradient is 0 if the
+/// corners lie in a plane.
 LinearFunction linear_in(const std::array<Vec3, 4>& corners, const std::array<double, 4>& values);
 
 }  // namespace geomesh::geomodel

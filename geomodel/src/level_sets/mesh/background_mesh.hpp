@@ -63,7 +63,8 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  const ScalarField* field_ = nullptr;  ///< gives the values at new vertices; null for a mesh that is never bisected
+  /// Scalar field that gives the values at new vertices; null if the mesh is never bisected.
+  const ScalarField* field_ = nullptr;
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;

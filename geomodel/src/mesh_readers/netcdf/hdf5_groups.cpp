@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_readers/netcdf/hdf5_groups.hpp"
 
-#define H5_USE_110_API  // objects have addresses instead of tokens, in every version of HDF5
+// In HDF5's interface of version 1.10, which later versions offer too, objects have addresses instead of tokens.
+#define H5_USE_110_API
 #include <hdf5.h>
 
 #include <fstream>
@@ -13,7 +14,9 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t deepest =
-    16;  // Largest depth of nested groups, which suffices for data sets. HDF5's own calls are nested as deep.
+    // Limit on the depth of nested groups in an HDF5 file; data sets need less. HDF5's own calls are nested as deep as
+    // the groups.
+    16;
 
 class Walk {
  public:
@@ -79,7 +82,7 @@ class Walk {
   /// Returns the path of the group that is being read, with a slash at its end; "" for the root.
   std::string path() const { return above_.size() < 2 ? "" : above_.back().first + "/"; }
 
-  /// Names and addresses of the groups from the root to the one that is being read.
+  /// Names and addresses of the HDF5 groups from the root to the group that is being read.
   std::vector<std::pair<std::string, haddr_t>> above_;
   std::uintmax_t bytes_, n_visits_ = 0;
 };

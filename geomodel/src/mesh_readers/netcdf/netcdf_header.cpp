@@ -102,13 +102,15 @@ class Header {
     take(bytes);
     file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   }
-  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
+  /// Reads a count from the netCDF header, for example of its variables. Throws if the rest of the file is shorter than
+  /// `least_bytes` for each of them.
   std::uint64_t count(std::uint64_t least_bytes) {
     const std::uint64_t n = number(width_);
     if (n > left_ / least_bytes) throw Damaged{};
     return n;
   }
-  /// Reads the tag and length of a list in the header; returns the length, which is 0 if the list is absent.
+  /// Reads the tag and the length of a list in the netCDF header, such as the list of variables. Returns the length,
+  /// which is 0 if the list is absent.
   std::uint64_t begin_list(std::uint64_t tag, std::uint64_t least_bytes) {
     const std::uint64_t found = number(4), n = count(least_bytes);
     if (found != tag && (found != 0 || n != 0)) throw Damaged{};
@@ -129,7 +131,7 @@ class Header {
   std::uint64_t bytes_, left_;  // number of bytes of the file, and of the part that was not read yet
   unsigned width_, width_of_offset_;
   std::uint64_t n_records_ = 0;
-  std::vector<std::uint64_t> lengths_;  // lengths of the file's dimensions; 0 for the unlimited one
+  std::vector<std::uint64_t> lengths_;  // lengths of the netCDF file's dimensions; 0 for the unlimited one
   std::vector<PartOfRecord> parts_;
 };
 
@@ -140,7 +142,8 @@ std::string netcdf_header_fault(const std::filesystem::path& path) {
   std::array<char, 4> magic{};
   if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return "";
   const auto version = static_cast<unsigned>(magic[3]);
-  if (version != 1 && version != 2 && version != 5) return "";  // the netCDF library refuses other versions
+  // The netCDF library refuses formats other than CDF-1, CDF-2 and CDF-5.
+  if (version != 1 && version != 2 && version != 5) return "";
   try {
     Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {

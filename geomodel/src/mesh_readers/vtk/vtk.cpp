@@ -53,7 +53,7 @@ void take_groups(const VtkTable& field, MeshFile& mesh, const std::filesystem::p
   for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
 }
 
-/// Numbers of the cells that are kept although they are not solids: triangles and edges.
+/// Cells of a VTK file that are kept besides its volume cells: numbers of its triangles and of its edges.
 struct LowerCells {
   std::vector<std::size_t> triangles, edges;
 };

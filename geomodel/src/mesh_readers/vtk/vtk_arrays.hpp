@@ -18,8 +18,8 @@ namespace geomesh::geomodel::checking {
 /// Whether a VTK file may have no points. A mesh must have some, but a file of curves or faces may be empty.
 enum class May { not_be_empty, be_empty };
 
-/// Reads a VTK file. Throws Error{usage} if it cannot be opened, and Error{invalid_input} if it is of another kind,
-/// damaged, or empty although `may` does not allow that.
+/// Reads a VTK file. Throws Error{usage} if it cannot be opened, and Error{invalid_input} if it is damaged, of another
+/// kind, or empty (unless `may` is be_empty).
 VtkData read_vtk_file(const std::filesystem::path& path, VtkData::Kind kind, May may = May::not_be_empty);
 
 /// Returns the first number of each tuple of an array. Values that are not 32-bit integers (an array of floats may hold

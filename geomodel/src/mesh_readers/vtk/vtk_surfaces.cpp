@@ -108,12 +108,12 @@ CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
   return curves;
 }
 
-/// Extracts the cells of one dimension from a single grid. The result has the points and names of the grid and the form
-/// of a separate file.
+/// Extracts the cells of one dimension from a single grid (a VTU file with cells of all dimensions). The result has the
+/// points and names of the grid, and the form of a separate file of faces or curves.
 class PartOfGrid {
  public:
-  /// Prepares to extract cells of one dimension from `grid`. Their array of ids is called `renamed` in the grid, and
-  /// gets the name `id_name`.
+  /// Prepares to extract the cells of one dimension from `grid`. The array with the ids of their surfaces or curves is
+  /// called `renamed` in the grid, and `id_name` in the result.
   PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
     data_.kind = VtkData::Kind::poly;

@@ -99,7 +99,7 @@ class Inserter {
 
   const InputFile& file_;
   const std::map<std::string, DxfBlock>& blocks_;
-  std::vector<std::string> open_;  ///< names of the blocks that are being expanded, outermost first
+  std::vector<std::string> open_;  ///< names of the DXF blocks that are being expanded, outermost first
   double n_copied_ = 0;
 };
 

@@ -24,7 +24,8 @@ struct DxfInsert {
 
 /// Content of one block of a DXF file or of its section ENTITIES, with coordinates as in the file.
 struct DxfContent {
-  std::map<std::string, std::vector<Vec3>> corners;  ///< for each layer, three corners for each of its triangles
+  /// For each DXF layer: the corners of its triangles, three for each.
+  std::map<std::string, std::vector<Vec3>> corners;
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
   std::map<std::string, std::size_t> passed_over;  ///< numbers of entities that are not read, by their DXF type

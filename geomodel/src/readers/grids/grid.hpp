@@ -52,7 +52,7 @@ void read_heights_below(double limit, TokenStream& tokens, Grid& grid);
 /// Choice of the diagonal along which a grid cell of four nodes is divided into two triangles.
 enum class Diagonal {
   of_less_relief,  ///< the diagonal with the smaller height difference, which follows ridges and valleys
-  from_first,      ///< the diagonal from the cell's first node to the opposite one
+  from_first,      ///< the diagonal of a grid cell from its first node to the opposite one
 };
 
 /// Triangulates a grid of nodes. A cell has two triangles, one if one of its four nodes has no height, and none if more

@@ -10,8 +10,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the text behind the line type at the beginning of a line ("INLINE-" or another one); empty if the line
-/// begins with none.
+/// Returns the text behind the line type (such as "INLINE-") with which a line of a Charisma file begins; empty if the
+/// line does not begin with a line type.
 std::string_view behind_line_type(std::string_view line) {
   line = trim(line);
   for (const std::string_view type : {"INLINE-", "CROSSLINE-", "XLINE-", "CRSLINE-", "TRACE-", "RANDOM-"})

@@ -142,7 +142,8 @@ Separation sniff_separation(std::string_view line) {
     if (line.find(delimiter) != std::string_view::npos) {
       const Separation separation{delimiter, false};
       const auto fields = separation.split(line);
-      if (delimiter == '\t' && fields.size() < 3) continue;  // fewer than three fields: the tab only pads the line
+      // Fewer than three fields: tabs only pad the line and do not separate its numbers.
+      if (delimiter == '\t' && fields.size() < 3) continue;
       return {delimiter, has_comma && !all_numbers_have_points(fields)};
     }
   if (!has_comma) return {};

@@ -64,7 +64,8 @@ class TokenStream {
   /// Returns the next token as a finite number; throws an error that `what` was expected if it is none.
   double number(const char* what);
   std::int64_t integer(const char* what);
-  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
+  /// Reads the number of points, triangles or other items that follow in the text. Throws if the rest of the file is
+  /// shorter than `least_bytes` for each of them.
   std::size_t count(const char* what, std::size_t least_bytes);
 
  private:

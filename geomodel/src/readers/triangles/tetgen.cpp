@@ -37,7 +37,8 @@ class TetgenLines {
                   (token.empty() ? "the end of the line" : in_quotes(token)));
     return *value;
   }
-  /// Reads a count of items. Throws if the file is shorter than two bytes for each item.
+  /// Reads the number of points, facets or other items in a TetGen file. Throws if the file is shorter than two bytes
+  /// for each of them.
   std::size_t count(Tokens& tokens, const char* what) const {
     const std::int64_t n = integer(tokens, what);
     if (n < 0 || static_cast<std::uint64_t>(n) > lines_.file().size() / 2) {
