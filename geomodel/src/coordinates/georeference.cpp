@@ -47,8 +47,7 @@ std::string own_unit(const SourceFrame& frame, bool z) {
   return is_named(unit) ? unit : std::string();
 }
 
-/// Returns whether the x and y of a bounding box can only be degrees: projected systems have no places so near their
-/// origin.
+/// Returns whether a box's x and y can only be degrees, because projected systems have no places so near their origin.
 bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
 }  // namespace
@@ -225,8 +224,7 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
   Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
-    // The sides of a box in longitude and latitude are curved on the map, so points along them are sampled.
-    constexpr int n_samples = 64;
+    constexpr int n_samples = 64;  // points along each side: sides of a box in degrees curve on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);

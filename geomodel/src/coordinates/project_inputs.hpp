@@ -22,7 +22,7 @@ namespace geomesh::geomodel {
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
-      /// Surfaces in the project's order. Surfaces were made from points, and `smooth` and `resample` were applied.
+      /// Surfaces in the project's order, after interpolation of those from points, `smooth` and `resample`.
       surfaces{};
   std::vector<Polyline> wells{};
   std::vector<FittedTop> tops{};  ///< well tops to which horizons have been moved

@@ -74,8 +74,7 @@ const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
 
 ReadFiles read_files(const Project& project, const RunContext& context) {
   ReadFiles files;
-  // Reserves memory for the contents of all files first, because reallocation would invalidate the pointers to them in
-  // `sources`.
+  // Reserves memory for all files' contents first, because reallocation would invalidate pointers in `sources`.
   files.contents.reserve(project.surfaces.size() + project.wells.size());
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);

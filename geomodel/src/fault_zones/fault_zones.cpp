@@ -45,8 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    // If an earlier call opened fault zones, the positions from before that call are kept.
-    if (!mesh.before_zones.empty())
+    if (!mesh.before_zones.empty())  // keeps positions from before fault zones that an earlier call opened
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -184,9 +183,7 @@ class ZoneOpener {
   /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      /// Rows of the node columns across the fault zone at the two ends of the edge, in the order of the prism's
-      /// corners.
-      std::size_t a, b;
+      std::size_t a, b;  ///< rows of the node columns across the fault zone at the edge's ends, in the prism's order
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -232,7 +229,7 @@ class ZoneOpener {
     }
   }
 
-  /// Sets the regions of faces on walls of zones. Normals point into the zone, because it has the highest region id.
+  /// Sets the regions of faces on walls of fault zones. Normals point into a zone: it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;
@@ -243,7 +240,7 @@ class ZoneOpener {
   }
   bool is_wall(const ModelMesh::Face& face) const { return columns_.zone_of_wall.contains(in_order(face.vertices)); }
 
-  /// Continues wells across zones: a well that meets the fault in a node follows the new nodes across the zone there.
+  /// Continues wells across fault zones: a well that meets the fault in a node follows the new nodes across the zone.
   void carry_wells_across() {
     std::map<VertexIndex, std::set<std::int32_t>> wells_at;
     for (const NamedCurve& curve : mesh_.curves)

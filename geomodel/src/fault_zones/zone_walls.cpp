@@ -155,8 +155,7 @@ class WallMover {
       along = tried;
       across.push_back(n);
     }
-    // Scales the direction `along` of the node's movement so that the component along the fault's normal moves the wall
-    // by half of the zone's thickness.
+    // Scales the movement `along` so that its component along the fault's normal is half of the zone's thickness.
     return mesh_.points[v] + (sign * half / dot(along, normal.direction)) * along;
   }
 

@@ -226,8 +226,7 @@ class FoamCase {
       if (patch.label != no_label) note_group("patch", patch.label);
   }
   void write_cell_zones() {
-    // For each region: the row of its label in the mesh, and the number of its first cell.
-    std::vector<std::size_t> regions, first;
+    std::vector<std::size_t> regions, first;  // for each region: its row in mesh_.labels, and its first cell's number
     std::size_t cell = 0;
     for (std::size_t l = 0; l < mesh_.labels.size(); ++l) {
       if (mesh_.labels[l].dimension != 3) continue;

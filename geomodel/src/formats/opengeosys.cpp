@@ -38,7 +38,7 @@ std::uint8_t vtk_type(const CellBlock& block) {
 /// A VTU grid of the cells of several blocks, with points of its own. The data of the cells are not copied.
 class Grid {
  public:
-  /// Makes a grid of the cells of a group. A grid of solids has all points of the mesh.
+  /// Makes a VTU grid of the cells of a group. A grid of volume cells has all points of the mesh.
   Grid(const SolverMesh& mesh, const CellGroup& group) : mesh_(mesh), has_all_points_(group.dimension == 3) {
     if (!has_all_points_) points_ = nodes_of(mesh, group);
     for (const std::size_t b : group.blocks) {

@@ -40,7 +40,7 @@ struct Line {
   std::size_t first = 0, second = 0;  ///< rows of the two fractures that cross in the line
 };
 
-/// Part of a line, as an interval of its parameter.
+/// Part of the line in which two fractures cross, as an interval of the line's parameter.
 struct Interval {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
   void add(double at) {

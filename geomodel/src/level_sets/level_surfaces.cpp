@@ -93,8 +93,7 @@ std::string field_words(const LevelSetSpec& spec) {
   return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
 }
 
-/// The triangles of a level set that come from one scalar field, and which of them are not proven to be near the true
-/// isosurface.
+/// The triangles of a level set that come from one scalar field, with those not proven near the true isosurface.
 struct MadePart {
   Isosurface surface;
   FieldPart facts;

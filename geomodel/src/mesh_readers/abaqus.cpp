@@ -167,7 +167,7 @@ class AbaqusReader {
     row_of_element_[count(field(0))] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);
   }
-  /// Reads one line of a set: numbers of nodes or elements, or names of other sets.
+  /// Reads one line of an Abaqus set: numbers of nodes or elements, or names of other sets.
   void read_set(const std::vector<std::string_view>& fields) {
     const bool nodes = block_ == Block::node_set;
     if (generate_ && fields.size() >= 2) {
@@ -192,7 +192,7 @@ class AbaqusReader {
       }
     }
   }
-  /// Adds to a set the existing elements among first, first + step ... last.
+  /// Adds to an Abaqus set those of the elements first, first + step ... last that exist.
   void add_between(std::size_t first, std::size_t last, std::size_t step) {
     std::vector<std::size_t> numbers;
     for (const auto& [number, row] : row_of_element_)
@@ -200,7 +200,7 @@ class AbaqusReader {
     std::sort(numbers.begin(), numbers.end());
     for (const std::size_t number : numbers) add_to_set(number, false);
   }
-  /// Keeps each item of a set once. Otherwise a short file could fill all memory with sets that contain each other.
+  /// Keeps each member of an Abaqus set once: a short file could fill all memory with sets that contain each other.
   void drop_repeated(std::size_t n_items) {
     std::vector<std::size_t>& rows = set_->rows;
     if (rows.size() <= n_items) return;

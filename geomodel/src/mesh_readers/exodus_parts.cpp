@@ -17,7 +17,7 @@ namespace {
   throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
 }
 
-/// Converts a global number to a row. Global numbers count from 1 without gaps.
+/// Converts the global number of a node or element to its row. Global numbers count from 1 without gaps.
 std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole) {
   if (number < 1 || static_cast<std::size_t>(number) > n)
     refuse(whole, "global numbers of its parts have gaps or are out of range (" + std::to_string(number) + ")");
@@ -137,8 +137,7 @@ class PartsMerger {
 }  // namespace
 
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
-  // File names of the parts of an Exodus mesh have the form NAME.e.COUNT.NUMBER, in which both numbers have the same
-  // number of digits.
+  // Files of the parts of an Exodus mesh are named NAME.e.COUNT.NUMBER; both numbers have as many digits.
   std::string name = file.filename().string();
   const auto take_number = [&name] {
     const std::string digits(digits_at_end(name));

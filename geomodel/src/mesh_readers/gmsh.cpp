@@ -246,8 +246,7 @@ class GmshReader {
     }
   }
 
-  /// Reads one element of a Gmsh file, whose nodes `node()` returns one after the other, and adds the element to its
-  /// physical groups.
+  /// Reads one element of a Gmsh file, whose nodes `node()` returns in order, and adds it to its physical groups.
   template <class F>
   void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
@@ -328,8 +327,7 @@ class GmshReader {
     }
   }
 
-  /// Reads a section of Gmsh data with one value for each node or element; other data sections are ignored. Nodes and
-  /// elements without a value get NaN.
+  /// Reads Gmsh data with one value for each node or element (NaN where there is none), and ignores other data.
   void read_data(bool of_nodes) {
     std::string name;
     const auto n_texts = in_.number<std::size_t>();
@@ -369,15 +367,13 @@ class GmshReader {
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;
   std::vector<std::size_t> element_numbers_;  // numbers of the elements in the first of several Gmsh files of a mesh
-  // Numbers of the elements in all Gmsh files of the mesh that were read so far.
-  std::unordered_set<std::size_t> known_elements_;
-  std::set<std::int32_t> ghosts_;  // entities
+  std::unordered_set<std::size_t> known_elements_;  // numbers of the elements in all Gmsh files of the mesh read so far
+  std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;
   bool binary_ = false;
   std::size_t n_elements_ = 0;
   std::unordered_map<std::size_t, std::size_t> row_of_element_;  // row of each tetrahedron, by element number
-  // Groups of each Gmsh entity, by its dimension and number.
   std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;
   std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by tag
 };

@@ -47,7 +47,8 @@ struct MeshFile {
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each named group of regions
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty if the file has none
-  std::vector<Vec3> before_zones;           ///< points before fault zones were opened (array before_zones), or empty
+  /// Positions of points before fault zones were opened (array before_zones), or empty.
+  std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};  ///< vector that was subtracted from the coordinates (field data written by geomesh)
 };
 
@@ -61,7 +62,8 @@ struct FacesFile {
   /// for each point of the file of curves: its row in the mesh; empty if the file lacks these rows
   std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
-  std::vector<std::string> surface_set_names;  ///< name of each list in surface_sets; empty if the file has none
+  /// Name of each list of surface ids in surface_sets; empty if the file has none.
+  std::vector<std::string> surface_set_names;
 };
 
 /// Contents of NAME.curves.vtp: edges of curves and named points.
@@ -94,7 +96,7 @@ struct SurfacesOfGrid {
   FacesFile faces;
   CurvesFile curves;
 };
-/// Reads the faces and curves of a single grid; nothing if it has no face with the arrays that geomesh writes.
+/// Reads the faces and curves of a VTU file with cells of all dimensions; nothing if no face has geomesh's arrays.
 std::optional<SurfacesOfGrid> read_surfaces_of_grid(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel::checking

@@ -40,8 +40,7 @@ class SetBudget {
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
   /// Raises the limit on the number of cells and nodes in sets, for one more mesh file of this size in bytes.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Counts `n` more cells or nodes that a mesh file lists in sets. Returns false if they exceed the limit on all such
-  /// entries.
+  /// Counts `n` more cells or nodes that a mesh file lists in sets. Returns false if their number exceeds the limit.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;
@@ -55,7 +54,6 @@ class SetBudget {
 struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;
-  /// cells by dimension: points, edges, triangles, tetrahedra
   std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};
   std::vector<std::size_t> numbers;  ///< numbers of the tetrahedra among all cells of the file, for messages
   std::vector<RawSet> sets;
@@ -64,7 +62,7 @@ struct RawMesh {
   /// Six midpoint nodes for each second-order tetrahedron, on the edges 01 12 20 03 13 23.
   std::vector<VertexIndex> midpoints;
   bool single_precision = false;  ///< whether the file has coordinates in single precision
-  /// Kind and input row of each point; empty unless geomesh wrote the file.
+  /// Kind and input row of each mesh point; empty unless geomesh wrote the file.
   std::vector<std::int32_t> point_kind, input_vertex;
   std::vector<CellArray> cell_arrays;    ///< by tetrahedron
   std::vector<PointArray> point_arrays;  ///< point arrays, with one value for each point of the mesh

@@ -23,8 +23,7 @@ struct MeshPart {
   std::size_t n_own = 0;
   std::vector<VertexIndex> nodes;  ///< rows, in the whole mesh, of the part's points and midpoint nodes, ascending
 
-  /// Converts the row of a node in the whole mesh to its position in the part's `nodes`; no_vertex if the part does not
-  /// have this node.
+  /// Converts a node's row in the whole mesh to its position in the part's `nodes`; no_vertex if it is not in the part.
   VertexIndex local(VertexIndex row) const;
 };
 
@@ -42,8 +41,7 @@ struct GivenPart {
   std::vector<std::int32_t> part_of_cell;  ///< by row
   /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
-  /// For each node: where the list of the parts that have it begins in `parts_at`.
-  std::vector<std::size_t> first_at_node{0};
+  std::vector<std::size_t> first_at_node{0};  ///< for each node: where its list of mesh parts begins in `parts_at`
   std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
   std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
@@ -76,7 +74,7 @@ class MeshParts {
   std::span<const std::int32_t> parts_at(VertexIndex node) const {
     return {parts_at_.data() + first_[node], first_[node + 1] - first_[node]};
   }
-  /// Returns the part that owns a node: the lowest one with a cell of its own there.
+  /// Returns the mesh part that owns a node: the lowest-numbered part with a cell of its own at the node.
   std::int32_t owner_of_node(VertexIndex node) const { return parts_at(node).front(); }
 
   MeshPart part(std::int32_t number, Ghosts ghosts) const;
@@ -93,8 +91,7 @@ class MeshParts {
   std::int32_t n_parts_;
   GivenPart given_;
   bool is_given_ = false;
-  // If only one part of the mesh is available: number in the whole mesh of the first cell of each region, by region id
-  // - 1.
+  // If only one mesh part is available: number in the whole mesh of the first cell of each region, by region id - 1.
   std::vector<std::size_t> first_of_region_;
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;

@@ -17,8 +17,7 @@ namespace geomesh::geomodel {
 struct SolverPart {
   MeshPart part;
   SolverMesh mesh;  ///< the mesh of the part, with nodes numbered in the part
-  /// For each block of cells of the whole mesh: the rows, within the block, of the cells that are in this part of the
-  /// mesh.
+  /// For each block of cells of the whole mesh: the rows, within the block, of the cells that this part has.
   std::vector<std::vector<std::size_t>> cells;
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };
@@ -28,7 +27,7 @@ struct SolverPart {
 /// edges and points whose nodes all belong to the part; their owner is the lowest owner of their nodes.
 SolverPart part_of(const SolverMesh& whole, const MeshParts& parts, std::int32_t number, Ghosts ghosts);
 
-/// Returns those nodes of a group of the whole mesh that belong to the part, as numbered in the part.
+/// Returns those nodes of a node set of the whole mesh that a mesh part has, by their numbers in the part.
 std::vector<VertexIndex> nodes_in_part(const std::vector<VertexIndex>& nodes_of_whole, const MeshPart& part);
 
 }  // namespace geomesh::geomodel

@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the contents of one file as several, one for each surface and each point set. All have the format and the
-/// frame of the file; its warnings and notes are in the first one.
+/// Divides the contents of one file into several, one for each surface and each point set. All have the format and the
+/// coordinate frame of the file; its warnings and notes are in the first one.
 std::vector<FileContents> objects_of_file(const FileContents& contents);
 
 /// Returns the contents of a file with only the surface or point set of this name; without any object if there is none.

@@ -62,7 +62,7 @@ const Format* by_extension(const InputFile& file) {
 
 /// A file format from which no surface can be read, with advice on what to do instead.
 struct Stranger {
-  std::string_view begins;  ///< first bytes of any such file; empty if only the extension identifies the format
+  std::string_view begins;  ///< first bytes of a file of the format; empty if only the extension identifies it
   const char* extensions;   ///< blank-separated
   const char* advice;
 };
@@ -123,10 +123,9 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Returns whether a surface is a layer, like a horizon, apart from unusual heights (`odd`): most triangles have none
-/// of these at their corners, and these triangles have one height over each place of the map. Only then are the unusual
-/// heights removed; otherwise the flat base of a fault or body, which is far from its other vertices too, would be
-/// lost.
+/// Returns whether a surface is a layer, like a horizon, apart from unusual heights (`odd`): most triangles have no
+/// such corner, and these have one height over each place of the map. Only then are the unusual heights removed;
+/// otherwise the flat base of a fault or body, which is far from its other vertices too, would be lost.
 bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
                       std::span<const OddHeight> odd) {
   const auto is_odd = [&](VertexIndex v) {

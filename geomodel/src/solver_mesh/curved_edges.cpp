@@ -52,8 +52,7 @@ struct EdgeOnSurfaces {
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  /// Number of times that the midpoint's distance from the middle of the straight edge was halved; with the value
-  /// `stays`, the edge is straight.
+  /// Number of times that the midpoint's distance from the straight edge's middle was halved; it is 0 with `stays`.
   int halvings = 0;
   static constexpr int stays = 4;
 
@@ -85,7 +84,7 @@ class EdgeCurver {
     find_side_planes();
     find_edges();
     for (EdgeOnSurfaces& edge : edges_) aim(edge);
-    // Halving the curvature of edges changes their faces, which must then be proven again.
+    // Halving the curvature of edges changes their faces, whose distance from the surfaces must then be proven again.
     do straighten_far_faces();
     while (straighten_unproven());
     std::vector<CurvedEdge> result;
@@ -274,7 +273,7 @@ class EdgeCurver {
   std::map<std::int32_t, SurfaceDistance> nearest_;
   std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
   std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
-  // for each face: how often its edges' curvature had been halved when the face was last proven close
+  // for each face: how often its edges' curvature had been halved when it was last proven near its surfaces
   std::vector<std::array<int, 3>> proven_;
 };
 

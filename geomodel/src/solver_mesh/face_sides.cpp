@@ -137,8 +137,7 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   std::sort(list.begin(), list.end(), [](const Face& a, const Face& b) {
     return a.vertices != b.vertices ? a.vertices < b.vertices : a.row < b.row;
   });
-  // For each vertex: first row of the faces in which it has the smallest number.
-  std::vector<std::size_t> first(n_vertices + 1, 0);
+  std::vector<std::size_t> first(n_vertices + 1, 0);  // for each vertex: first face in which it is the lowest-numbered
   for (const Face& face : list) ++first[face.vertices[0] + 1];
   for (std::size_t v = 0; v < n_vertices; ++v) first[v + 1] += first[v];
   std::vector<std::array<TetrahedronSide, 2>> sides(faces.size(), {{{no_side, 0}, {no_side, 0}}});

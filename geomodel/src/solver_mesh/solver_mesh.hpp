@@ -31,7 +31,7 @@ struct FaceSide {
 /// between the same two regions, the edges on the same curves, a named point.
 struct CellBlock {
   CellShape shape;
-  std::int32_t id;  ///< id of the block, distinct from the ids of all other blocks
+  std::int32_t id;  ///< id of the block of cells, distinct from the ids of all other blocks
   std::string full_name;
   /// Ids of the region, the surfaces, the curves or the point to which the cells of the block belong.
   std::vector<std::int32_t> members;
@@ -87,7 +87,7 @@ enum class TetrahedronNodes { listed, by_rows };
 SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options,
                             TetrahedronNodes nodes = TetrahedronNodes::listed);
 
-/// Returns the nodes of a group in ascending order.
+/// Returns the nodes of a group of cells in ascending order.
 std::vector<VertexIndex> nodes_of(const SolverMesh& mesh, const CellGroup& group);
 
 }  // namespace geomesh::geomodel

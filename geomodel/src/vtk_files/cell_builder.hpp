@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel {
 
-/// Lists stored consecutively.
 struct CellLists {
   std::vector<std::int64_t> ends;  ///< for each cell, where its list of corners ends in `corners`
   std::vector<std::int64_t> corners;
@@ -36,7 +35,6 @@ class CellBuilder {
   /// Adds the cells of an unstructured grid. The corners in `lists` count from the point `first_point`.
   void add_grid(const CellLists& lists, const std::vector<std::int64_t>& types, std::size_t first_point);
   void add_poly(Shape shape, const CellLists& lists, std::size_t first_point);
-  /// The points too.
   void add_image(const ImageLattice& lattice);
 
  private:

@@ -43,7 +43,7 @@ std::size_t most_packed(VtkEncoding::Compressor compressor) {
   }
 }
 
-/// Expands a compressed block. Returns false if it does not expand to exactly `n` bytes.
+/// Expands a compressed block of a VTK array. Returns false if it does not expand to exactly `n` bytes.
 bool unpack(VtkEncoding::Compressor compressor, std::string_view packed, char* out, std::size_t n) {
   if (compressor == VtkEncoding::Compressor::zlib) {
     uLongf length = n;

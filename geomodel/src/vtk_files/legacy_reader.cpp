@@ -102,7 +102,7 @@ class LegacyAttributes {
     }
     table_->put(std::move(given));
   }
-  /// Skips the metadata of an array, up to the next empty line.
+  /// Skips the metadata of a VTK array, which end with an empty line.
   void skip_metadata() {
     words_.line();
     while (!words_.line().empty()) {

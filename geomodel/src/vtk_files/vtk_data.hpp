@@ -74,7 +74,7 @@ struct VtkTable {
 
 /// Cells of all types in one list. Their corners are rows of existing points.
 struct VtkCells {
-  std::vector<std::size_t> first{0};  ///< for each cell: its first entry in `corners`; at last the end of the last cell
+  std::vector<std::size_t> first{0};  ///< for each cell, then past the last one: where its corners begin in `corners`
   std::vector<VertexIndex> corners;
   std::vector<std::uint8_t> types;
 
@@ -105,7 +105,6 @@ VtkData read_vtk_xml_data(const InputFile& file);
 /// Throws Error{invalid_input} if the file is damaged, or of another type.
 VtkData read_vtk_legacy_data(const InputFile& file);
 
-/// Returns whether the file begins like a legacy VTK file.
 bool is_vtk_legacy(const InputFile& file);
 
 }  // namespace geomesh::geomodel

@@ -55,8 +55,7 @@ std::array<double, N> numbers_attribute(const InputFile& file, const pugi::xml_n
   return values;
 }
 
-/// Appends to `column`, an array of a VTK file, the values of the array with the same name and type in `table`. Returns
-/// false if the table has none.
+/// Appends the array of the same name and type in `table` to `column`, a VTK array; returns false if there is none.
 bool append(const VtkTable& table, VtkColumn& column) {
   const VtkColumn* const more = column.is_text() ? table.texts(column.name) : table.numbers(column.name);
   if (!more || more->type != column.type || more->n_components != column.n_components) return false;
@@ -95,8 +94,7 @@ class XmlReader {
       if (is_array(element)) data_.field_data.put(arrays_.read(element, std::nullopt));
   }
 
-  /// Returns n, the number of points or cells that a VTK file declares; throws if so many cannot be in the file, even
-  /// compressed.
+  /// Returns n, a VTK file's number of points or cells; throws if so many cannot be in the file, even compressed.
   std::size_t possible(std::size_t n, const char* what) const {
     if (n / most_packed > file_.size())
       file_.fail("it says to hold " + std::to_string(n) + " " + what + ", which a file of " +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/hdf5_times.hpp"
 
-#define H5_USE_110_API  // in this version of HDF5's interface, H5O_info_t has the addresses of objects
+#define H5_USE_110_API  // in version 1.10 of HDF5's interface, H5O_info_t has the addresses of objects
 #include <hdf5.h>
 
 #include <algorithm>
@@ -60,8 +60,7 @@ std::uint32_t checksum(std::string bytes) {
 struct HeaderStart {
   static constexpr std::size_t n_signature = 4, first_time = 6, n_times = 16;
   std::uint64_t flags;
-  /// Position and width in bytes of the field that holds the size of the first chunk of an HDF5 object header.
-  std::size_t size_at, n_size;
+  std::size_t size_at, n_size;  ///< position and width in bytes of the size of an HDF5 object header's first chunk
 
   explicit HeaderStart(const std::string& bytes)
       : flags(number_at(bytes, 5, 1)),

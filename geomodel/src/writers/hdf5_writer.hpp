@@ -30,8 +30,7 @@ class Hdf5Writer {
   using WriteRows = std::function<void(hid_t in_memory, const void* data, std::size_t n_rows)>;
   /// Writes an HDF5 data set with rows of `width` numbers. `name` may be a path whose groups exist.
   void put(const std::string& name, hid_t type, const void* data, std::size_t n, std::size_t width);
-  /// Writes an HDF5 data set piece by piece: `give` gets a function that writes some rows, and calls it once for each
-  /// piece.
+  /// Writes an HDF5 data set piece by piece: `give` gets a function that writes rows, and calls it for each piece.
   void put_pieces(const std::string& name, hid_t type, std::size_t n, std::size_t width,
                   const std::function<void(const WriteRows&)>& give);
   void group(const std::string& name);

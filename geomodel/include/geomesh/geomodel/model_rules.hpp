@@ -46,8 +46,7 @@ enum class OnCrossing {
 
 /// The triangles of a horizon that come from one scalar field, and the domain in which that field is valid.
 struct FieldPart {
-  /// One past the row of the field's last triangle in the horizon. The field's triangles begin where those of the
-  /// previous field end.
+  /// One past the row of this field's last triangle in the horizon. Its first one follows the previous field's last.
   Index end = 0;
   /// Names of faults, each with true if the field is valid above the fault and false if it is valid below.
   std::vector<std::pair<std::string, bool>> sides;
@@ -175,8 +174,7 @@ struct BuiltRows {
   /// scalar field of the block is valid on both sides of the fault. Empty for surfaces without fields that are
   /// restricted to certain sides of faults.
   std::vector<std::vector<std::vector<bool>>> on_both_sides;
-  /// Returns whether the scalar field of a fault block is valid on both sides of the k-th fault that divides the
-  /// surface.
+  /// Returns whether the field of a fault block is valid on both sides of the k-th fault that divides the surface.
   bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
     return surface < on_both_sides.size() && !on_both_sides[surface].empty() && on_both_sides[surface][block][k];
   }

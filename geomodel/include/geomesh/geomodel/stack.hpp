@@ -32,7 +32,7 @@ inline constexpr double stack_share = 0.5;
 /// unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
-/// One horizon after horizons were put in order. Areas in the map, m2; lengths along the vertical, m.
+/// One horizon, as changed by putting horizons in depositional order. Map areas in m2; lengths along the vertical, m.
 struct SettledHorizon {
   std::string name;
   std::size_t n_triangles_given = 0, n_triangles = 0;
@@ -52,7 +52,7 @@ struct SettledHorizon {
   Vec3 place_at_faults;
 };
 
-/// One unit between two horizons after horizons were put in order.
+/// One unit between two horizons, after the horizons were put in depositional order.
 struct SettledUnit {
   std::string name, top, base;
   double area = 0;         ///< map area over which the unit is present

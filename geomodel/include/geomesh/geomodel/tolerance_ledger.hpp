@@ -20,8 +20,7 @@ struct ToleranceUse {
   /// Upper bound of how far the stage moved surfaces, which later stages must allow for. It is subtracted from the
   /// remaining tolerance, unless a separate key of the project allowed the movement.
   double taken = 0;
-  /// Whether the project's key `merge_within` allowed this movement of surfaces, which is then not part of the
-  /// tolerance.
+  /// Whether the key `merge_within` allowed this movement of surfaces, which is then not part of the tolerance.
   bool by_own_key = false;
   /// Largest movement of a surface that was measured; empty if the stage only proves an upper bound.
   std::optional<double> moved{};

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Loops over the cells of a solver file in the order of their labels: the numbers that mark their region, surface or
-/// curve.
+/// Loops over the cells of a solver file in the order of their labels, the numbers of their region, surface or curve.
 #pragma once
 
 #include <span>
@@ -10,9 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Calls `visit(label, block, cell, nodes)` for every cell of one dimension. Cells are sorted by label (the number in
-/// the file for their region, surface or curve), so that those with the same number are consecutive. `nodes` are rows
-/// of the mesh, in VTK's order.
+/// Calls `visit(label, block, cell, nodes)` for every cell of one dimension, sorted by label: the number in the file of
+/// the cell's region, surface or curve. `nodes` are rows of the mesh, in VTK's order.
 template <class Visit>
 void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
   for (const CellGroup& label : mesh.labels) {

@@ -32,7 +32,7 @@ class SolidFile {
   }
 
  private:
-  /// Writes the volume of a region. A node is written before the first volume that uses it; later volumes refer to it.
+  /// Writes the GOCAD volume of a region. A node is written before the first volume with it; later ones refer to it.
   void write_volume(const CellGroup& label, const std::string& name) {
     out_ << "TVOLUME " << name << "\n";
     const auto each = [&](const auto& visit) {

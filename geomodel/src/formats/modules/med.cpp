@@ -119,9 +119,9 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes numbers to a MED file as rows of `width` numbers, in portions, because a copy of all rows would be as large
-  /// as the mesh. `add(row, list)` appends the numbers of one row to `list`; `put(filter, list)` writes the list to the
-  /// rows that the MED filter selects.
+  /// Writes rows of `width` numbers to a MED file in portions, because a copy of all would be as large as the mesh.
+  /// `add(row, list)` appends a row's numbers to `list`; `put(filter, list)` writes the rows that the MED filter
+  /// selects.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;
@@ -183,7 +183,7 @@ class MedWriter {
       put_cells_of(shape);
   }
   void put_cells_of(CellShape shape) {
-    // cell blocks with the requested shape, and where the cells of each block end
+    // blocks of cells of this shape, and number of cells up to the end of each block
     std::vector<std::size_t> blocks, ends;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;

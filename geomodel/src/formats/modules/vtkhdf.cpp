@@ -101,7 +101,7 @@ class GridFile {
   const VtkDocument& document_;
 };
 
-/// Returns the number of bytes of all arrays (with indices as 64-bit numbers), and the number of arrays.
+/// Returns the number of bytes of all arrays of the VTKHDF file (with indices as 64-bit numbers), and their number.
 std::pair<std::size_t, std::size_t> payload_of(const VtkDocument& document) {
   std::size_t bytes = 0, n = document.fields.size() + 1;
   for (const VtkSection& section : document.sections)

@@ -12,8 +12,7 @@ namespace geomesh::geomodel {
 
 struct FaceNodes {
   std::vector<VertexIndex> rows;  ///< rows in the mesh of the nodes of faces, ascending
-  /// For each point of the mesh: its position in `rows`, the list of nodes of faces; undefined for points that are not
-  /// nodes of these faces.
+  /// For each point of the mesh: its position in `rows` (the nodes of some faces); undefined for other points.
   std::vector<std::uint32_t> number_of;
 };
 

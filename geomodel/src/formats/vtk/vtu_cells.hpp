@@ -24,14 +24,14 @@ class VtuLayout {
   VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
 
   std::size_t n_nodes() const { return n_nodes_; }
-  /// Returns the row in the mesh of a node of the file. Midpoints follow the points.
+  /// Returns the row in the mesh of a node of the VTU file. Midpoints follow the points.
   std::size_t node_row(std::size_t i) const { return part_ ? part_->nodes[i] : i; }
   const MeshPart* part() const { return part_; }
 
   std::size_t n_cells() const { return first_cell_.back(); }
   std::size_t n_entries() const { return first_entry_.back(); }
-  /// Calls `f(kind, row)` for one cell of the VTU file: its kind (tetrahedron, prism, face, ...), and its row among the
-  /// mesh's cells of that kind.
+  /// Calls `f(kind, row)` for a cell of the VTU file: its kind (face ...), and its row among the mesh's cells of that
+  /// kind.
   template <class F>
   auto visit(std::size_t cell, F&& f) const {
     const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];

@@ -32,7 +32,7 @@ struct Quadratic {
     return {*low, *high};
   }
 
-  /// Returns the range of the function's Bernstein coefficients, which contains all its values in the cell.
+  /// Returns the range of the quadratic function's Bernstein coefficients, which contains all its values in the cell.
   Range range() const {
     Range range = corner_range();
     for (std::size_t e = 0; e < 6; ++e) {

@@ -63,8 +63,7 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  /// Scalar field that gives the values at new vertices; null if the mesh is never bisected.
-  const ScalarField* field_ = nullptr;
+  const ScalarField* field_ = nullptr;  ///< scalar field for values at new vertices; null if the mesh is never bisected
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;

@@ -51,9 +51,8 @@ class CrossedEdges {
   Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
                   const std::vector<double>& values) const;
 
-  std::vector<Edge> edges_;  ///< by their ends
-  /// Point where each isosurface crosses each mesh edge; undefined if it does not cross the edge.
-  std::vector<std::vector<Vec3>> roots_;
+  std::vector<Edge> edges_;               ///< by their ends
+  std::vector<std::vector<Vec3>> roots_;  ///< point where each isosurface crosses each mesh edge; undefined if nowhere
 };
 
 }  // namespace geomesh::geomodel

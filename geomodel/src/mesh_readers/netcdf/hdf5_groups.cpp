@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_readers/netcdf/hdf5_groups.hpp"
 
-// In HDF5's interface of version 1.10, which later versions offer too, objects have addresses instead of tokens.
-#define H5_USE_110_API
+#define H5_USE_110_API  // in interface 1.10, which all later HDF5 libraries have, objects have addresses, not tokens
 #include <hdf5.h>
 
 #include <fstream>
@@ -14,8 +13,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t deepest =
-    // Limit on the depth of nested groups in an HDF5 file; data sets need less. HDF5's own calls are nested as deep as
-    // the groups.
+    // Limit on the depth of nested HDF5 groups, which suffices for data sets. HDF5's own calls are nested as deep.
     16;
 
 class Walk {
@@ -79,7 +77,7 @@ class Walk {
     found.fault = why;
     return false;
   }
-  /// Returns the path of the group that is being read, with a slash at its end; "" for the root.
+  /// Returns the path of the HDF5 group that is being read, with a slash at its end; "" for the root group.
   std::string path() const { return above_.size() < 2 ? "" : above_.back().first + "/"; }
 
   /// Names and addresses of the HDF5 groups from the root to the group that is being read.

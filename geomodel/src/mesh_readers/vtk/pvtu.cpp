@@ -159,8 +159,7 @@ class PieceMerger {
   }
 
   const std::filesystem::path& path_;
-  // Sum of the numbers of points of all pieces of the mesh, some of which are in several pieces.
-  std::size_t most_points_ = 0;
+  std::size_t most_points_ = 0;  // sum of the numbers of points of all pieces of the mesh, some of them in several
   MeshFile mesh_;
   std::vector<bool> is_known_;  // by point
 };

@@ -58,7 +58,7 @@ struct LowerCells {
   std::vector<std::size_t> triangles, edges;
 };
 
-/// Reads one cell that is not a tetrahedron: a triangle, an edge or a prism.
+/// Reads one cell of a VTK file that is not a tetrahedron: a triangle, an edge or a prism.
 void take_other(const VtkData& grid, std::size_t cell, MeshFile& mesh, LowerCells& lower) {
   const std::uint8_t type = grid.cells.types[cell];
   const auto p = grid.cells.of(cell);

@@ -32,7 +32,7 @@ struct Entity {
 class PairReader {
  public:
   explicit PairReader(const InputFile& file) : lines_(file) {}
-  /// Reads the next pair of group code and value. Returns false if the file ends between two pairs.
+  /// Reads the next pair of group code and value of a DXF file. Returns false if the file ends between two pairs.
   bool next(Pair& pair) {
     if (!lines_.next()) return false;
     const auto code = to_integer(trim(lines_.line()));

@@ -12,20 +12,19 @@
 
 namespace geomesh::geomodel {
 
-/// One INSERT: a block inserted at a place, in columns and rows.
+/// One INSERT of a DXF file: a block inserted at a place, in columns and rows.
 struct DxfInsert {
   std::string block, layer;
   std::size_t line = 0;  ///< of the file
   Vec3 at, scale{1, 1, 1};
-  double rotation = 0;  ///< rotation of the block in radians, counter-clockwise about z
+  double rotation = 0;  ///< rotation of the inserted DXF block in radians, counter-clockwise about z
   std::int64_t n_columns = 1, n_rows = 1;
-  double column_step = 0, row_step = 0;  ///< distances between copies of the block, which are rotated with it
+  double column_step = 0, row_step = 0;  ///< distances between copies of the DXF block, which are rotated with it
 };
 
 /// Content of one block of a DXF file or of its section ENTITIES, with coordinates as in the file.
 struct DxfContent {
-  /// For each DXF layer: the corners of its triangles, three for each.
-  std::map<std::string, std::vector<Vec3>> corners;
+  std::map<std::string, std::vector<Vec3>> corners;  ///< for each DXF layer: the corners of its triangles, three each
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
   std::map<std::string, std::size_t> passed_over;  ///< numbers of entities that are not read, by their DXF type

@@ -21,7 +21,7 @@ struct Grid {
   double dx = 0, dy = 0;  ///< between nodes, positive
   double rotation = 0;    ///< direction in which columns ascend, in degrees counter-clockwise from east, about (x0, y0)
   bool cell_centred = false;
-  std::vector<double> heights;  ///< height of each node at index row * n_columns + column; NaN if the node has none
+  std::vector<double> heights;  ///< height of the grid node at index row * n_columns + column; NaN if it has none
 
   double& at(std::size_t column, std::size_t row) { return heights[row * n_columns + column]; }
 };

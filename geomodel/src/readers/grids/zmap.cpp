@@ -14,7 +14,7 @@ namespace {
 
 struct Layout {
   std::size_t width = 0;         ///< width of a field in characters; 0: fields are separated by blanks
-  std::size_t first_column = 1;  ///< position in the line of the first field, from 1
+  std::size_t first_column = 1;  ///< position in a line of a ZMAP+ file at which the first field begins, from 1
   int decimals = 0;              ///< a height without a decimal point is divided by 10 to the power of this number
   std::optional<double> null;
   std::string null_text;

@@ -65,7 +65,7 @@ class OmfReader {
       project_id_ += {digits[byte >> 4], digits[byte & 15]};
     }
     if (objects_.contains(project_id_)) return;
-    for (const auto& [id, entry] : objects_.items())  // the project id may be stored in another byte order
+    for (const auto& [id, entry] : objects_.items())  // the id of the OMF project may be stored in another byte order
       if (entry.is_object() && entry.value("__class__", Json()) == "Project") project_id_ = id;
   }
 
@@ -98,8 +98,7 @@ class OmfReader {
     return v;
   }
 
-  /// Returns the decompressed bytes of an array in an OMF file. Decompression ends with the data, whatever length the
-  /// file declares for the array.
+  /// Returns the decompressed bytes of an array in an OMF file, up to the end of its data, whatever length is declared.
   std::string inflate(const Json& owner, const std::string& what) {
     const auto array = owner.find("array");
     if (array == owner.end() || !array->is_object() || !array->contains("start") || !array->contains("length") ||

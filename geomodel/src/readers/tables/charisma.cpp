@@ -52,7 +52,7 @@ bool is_charisma(const InputFile& file) {
 FileContents read_charisma(const InputFile& file) {
   FileContents contents;
   contents.format = "Charisma fault sticks";
-  // Row of each polyline by the name of the fault and the number of the stick.
+  // Row of each fault stick among the polylines, by the name of the fault and the number of the stick.
   std::map<std::pair<std::string, std::string>, std::size_t> known;
   std::map<std::string, std::size_t> n_sticks;
   LineReader lines(file);

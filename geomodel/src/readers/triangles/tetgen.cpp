@@ -37,8 +37,7 @@ class TetgenLines {
                   (token.empty() ? "the end of the line" : in_quotes(token)));
     return *value;
   }
-  /// Reads the number of points, facets or other items in a TetGen file. Throws if the file is shorter than two bytes
-  /// for each of them.
+  /// Reads a number of points, facets ... in a TetGen file. Throws if the file is shorter than two bytes for each.
   std::size_t count(Tokens& tokens, const char* what) const {
     const std::int64_t n = integer(tokens, what);
     if (n < 0 || static_cast<std::uint64_t>(n) > lines_.file().size() / 2) {

@@ -22,7 +22,7 @@ const VectorModule& vector_module() {
   return module;
 }
 
-/// Returns the name of a feature: that in its text columns, else that of its layer.
+/// Returns the name of a map feature: that in its text columns, else that of its layer.
 std::string name_of(const VectorFeature& feature) {
   static constexpr std::array names{"name",  "fault", "fault_name", "horizon",   "surface", "formation",
                                     "layer", "unit",  "well",       "well_name", "label",   "id"};
