@@ -71,8 +71,9 @@ class ZoneOpener {
   }
 
  private:
-  /// Moves the midpoints of curved edges with the walls. Edges with both ends on walls become straight, like those of
-  /// the elements between the walls. The midpoint of any other curved edge moves by the mean of its ends' movements.
+  /// Moves the midpoints of curved edges with the walls of fault zones. Edges with both ends on walls become straight,
+  /// like those of the elements between the walls. The midpoint of another curved edge moves by the mean of its ends'
+  /// moves.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {
@@ -81,7 +82,7 @@ class ZoneOpener {
     for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
   }
   /// Joins faces that were split but have the same three nodes on both sides, as at an end of the fault. There is no
-  /// zone between them, and the face exists once.
+  /// fault zone between them, and the face exists once.
   void join_closed_faces() {
     std::map<Triangle, std::size_t> first;
     std::set<std::size_t> second;
@@ -180,7 +181,7 @@ class ZoneOpener {
                 {{}, {}, {}, {p}});
   }
 
-  /// Adds the faces of zones on sides of the model, at which the fault ends.
+  /// Adds the faces that fault zones have on sides of the model at which their faults end.
   void add_side_faces() {
     struct ColumnEdge {
       std::size_t a, b;  ///< rows of the node columns across the fault zone at the edge's ends, in the prism's order
@@ -267,7 +268,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // edges of the faces on walls of zones, and of the faces of zones on sides of the model
+  EdgeSet edges_;  // edges of the faces on walls of fault zones, and of the zones' faces on sides of the model
 };
 
 }  // namespace

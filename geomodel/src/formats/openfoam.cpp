@@ -95,7 +95,7 @@ class FoamFaces {
   struct Label {
     std::uint32_t code, label : 31, flipped : 1;
   };
-  /// Calls `f(vertices of the cell, cell, face)` for each face of each cell.
+  /// Calls `f(vertices of the cell, cell, face)` for each of the four faces of each tetrahedron.
   template <class F>
   void for_each_face(F&& f) const {
     std::size_t cell = 0;

@@ -55,7 +55,7 @@ class Grid {
   std::size_t row(std::size_t point) const { return has_all_points_ ? point : points_[point]; }
   const CellBlock& block(std::size_t cell) const { return *part(cell).block; }
   std::size_t row_in_block(std::size_t cell) const { return cell - part(cell).first_cell; }
-  /// Returns the VTK offset of a cell, which is the end of its nodes.
+  /// Returns the VTK offset of a cell: the end of its nodes in the list of all cells' nodes.
   std::size_t end(std::size_t cell) const {
     const Part& at = part(cell);
     return at.first_entry + (cell - at.first_cell + 1) * at.block->nodes_per_cell;
@@ -105,7 +105,7 @@ VtkDocument document_of(const SolverMesh& mesh, const Grid& grid) {
   return document;
 }
 
-/// Writes all solids, sorted by region id, with all points of the mesh.
+/// Writes all volume cells, sorted by region id, with all points of the mesh.
 void write_bulk(const SolverMesh& mesh, Compression compression, const std::filesystem::path& file) {
   CellGroup all{0, 3, "", {}, {}};
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

@@ -49,8 +49,8 @@ struct Interval {
   }
 };
 
-/// Returns the interval, along the direction, in which a plane cuts a surface. For a polygon that is not convex, it
-/// reaches from the first cut to the last.
+/// Returns the interval of positions, along a direction, at which a plane cuts a surface. For a polygon that is not
+/// convex, it reaches from the first cut to the last.
 Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direction) {
   Interval found;
   for (const Triangle& t : s.triangles)

@@ -25,14 +25,14 @@ struct MeshFile {
   std::vector<VertexIndex> midpoints;
   std::vector<std::size_t> cell;   ///< number of each tetrahedron among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
-  /// Prisms among the solids that are not tetrahedra, in VTK's order (VTK files only).
+  /// Prisms among the file's volume cells, in VTK's order of their nodes (VTK files only).
   std::vector<std::array<VertexIndex, 6>> prisms;
   std::size_t n_lower_cells = 0;     ///< number of triangles, lines and points in the file
   std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no array of region ids
   std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
-  std::vector<std::string> arrays;        ///< names and types of point arrays and cell arrays (VTK files only)
-  std::vector<Triangle> triangles;        ///< triangles in addition to the tetrahedra (.vtu, and files of solvers)
+  std::vector<std::string> arrays;  ///< names and types of point arrays and cell arrays (VTK files only)
+  std::vector<Triangle> triangles;  ///< triangles of the mesh file besides its tetrahedra (.vtu, and files of solvers)
   std::vector<std::int32_t> triangle_id;  ///< surface id of each triangle; surface_names has the names (VTU files only)
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::array<VertexIndex, 2>> edges;

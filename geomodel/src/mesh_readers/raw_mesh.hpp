@@ -25,7 +25,7 @@ struct RawCells {
 struct RawSet {
   std::string name;
   std::int32_t id = 0;  ///< number of the set of cells or nodes in the mesh file; 0 if it has none
-  int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
+  int dimension = 0;    ///< dimension of the cells in the set; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
 
@@ -68,7 +68,8 @@ struct RawMesh {
   std::vector<PointArray> point_arrays;  ///< point arrays, with one value for each point of the mesh
   /// Name that a single file of the mesh would have, if it was read from parts; else empty.
   std::filesystem::path whole;
-  std::vector<Vec3> before_zones;  ///< points before fault zones were opened; empty unless geomesh wrote the file
+  /// Positions of points before fault zones were opened; empty unless geomesh wrote the file.
+  std::vector<Vec3> before_zones;
   Vec3 origin{0, 0, 0};
 };
 

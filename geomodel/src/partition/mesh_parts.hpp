@@ -42,7 +42,7 @@ struct GivenPart {
   /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
   std::vector<std::size_t> first_at_node{0};  ///< for each node: where its list of mesh parts begins in `parts_at`
-  std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
+  std::vector<std::int32_t> parts_at;  ///< ascending numbers of the mesh parts that have a node, for each node in turn
   std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
 
@@ -50,8 +50,8 @@ class MeshParts {
  public:
   /// Divides a mesh into parts. The mesh must outlive this object. Throws as parts_by_metis does.
   MeshParts(const ModelMesh& mesh, std::int32_t n_parts);
-  /// Describes a single part. The rows of its own cells ascend with their numbers in the whole mesh, and precede those
-  /// of ghosts. Such a part has no midpoints.
+  /// Describes a single part of a mesh. The rows of its own cells ascend with their numbers in the whole mesh, and
+  /// precede those of ghosts. Such a part has no midpoints.
   MeshParts(const ModelMesh& mesh, GivenPart given);
 
   std::int32_t n_parts() const { return n_parts_; }

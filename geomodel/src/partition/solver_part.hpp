@@ -22,9 +22,9 @@ struct SolverPart {
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };
 
-/// Makes the part of a mesh for solver files. It has all solids of the part. It has the faces of these solids; the
-/// owner of a face is that of the solid from which the normal points away (at the boundary, the only one). It has the
-/// edges and points whose nodes all belong to the part; their owner is the lowest owner of their nodes.
+/// Makes the part of a mesh for solver files. It has all solids (volume cells) of the part and their faces; the owner
+/// of a face is that of the solid from which the normal points away (at the boundary, the only one). It has the edges
+/// and points whose nodes all belong to the part; their owner is the lowest owner of their nodes.
 SolverPart part_of(const SolverMesh& whole, const MeshParts& parts, std::int32_t number, Ghosts ghosts);
 
 /// Returns those nodes of a node set of the whole mesh that a mesh part has, by their numbers in the part.

@@ -20,8 +20,8 @@ int dimension_of(CellShape shape);
 
 inline constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 
-/// One side of a face: the number of the solid there, from 0 (SolverMesh::n_solids), and the vertex of this solid
-/// opposite the face.
+/// One side of a face: the number of the solid (volume cell) there, from 0 (SolverMesh::n_solids), and the vertex of
+/// this solid opposite the face.
 struct FaceSide {
   std::uint32_t solid = no_cell;
   unsigned opposite = 0;

@@ -43,7 +43,7 @@ class ByteSource {
   std::string carried_;  // at most two bytes that were decoded from base64 but not returned by take() yet
 };
 
-/// Returns the bytes of one array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
+/// Returns the bytes of one VTK array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
 /// there are fewer. Memory is bounded by what the source can contain. Compressed blocks are expanded in parallel on the
 /// threads of the current arena.
 std::string decoded_array(ByteSource source, const VtkEncoding& encoding, std::size_t wanted);

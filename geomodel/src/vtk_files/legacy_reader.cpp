@@ -111,7 +111,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // table of point or cell arrays that receives the attributes being read
+  VtkTable* table_;    // table of point or cell arrays that receives the VTK attributes being read
   std::size_t n_ = 0;  // their tuples
 };
 

@@ -56,8 +56,8 @@ struct VtkColumn {
   /// * n_components.
   double number(std::size_t i) const;
   double number(std::size_t tuple, std::size_t component) const { return number(tuple * n_components + component); }
-  /// Returns the numbers of all tuples and components as integers. Numbers with a fraction and those that do not fit in
-  /// 64 bits become -1.
+  /// Returns the numbers of all tuples and components of a VTK array as integers. Numbers with a fraction and those
+  /// that do not fit in 64 bits become -1.
   std::vector<std::int64_t> whole_numbers() const;
   std::vector<double> numbers() const;
 };

@@ -12,8 +12,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Largest compression ratio of zlib. It limits the number of items of a file, because a point or a cell has at least
-/// four bytes, and an empty text one.
+/// Largest compression ratio of zlib. It limits the number of items in a VTK file, because a point or a cell has at
+/// least four bytes, and an empty text one.
 constexpr std::size_t most_packed = 1100;
 
 VtkEncoding encoding_of(const InputFile& file, const pugi::xml_node& root) {
@@ -191,7 +191,7 @@ class XmlReader {
     cells.add_image(lattice);
   }
 
-  /// Adds the arrays of one piece of the file to those of earlier pieces. Arrays that not all pieces have are dropped.
+  /// Adds the arrays of one piece of the VTK file to those of earlier pieces. Arrays that a piece lacks are dropped.
   void add_table(const pugi::xml_node& group, std::size_t n, bool first, VtkTable& table) {
     VtkTable own;
     for (const pugi::xml_node& element : group.children())

@@ -79,8 +79,8 @@ struct SurfaceRules {
   /// Each piece is extended beyond these faults (by the rule `extend`, flat if none is given); then whatever lies on
   /// the other side of a fault is removed.
   std::vector<std::string> throw_at;
-  /// Whether find_ramps adds faults to throw_at of this horizon. If throw_at is still empty after that, the horizon is
-  /// continued to the walls of its fault blocks.
+  /// Whether find_ramps adds faults to throw_at, the faults that displace this horizon. If throw_at is still empty
+  /// after that, the horizon is continued to the walls of its fault blocks.
   bool throw_auto = false;
   /// For horizons with fault polygons: whether faults that pass through the polygons are added to throw_at, if the
   /// project lists no faults for the horizon.

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the horizons of the stratigraphic column are put in order in the map before they are intersected.
+/// Whether the horizons of the stratigraphic column are put in depositional order before they are intersected.
 enum class StackRule { automatic, keep };
 
 struct StackRules {
@@ -28,8 +28,8 @@ struct StackRules {
 /// Share of the tolerance that ordering and simplifying the horizons may use; remeshing uses the rest.
 inline constexpr double stack_share = 0.5;
 
-/// Largest distance from the input of horizons that were put in order, as a share of the local target size. If a thin
-/// unit determines that size, this is about a quarter of the unit's thickness.
+/// Largest distance from the input of horizons that were put in depositional order, as a share of the local target
+/// size. If a thin unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
 /// One horizon, as changed by putting horizons in depositional order. Map areas in m2; lengths along the vertical, m.

@@ -55,8 +55,8 @@ class ToleranceLedger {
   void follow_size(double largest);
   /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);
-  /// Restricts the tolerance of the following stages to this share of the target size at each place, if that is less
-  /// than before. The length left() remains the limit everywhere.
+  /// Restricts the tolerance of the following stages to a share of the target size at each place, if that is less than
+  /// before. The length left() remains the limit everywhere.
   void limit_share(double share);
   /// Sets the remaining tolerance after all target sizes were scaled: `left` is its length for the new sizes.
   void rescale_left(double left) { left_ = left; }

@@ -38,7 +38,8 @@ class VtuLayout {
     return f(static_cast<VtuCells>(k), part_ ? part_->cells[row] : row);
   }
   std::uint8_t type(std::size_t cell) const;
-  std::int64_t end_of(std::size_t cell) const;  ///< VTK offset of a cell, which is the end of its nodes
+  /// VTK offset of a cell: the end of its nodes in the list of all cells' nodes.
+  std::int64_t end_of(std::size_t cell) const;
   /// number in the file of the node at position `entry` in the concatenated node lists of all cells
   VertexIndex node(std::size_t entry) const;
   /// Id of the region, cohesive layer, surface, curve or point to which a cell belongs.

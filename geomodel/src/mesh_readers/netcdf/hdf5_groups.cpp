@@ -56,9 +56,9 @@ class Walk {
     if (above_.size() > deepest)
       return refuse("its group " + here + " lies more than " + std::to_string(deepest) +
                     " groups deep: copy the arrays into a file with fewer groups");
-    // Fewest bytes of a link and its group in a file in which each group has one link. A file with more links than this
-    // allows is refused, because the library reads a group again along each link that leads to it, so that nested
-    // double links multiply.
+    // Fewest bytes of a link and its group in an HDF5 file in which each group has one link. A file with more links
+    // than this allows is refused, because the library reads a group again along each link that leads to it, so that
+    // nested double links multiply.
     constexpr std::uintmax_t least_bytes = 64;
     if (++n_visits_ > bytes_ / least_bytes)
       return refuse("its groups are linked to each other so often that reading them would not end, at " + here +

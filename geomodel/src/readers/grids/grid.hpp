@@ -19,7 +19,7 @@ struct Grid {
   std::size_t n_columns = 0, n_rows = 0;
   double x0 = 0, y0 = 0;  ///< position of the node in column 0, row 0: the south-west node if the rotation is 0
   double dx = 0, dy = 0;  ///< between nodes, positive
-  double rotation = 0;    ///< direction in which columns ascend, in degrees counter-clockwise from east, about (x0, y0)
+  double rotation = 0;  ///< direction of ascending grid columns in degrees counter-clockwise from east, about (x0, y0)
   bool cell_centred = false;
   std::vector<double> heights;  ///< height of the grid node at index row * n_columns + column; NaN if it has none
 

@@ -108,7 +108,7 @@ class TetgenParser {
     }
   }
 
-  /// Reads n vertex numbers, which may continue on the following lines.
+  /// Reads n vertex numbers of a TetGen polygon, which may continue on the following lines.
   std::vector<VertexIndex> vertices(Tokens& tokens, std::size_t n) {
     std::vector<VertexIndex> out;
     while (out.size() < n) {
