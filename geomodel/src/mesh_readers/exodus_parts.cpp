@@ -38,8 +38,8 @@ std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<
   return static_cast<std::size_t>(largest);
 }
 
-/// Throws if a tetrahedron is in two parts. This is checked before gaps are, because a part that is listed twice also
-/// leaves another one out.
+/// Throws if a tetrahedron is in the files of two mesh parts. This is checked before gaps are, because a part that is
+/// listed twice also leaves another one out.
 void refuse_doubled_elements(const std::vector<ExodusPartMesh>& parts, const std::filesystem::path& whole) {
   std::vector<int> numbers;
   for (const ExodusPartMesh& part : parts)

@@ -92,7 +92,7 @@ class MedReader {
     const med_entity_type entity = type == MED_NONE ? MED_NODE : MED_CELL;
     const med_int n = MEDmeshnEntity(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type,
                                      type == MED_NONE ? MED_COORDINATE : MED_CONNECTIVITY, MED_NODAL, &changed, &moved);
-    // A file is damaged if it declares more numbers than it can contain even when compressed (deflate: 1032 to 1).
+    // A MED file is damaged if it declares more numbers than it can contain even when compressed (deflate: 1032 to 1).
     if (n > 0 && static_cast<std::uintmax_t>(n) / 1032 > std::filesystem::file_size(path_))
       refuse("sizes in it are not those of what follows: it is damaged");
     return n < 0 ? 0 : static_cast<std::size_t>(n);

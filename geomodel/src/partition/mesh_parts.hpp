@@ -19,7 +19,7 @@ enum class Ghosts { none, one_layer };
 
 struct MeshPart {
   std::int32_t number = 0;         ///< from 0
-  std::vector<std::size_t> cells;  ///< rows of tetrahedra: the part's own cells, then ghosts, both ascending
+  std::vector<std::size_t> cells;  ///< rows of the mesh part's tetrahedra: its own cells, then ghosts, both ascending
   std::size_t n_own = 0;
   std::vector<VertexIndex> nodes;  ///< rows, in the whole mesh, of the part's points and midpoint nodes, ascending
 
@@ -30,7 +30,7 @@ struct MeshPart {
 /// A face between two parts of a mesh, as seen from one of them.
 struct BorderFace {
   std::size_t cell;
-  unsigned opposite;  ///< position (0 to 3) in `cell` of the vertex opposite the face
+  unsigned opposite;  ///< position (0 to 3) in the tetrahedron `cell` of the vertex opposite the face
   std::int32_t other_part;
 };
 
@@ -70,7 +70,7 @@ class MeshParts {
   /// available.
   std::size_t number_in_region(std::size_t row, std::size_t row_in_block) const;
   std::int32_t part_of_cell(std::size_t row) const { return part_of_cell_[row]; }
-  /// Returns the parts that have a cell of their own at a node, ascending.
+  /// Returns the mesh parts that have a cell of their own at a node, ascending.
   std::span<const std::int32_t> parts_at(VertexIndex node) const {
     return {parts_at_.data() + first_[node], first_[node + 1] - first_[node]};
   }

@@ -77,7 +77,7 @@ class AcrossFaces {
   /// Returns the two smallest vertex numbers of a tetrahedron. The smallest vertex of three of its faces is the first
   /// of these, that of the fourth face is the second.
   static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
-    // Minimum and maximum avoid branches, because it is unpredictable which vertex is smaller.
+    // Minimum and maximum avoid branches, because it is unpredictable which of two vertex numbers is smaller.
     const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);
     return {std::min(a, c), std::min(std::max(a, c), std::min(std::max(v[0], v[1]), std::max(v[2], v[3])))};
   }

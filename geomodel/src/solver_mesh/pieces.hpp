@@ -33,7 +33,7 @@ struct SolverPieces {
   std::vector<FacePiece> faces;
   std::vector<CurvePiece> curves;
 };
-/// Divides faces and edges of curves into pieces. New ids follow the largest id of the mesh.
+/// Divides the faces on surfaces and the edges of curves into pieces. New ids follow the largest id of the mesh.
 SolverPieces make_pieces(const ModelMesh& mesh);
 
 /// Returns the largest id of a region, surface, curve, point or set.

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 
 struct ControlVolumes {
-  std::vector<double> volume;        ///< volume of the cell around each point; their sum is the volume of the mesh
+  std::vector<double> volume;  ///< volume of the Voronoi cell around each point; their sum is the volume of the mesh
   std::vector<std::int32_t> region;  ///< for each point: the region with the largest share of its Voronoi cell
   struct Connection {
     VertexIndex a, b;

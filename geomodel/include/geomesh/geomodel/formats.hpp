@@ -21,7 +21,7 @@ struct FormatHolds {
   bool curves = false;       ///< whether the format holds the edges or the nodes of curves under their names
   bool overlapping = false;  ///< whether a face of the mesh can belong to several groups
   bool names = true;  ///< whether the mesh file itself has names, so that they are not only in the JSON file beside it
-  bool partitions = false;       ///< whether a mesh can be divided into parts with one file each
+  bool partitions = false;       ///< whether the format can hold a mesh divided into parts, with one file each
   bool triangles_alone = false;  ///< whether a mesh of triangles without tetrahedra can be written
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The settled stack: the horizons of the stratigraphic column after they were put in order and too thin layers were
-/// removed, in the map, before anything is intersected.
+/// The settled stack: the horizons of the stratigraphic column after they were put in depositional order and too thin
+/// layers were removed, on the map, before anything is intersected.
 #pragma once
 
 #include <string>

@@ -49,8 +49,8 @@ struct NamedPoint {
 /// mesh with this name is found by a point inside.
 struct RegionHint {
   std::string name;
-  /// One triangle of the region's boundary: its surface, its row there, and whether it has the stored orientation or
-  /// the reverse. The normals of the oriented triangles point out of the region.
+  /// One triangle of the region's boundary: its surface, its row in the surface, and whether it has the stored
+  /// orientation or the reverse. The normals of the oriented triangles point out of the region.
   struct OrientedTriangle {
     Index surface, triangle;
     bool as_stored;

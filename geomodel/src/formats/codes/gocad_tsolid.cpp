@@ -76,7 +76,8 @@ class SolidFile {
 
   OutputText& out_;
   const SolverMesh& mesh_;
-  std::vector<std::size_t> number_;  // number of each node in the file, from 1; 0 if the node has not been written yet
+  // Number of each node in the TSolid file, from 1; 0 if the node has not been written yet.
+  std::vector<std::size_t> number_;
   std::size_t n_written_ = 0;
   std::vector<const CellBlock*> parts_;
   std::vector<SidecarGroup> sidecar_;

@@ -25,9 +25,9 @@ struct ExodusSets {
   std::size_t sides, nodes;
 };
 
-/// Adds to the file of one part the numbers of its nodes and elements in the whole mesh, and which of them it shares
-/// with which other part. Parallel readers use these arrays to combine parts (Hennigan and Shadid, "NEMESIS I", SAND
-/// 98-2649). The file's dimensions of nodes and elements must have been added before.
+/// Adds to the Exodus file of one mesh part the numbers of its nodes and elements in the whole mesh, and which of them
+/// it shares with which other part. Parallel readers use these arrays to combine parts (Hennigan and Shadid, "NEMESIS
+/// I", SAND 98-2649). The file's dimensions of nodes and elements must have been added before.
 void add_exodus_part(NetcdfWriter& file, const ExodusPart& part, const ExodusSets& sets);
 
 }  // namespace geomesh::geomodel

@@ -92,7 +92,7 @@ class MedWriter {
 
   /// Collects the MED families of nodes: one for each combination of groups to which a node belongs.
   void collect_node_families() {
-    // For each node, the groups to which it belongs; nodes in no group are not included.
+    // For each node, the MED groups to which it belongs; nodes in no group are not included.
     std::map<VertexIndex, std::vector<std::size_t>> sets_of;
     SolverNames give(name_limit_med);
     const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {

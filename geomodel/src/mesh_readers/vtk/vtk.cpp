@@ -104,7 +104,8 @@ void take_ids(const VtkData& grid, const LowerCells& lower, MeshFile& mesh) {
     break;
   }
   if (mesh.region_array == "MaterialIDs" && !names_of(grid.field_data, "region").empty())
-    for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts regions from 0, the names in the file from 1
+    // OpenGeoSys numbers regions from 0; the ids of region names begin with 1.
+    for (std::int32_t& id : mesh.region) ++id;
 }
 
 void take_point_data(const VtkData& grid, MeshFile& mesh) {

@@ -140,7 +140,7 @@ class PartOfGrid {
     for (const VtkColumn& column : grid_.cell_data.columns) {
       if (column.is_text() || column.name.empty()) continue;
       const bool is_id = column.name == renamed_;
-      // OpenGeoSys counts regions from 0, the names in the file from 1
+      // OpenGeoSys numbers regions from 0; the ids of region names begin with 1
       const int first = is_id && renamed_ == "MaterialIDs" ? 1 : 0;
       const std::vector<std::int32_t> all = integers_of(column);
       std::vector<std::int32_t> values;

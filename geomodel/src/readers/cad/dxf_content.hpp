@@ -32,7 +32,7 @@ struct DxfContent {
 };
 
 struct DxfBlock {
-  Vec3 base;  ///< point of the block that is placed at the position of an INSERT
+  Vec3 base;  ///< point of the DXF block that is placed at the position of an INSERT
   DxfContent content;
 };
 

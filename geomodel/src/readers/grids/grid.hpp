@@ -29,7 +29,7 @@ struct Grid {
 /// A grid of nodes in columns and rows, which may be at any positions.
 struct NodeLattice {
   std::size_t n_columns = 0, n_rows = 0;
-  std::vector<Vec3> nodes;  ///< node at index row * n_columns + column; z is NaN if the node has no height
+  std::vector<Vec3> nodes;  ///< grid node at index row * n_columns + column; z is NaN if it has no height
 };
 
 /// Allocates the heights of a grid and sets all to NaN. Before, the numbers of columns and rows in the file's header

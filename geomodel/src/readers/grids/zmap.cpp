@@ -76,7 +76,7 @@ std::optional<double> value_of(std::string_view token, const Layout& layout) {
   return value;
 }
 
-/// Reads values that are separated by blanks. Returns false if a token is not a number or is wider than a field.
+/// Reads ZMAP+ values that are separated by blanks. Returns false if a token is not a number or is wider than a field.
 bool by_blanks(std::string_view line, const Layout& layout, std::vector<double>& values) {
   Tokens tokens(line);
   for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {

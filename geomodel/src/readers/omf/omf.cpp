@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::json;
 constexpr std::size_t header_bytes = 60;
-// Largest number of nodes of all flat grids of a file, since flat grids take no space in it.
+// Largest number of nodes of all flat grids of an OMF file, since flat grids take no space in it.
 constexpr std::size_t most_flat_nodes = 100'000'000;
 /// Largest number of bytes of all inflated arrays of an OMF file: a constant, plus a multiple of the file's size. A
 /// limit is needed because an OMF file can refer to one array many times.

@@ -142,7 +142,7 @@ Separation sniff_separation(std::string_view line) {
     if (line.find(delimiter) != std::string_view::npos) {
       const Separation separation{delimiter, false};
       const auto fields = separation.split(line);
-      if (delimiter == '\t' && fields.size() < 3) continue;  // fewer than three fields: tabs only pad the line
+      if (delimiter == '\t' && fields.size() < 3) continue;  // with fewer than three fields, tabs only pad the line
       return {delimiter, has_comma && !all_numbers_have_points(fields)};
     }
   if (!has_comma) return {};

@@ -52,7 +52,7 @@ class TokenStream {
  public:
   explicit TokenStream(const InputFile& file, char comment = '\0') : file_(&file), comment_(comment) {}
   std::string_view next();
-  std::size_t line() const { return line_; }  ///< number of the line in which the last token is
+  std::size_t line() const { return line_; }  ///< number of the line of the token read last
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return file_->size() - at_; }
   [[noreturn]] void fail(const std::string& message) const { file_->fail(line_, message); }
