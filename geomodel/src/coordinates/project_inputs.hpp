@@ -39,8 +39,8 @@ struct ProjectInputs {
 
   /// Adds the faults that pass through a horizon's fault polygons to its throw_at, if the project gives no list.
   void add_throws(ModelRules& rules) const;
-  /// Completes SurfaceRules::field_parts, the record of which triangles of a surface come from which scalar field and
-  /// at which places this is not proven. The places are converted to the coordinates of the model.
+  /// Completes SurfaceRules::field_parts: which triangles of a surface come from which scalar field, and what could not
+  /// be proven about them at which places. The places are converted to the coordinates of the model.
   void complete_field_parts(ModelRules& rules) const;
 };
 

@@ -72,8 +72,7 @@ class ZoneOpener {
 
  private:
   /// Moves the midpoints of curved edges with the walls of fault zones. Edges with both ends on walls become straight,
-  /// like those of the elements between the walls. The midpoint of another curved edge moves by the mean of its ends'
-  /// moves.
+  /// like those of the elements between the walls. Midpoints of others move by the mean of their ends' moves.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {

@@ -25,7 +25,7 @@ struct FoamFace {
   /// Rows of the two cells beside the face; `neighbour` is no_neighbour if the face is on the mesh boundary.
   std::size_t owner, neighbour;
   std::size_t label = no_label;
-  bool flipped = false;  ///< whether the surface's normal points to the owner cell
+  bool flipped = false;  ///< whether the normal of the face's surface points to the owner cell
 };
 
 /// All faces in OpenFOAM's order: inner faces by owner, then by neighbour; boundary faces by label, then by owner.

@@ -13,8 +13,7 @@ namespace geomesh::geomodel {
 
 using Velocities = std::map<std::string, double>;
 
-/// Checks a mesh in a file for use with solvers, sets result.solver, and adds the defect `unfit_for_solvers` on
-/// failure.
+/// Checks a mesh in a file for use with solvers, sets result.solver, and reports a failure as `unfit_for_solvers`.
 void check_for_solvers(const checking::MeshFile& file, const Velocities& velocities, CheckResult& result);
 
 }  // namespace geomesh::geomodel

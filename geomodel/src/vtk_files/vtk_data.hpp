@@ -52,8 +52,7 @@ struct VtkColumn {
   std::vector<std::string> texts;  ///< the texts, if the array is one of texts
 
   bool is_text() const { return type == VtkType::text; }
-  /// Returns number i of the VTK array, counted over all components. Precondition: the array has numbers, and i <
-  /// n_tuples * n_components.
+  /// Returns number i of a VTK array of numbers, of all components. Precondition: i < n_tuples * n_components.
   double number(std::size_t i) const;
   double number(std::size_t tuple, std::size_t component) const { return number(tuple * n_components + component); }
   /// Returns the numbers of all tuples and components of a VTK array as integers. Numbers with a fraction and those

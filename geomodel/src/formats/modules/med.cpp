@@ -120,8 +120,7 @@ class MedWriter {
   }
 
   /// Writes rows of `width` numbers to a MED file in portions, because a copy of all would be as large as the mesh.
-  /// `add(row, list)` appends a row's numbers to `list`; `put(filter, list)` writes the rows that the MED filter
-  /// selects.
+  /// `add(row, list)` appends a row's numbers to `list`; `put(filter, list)` writes the rows selected by the filter.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;

@@ -30,8 +30,7 @@ class VtuLayout {
 
   std::size_t n_cells() const { return first_cell_.back(); }
   std::size_t n_entries() const { return first_entry_.back(); }
-  /// Calls `f(kind, row)` for a cell of the VTU file: its kind (face ...), and its row among the mesh's cells of that
-  /// kind.
+  /// Calls `f(kind, row)` for a cell of the VTU file: its kind (face ...), and its row among the mesh's cells of it.
   template <class F>
   auto visit(std::size_t cell, F&& f) const {
     const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];
