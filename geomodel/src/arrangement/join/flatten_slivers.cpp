@@ -23,7 +23,7 @@ bool is_sliver(const Complex& complex, const Triangle& t, double width) {
   return 2 * area(complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]) < width * longest_side(complex, t);
 }
 
-/// Unmarks in `active` all facets that marked facets connect, through shared vertices, with a facet of `left_alone`.
+/// Unmarks in `active` facets that marked ones connect, through shared vertices, with a facet that could not move.
 void leave_places_of(const std::vector<Index>& left_alone, const Complex& complex, std::vector<std::uint8_t>& active) {
   UnionFind joined(complex.points.size());
   const auto join_corners = [&](Index f) {
@@ -38,7 +38,7 @@ void leave_places_of(const std::vector<Index>& left_alone, const Complex& comple
     if (active[f] && roots.contains(joined.find(complex.facets[f][0]))) active[f] = 0;
 }
 
-/// Merges everything within the distance of marked facets, except immovable ones; nothing if facets would cross anew.
+/// Merges all that is within the merging distance of marked, movable facets; nothing if facets would cross anew.
 SnapOutcome bring_together(Complex& complex, std::vector<std::uint8_t> active, const Joining& joining,
                            const RunContext& context, std::size_t memory_bound) {
   const JoinRule rule =

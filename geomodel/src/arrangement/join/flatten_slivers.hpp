@@ -16,9 +16,9 @@ namespace geomesh::geomodel::arrangement {
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
 
-/// Merges tiny features whose sides are all shorter than the distance, and facets at their corners that are thinner
-/// than it. Surfaces that nearly coincide within a tolerance cross in swarms of such features, with a hundred vertices
-/// or more.
+/// Merges tiny features (facets whose sides are all shorter than the merging distance), and facets at their corners
+/// that are thinner than this distance. Surfaces that nearly coincide within a tolerance cross in swarms of tiny
+/// features, with a hundred vertices or more.
 SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context, std::size_t memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement

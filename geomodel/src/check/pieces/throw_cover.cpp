@@ -16,7 +16,7 @@ namespace {
 constexpr double most_lost = 0.03;    // share of the horizon's area in the volume
 constexpr double places_across = 64;  // number of sampled places across the horizon's extent
 
-/// A surface that is queried along vertical lines.
+/// A triangulated surface with a search structure for vertical lines through it.
 struct Verticals {
   TriangulatedSurface surface;
   BoxTree tree;
@@ -77,7 +77,7 @@ class ThrowCover {
     s.triangles.resize(std::min(s.triangles.size(), checked_.specification().trims[row_].n_given_triangles));
     return s;
   }
-  /// Returns all faults of the input, with the extensions made for this horizon.
+  /// Returns all faults of the input and the triangles that extend them to separate the blocks of this horizon.
   TriangulatedSurface faults() const {
     TriangulatedSurface all;
     const auto add = [&](const std::array<Vec3, 3>& corners) {

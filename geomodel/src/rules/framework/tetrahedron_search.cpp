@@ -15,7 +15,7 @@ namespace {
 /// For each corner, the corners of the opposite face, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
-/// Returns positive if p is on the same side of the face as the opposite corner.
+/// Returns positive if p lies on the same side of a tetrahedron's face as the corner opposite to that face.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
   const auto& [i, j, k] = face_of[opposite];
   return orient3d(t[i], t[j], t[k], p);

@@ -31,7 +31,7 @@ std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b)
 std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lines, const MapBounds& bounds) {
   std::vector<std::vector<Vec2>> kept;
   for (const std::vector<Vec2>& line : lines) {
-    bool joins = false;  // whether the next segment begins at the end of the last one that was kept
+    bool joins = false;  // whether the next segment of the line continues the last kept one
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto piece = cut_off(line[i - 1], line[i], bounds);
       if (!piece) {
@@ -148,7 +148,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges points that constraint lines put closer than `least`, and triangulates again until there are none.
+/// Merges points closer than `least` because of constraint lines, and triangulates again until no such points are left.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   for (;;) {
     const std::vector<VertexIndex> row = merged_rows(t, bounds, least);

@@ -16,8 +16,8 @@ constexpr double least_squares = 2;         // least area of an island, as a mul
 constexpr double kept_however_small = 3;
 constexpr double line_piece = 0.7;  // of the size
 
-/// Averages each horizon's height over evenly spaced places of one cell. If some horizon is absent at each place, the
-/// heights at the cell's centre are used.
+/// Averages each horizon's height over evenly spaced places of one raster cell. If some horizon is absent at each
+/// place, the heights at the cell's centre are used.
 void average_places(const MapSamples& samples, const MapRaster& like, std::size_t cell, std::vector<MapRaster>& means) {
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);
@@ -34,7 +34,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns each horizon's mean height over the samples in each cell, or over evenly spaced places if there are few.
+/// Returns each horizon's mean height over the samples in a raster cell, or over evenly spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);
@@ -43,7 +43,7 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const std::size_t cell = like.cell_of(samples.place(s));
     const std::span<const double> heights = samples.heights(s);
-    // Uses only samples with all horizons, so that the means of neighbours represent the same places.
+    // Samples at which a horizon is absent are left out, so that the means of all horizons represent the same places.
     const bool complete = std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); });
     if (!complete) continue;
     for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
@@ -89,7 +89,7 @@ void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   }
 }
 
-/// Reverses the sign of connected groups of cells that are too small to be kept; returns their number.
+/// Reverses the sign of groups of raster cells (thin areas, or openings) too small to be kept; returns their number.
 std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
   const double cell = excess.step * excess.step, least = least_squares * options.size * options.size;
   const auto turn = [&](bool below, auto&& stays) {
