@@ -13,10 +13,10 @@ struct ClosedPockets {
 };
 
 /// A thin void is a closed space whose walls are proven to be within the distance of each other. One of its two walls
-/// is removed, and the other becomes part of the surfaces of both. If a surface then remains only on a narrow part
-/// where it ends, it is removed from that part. Nothing new can cross, because facets are removed and none moves. Voids
-/// are kept if a wall is a side of the volume (surfaces from the row `first_side` on), if something else is attached to
-/// the wall, or if no part of one surface is about half of the area. `parts` as in ArrangementOptions. Precondition:
+/// is removed, and the other becomes part of the surfaces of both. Nothing new can cross, because facets are removed and
+/// none moves. Voids are kept if a wall is a side of the volume (surfaces from the row `first_side` on), if something
+/// else is attached to the wall, or if no part of one surface is about half of the area. A surface that then ends on a
+/// narrow strip between two voids dangles there (cut_dangling_faces). `parts` as in ArrangementOptions. Precondition:
 /// facets meet in shared vertices and edges only. Unused points may be left. O(n log n) for voids of few facets.
 ClosedPockets close_pockets(Complex& complex, double distance, Index first_side,
                             const std::vector<std::vector<Index>>& parts = {});
