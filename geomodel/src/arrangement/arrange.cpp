@@ -41,9 +41,6 @@ double mending_distance(const Complex& complex, unsigned round) {
 /// Surfaces that nearly coincide are a few ulps apart.
 constexpr double joining_ulps = 32;
 
-/// Facets with all sides below this share of the tolerance are no features of a model.
-constexpr double speck_of_tolerance = 1e-6;
-
 void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
   const ClosedPockets closed =
@@ -260,7 +257,7 @@ class Arrangement {
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
-    if (options_.tolerance > 0) flatten(complex);
+    if (options_.tolerance > 0) book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
     book_lost_parts(complex);
     if (options_.tolerance > 0) close_thin_pockets(complex, options_, surfaces_, result_.merging);
     mend_surfaces(complex, options_.tolerance, joining_.distance, result_, book_.vanished);
@@ -295,13 +292,6 @@ class Arrangement {
   void apply_tolerance(Complex& complex) {
     if (options_.tolerance > 0)
       book_.take(snap_near(complex, all_facets(complex), {options_.tolerance, planes_, MoveToBox::none, join_rule_}));
-  }
-
-  void flatten(Complex& complex) {
-    Joining specks = joining_;
-    specks.distance = std::max(joining_.distance, speck_of_tolerance * options_.tolerance);
-    book_.take(merge_specks(complex, specks, context_, result_.memory_bound));
-    book_.take(flatten_slivers(complex, joining_, context_, result_.memory_bound));
   }
 
   /// Records the movement of parts that have vanished since the last call.

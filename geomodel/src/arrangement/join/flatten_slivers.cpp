@@ -68,17 +68,4 @@ SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunC
   return bring_together(complex, std::move(active), joining, context, memory_bound);
 }
 
-SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context,
-                         std::size_t memory_bound) {
-  std::vector<std::uint8_t> is_of_speck(complex.points.size(), 0), active;
-  for (const Triangle& t : complex.facets)
-    if (longest_side(complex, t) < joining.distance)
-      for (const VertexIndex v : t) is_of_speck[v] = 1;
-  for (const Triangle& t : complex.facets) {
-    const bool has_speck = std::ranges::any_of(t, [&](VertexIndex v) { return is_of_speck[v] != 0; });
-    active.push_back(has_speck && is_sliver(complex, t, joining.distance));
-  }
-  return bring_together(complex, std::move(active), joining, context, memory_bound);
-}
-
 }  // namespace geomesh::geomodel::arrangement

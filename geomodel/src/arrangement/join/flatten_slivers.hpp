@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removes facets as thin as rounding, and facets far smaller than the tolerance.
+/// Removes facets as thin as rounding.
 #pragma once
 
 #include "arrangement/join/join_surfaces.hpp"
@@ -14,9 +14,5 @@ namespace geomesh::geomodel::arrangement {
 /// Precondition: nothing meets. Cost: that of snap_near, a few times, and of the contacts of the changed facets.
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
-
-/// Merges tiny features, whose sides are all shorter than the distance, and facets thinner than it at their corners.
-/// Surfaces that nearly coincide within a tolerance cross in swarms of such features, with a hundred vertices or more.
-SnapOutcome merge_specks(Complex& complex, const Joining& joining, const RunContext& context, std::size_t memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement
