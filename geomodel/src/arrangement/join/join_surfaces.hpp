@@ -21,8 +21,7 @@ struct Joining {
 
 /// Surfaces that still cross once they are rounded nearly coincide somewhere. They are merged wherever they are within
 /// the distance. If they were mended at the crossings alone, voids and gaps as thin as rounding would remain between
-/// them. Sides of a box keep their planes. Returns nothing if nothing was near enough, or if facets could not be moved
-/// because they would end beside their neighbours; the complex is then unchanged. Cost: that of snap_near.
+/// them. Sides of a box keep their planes. Returns nothing if nothing was near enough. Cost: that of snap_near.
 std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const Contacts& contacts,
                                                         const Joining& joining);
 

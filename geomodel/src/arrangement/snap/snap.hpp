@@ -29,8 +29,6 @@ struct SnapOptions {
 
 struct SnapOutcome {
   std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
-  /// Facets near vertices that must not be split at them: their edges are kept whole; rows as before.
-  std::vector<Index> facets_left_alone;
   std::vector<VanishedFacet> vanished;
   Displacement moved;  ///< movement of merged vertices, and of edges and facets at inserted vertices
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
