@@ -278,15 +278,12 @@ class Arrangement {
     end_continuations(clip, options_);
     add(cut_by_bodies(clip, ingested_.complex, ingested_, bounds_, crosses_itself), result_.merging.displacement);
     context_.check_cancelled();
-    return take(round_to_doubles(arranged, ingested_.complex,
-                                 {.snap = first_rounding_, .box = planes_, .onto_sides_alone = true}));
+    return take(round_to_doubles(arranged, ingested_.complex, {first_rounding_, planes_}));
   }
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_, result_.memory_bound);
-    RoundingOptions rounding{0, planes_};
-    rounding.snap = mending_distance(complex, round);
-    return take(round_to_doubles(arranged, complex, rounding));
+    return take(round_to_doubles(arranged, complex, {mending_distance(complex, round), planes_}));
   }
 
   void apply_tolerance(Complex& complex) {
