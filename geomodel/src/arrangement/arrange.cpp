@@ -33,13 +33,10 @@ void check_box(const Box3& box) {
 }
 
 /// Snapping distance of a mending round. Overlaps that remain are a few ulps thin, so new points snap to old ones
-/// nearby, from farther away in each round.
-double mending_distance(const Complex& complex, unsigned round) {
-  return unit_in_the_last_place(complex) * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
+/// nearby, from farther away in each round. Surfaces that nearly coincide are merged within the distance of the first.
+double mending_distance(double ulp, unsigned round) {
+  return ulp * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
-
-/// Surfaces that nearly coincide are a few ulps apart.
-constexpr double joining_ulps = 32;
 
 void close_thin_pockets(Complex& complex, const ArrangementOptions& options, const SurfaceList& surfaces,
                         ArrangementResult::Merging& merging) {
@@ -181,7 +178,8 @@ constexpr unsigned most_snaps = 6;  // in one round
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
                             const std::optional<Box3>& bounds) {
   if (contacts.empty()) return {};
-  return snap_near(complex, marks_of(contacts, complex), {mending_distance(complex, round), bounds});
+  return snap_near(complex, marks_of(contacts, complex),
+                   {mending_distance(unit_in_the_last_place(complex), round), bounds});
 }
 
 /// Limits on the size of the soup: if it grows beyond them while it is mended, mending will not terminate.
@@ -219,7 +217,7 @@ class Arrangement {
     ingested_ = ingest(surfaces_, polylines, points, bounds_);
     first_rounding_ = unit_in_the_last_place(ingested_.complex);
     planes_ = planes_of(result_.box_sides, bounds_);
-    joining_ = {joining_ulps * first_rounding_, planes_, surfaces.size(), !options.box};
+    joining_ = {mending_distance(first_rounding_, 1), planes_, surfaces.size(), !options.box};
     result_.memory_bound = options.max_memory > 0 ? options.max_memory : default_memory_bound();
     result_.warnings = std::move(ingested_.warnings);
     result_.area_clipped_by_bodies.assign(surfaces.size(), 0);
@@ -283,7 +281,8 @@ class Arrangement {
 
   Complex round_again(const Complex& complex, const Contacts& contacts, unsigned round) {
     const Arranged arranged = arrange_round(complex, contacts, context_, result_.memory_bound);
-    return take(round_to_doubles(arranged, complex, {mending_distance(complex, round), planes_}));
+    return take(
+        round_to_doubles(arranged, complex, {mending_distance(unit_in_the_last_place(complex), round), planes_}));
   }
 
   void apply_tolerance(Complex& complex) {
