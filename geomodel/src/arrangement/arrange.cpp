@@ -182,23 +182,20 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
                    {mending_distance(unit_in_the_last_place(complex), round), bounds});
 }
 
-/// Limits on the size of the soup: if it grows beyond them while it is mended, mending will not terminate.
+/// Bounds the number of contacts: if it grows while they are mended, mending will not terminate.
 class MendingBounds {
  public:
-  MendingBounds(const Complex& complex, const Contacts& contacts, unsigned most_rounds)
-      : most_facets_(4 * complex.facets.size() + 1000),
-        fewest_contacts_(contacts.facets.size()),
-        most_rounds_(most_rounds) {}
-  bool grows(const Complex& complex) const { return complex.facets.size() > most_facets_; }
+  MendingBounds(const Contacts& contacts, unsigned most_rounds)
+      : fewest_contacts_(contacts.facets.size()), most_rounds_(most_rounds) {}
   /// Returns whether the state after a round shows that rounding does not converge.
-  bool has_no_end(unsigned round, const Complex& complex, const Contacts& contacts) {
+  bool has_no_end(unsigned round, const Contacts& contacts) {
     const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
     fewest_contacts_ = std::min(fewest_contacts_, n);
-    return round > most_rounds_ || grows(complex) || n > most;
+    return round > most_rounds_ || n > most;
   }
 
  private:
-  std::size_t most_facets_, fewest_contacts_;
+  std::size_t fewest_contacts_;
   unsigned most_rounds_;
 };
 
@@ -234,7 +231,7 @@ class Arrangement {
     log_round(context_, 0, ingested_.complex, contacts);
     Complex complex = first_round(contacts);
     apply_tolerance(complex);
-    MendingBounds bounds(complex, contacts, options_.max_rounding_rounds);
+    MendingBounds bounds(contacts, options_.max_rounding_rounds);
     for (unsigned round = 1;; ++round) {
       contacts = find_contacts(complex, context_, result_.memory_bound);
       if (contacts.empty()) break;
@@ -244,14 +241,14 @@ class Arrangement {
         book_.take(*joined);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
-      for (unsigned k = 0; k < most_snaps && !bounds.grows(complex); ++k) {
+      for (unsigned k = 0; k < most_snaps; ++k) {
         const SnapOutcome outcome = snap_what_meets(complex, contacts, round, planes_);
         if (!outcome.changed()) break;
         book_.take(outcome);
         contacts = find_contacts(complex, context_, result_.memory_bound);
       }
       if (contacts.empty()) break;
-      if (bounds.has_no_end(round, complex, contacts)) refuse(surfaces_, complex, contacts);
+      if (bounds.has_no_end(round, contacts)) refuse(surfaces_, complex, contacts);
       complex = round_again(complex, contacts, round);
       apply_tolerance(complex);
     }
