@@ -39,7 +39,7 @@ std::vector<std::string> file_lines(const std::vector<std::filesystem::path>& fi
   return lines;
 }
 
-/// Colours the two verdicts: green if nothing is wrong, else yellow. Other lines are unchanged.
+/// Colours the two verdicts about model and mesh: green if nothing is wrong, else yellow. Other lines are unchanged.
 std::string verdict_painted(const std::string& text) {
   const Colours colours = Colours::of(STDOUT_FILENO);
   if (text.find(" about the model") != std::string::npos) {
@@ -51,7 +51,7 @@ std::string verdict_painted(const std::string& text) {
                                                                                : colours.good(text);
 }
 
-/// Prints how to view the result: the page in a browser, else a picture.
+/// Prints how to view the result: the page for a browser, and the command that draws a picture.
 void tell_how_to_look(const std::vector<std::filesystem::path>& files) {
   const auto named = [&](const char* end) {
     return std::find_if(files.begin(), files.end(), [&](const auto& file) { return file.string().ends_with(end); });
@@ -75,7 +75,7 @@ void print_result(const geomodel::JobResult& result, Verbosity verbosity) {
   tell_how_to_look(result.files);
 }
 
-/// Writes the report of the commands that only read.
+/// Writes the report of a command that only reads files (check, info), if one is requested.
 void write_report(const std::optional<std::filesystem::path>& file, const std::string& text) {
   if (!file) return;
   const SignalsHeldBack held;

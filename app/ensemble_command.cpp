@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Prints which package is missing in words that a user understands.
+/// Python code that starts the package. If a package is missing, it prints which one in words that a user understands.
 const char* const start = R"(import sys
 try:
     from geomesh import _geomodel
@@ -29,7 +29,7 @@ fs::path this_program() {
   return fs::read_symlink("/proc/self/exe", error);
 }
 
-/// Puts the package of the build folder that contains this program first; an installed one is found without help.
+/// Puts the Python package of a build folder first on Python's path, if this program is in one.
 void set_python_path(const fs::path& program) {
   const fs::path built = program.parent_path().parent_path() / "python";
   std::error_code error;
@@ -39,8 +39,7 @@ void set_python_path(const fs::path& program) {
   setenv("PYTHONPATH", path.c_str(), 1);
 }
 
-/// Returns GEOMESH_PYTHON, else the system's Python, which has the distribution's packages, else the first one on the
-/// path.
+/// Returns GEOMESH_PYTHON, else the system's Python, which has the distribution's packages, else the first on the path.
 std::string python() {
   const char* const given = std::getenv("GEOMESH_PYTHON");
   if (given && *given) return given;
@@ -52,7 +51,7 @@ std::string python() {
 void run_ensemble(const EnsembleCommand& command) {
   const fs::path program = this_program();
   set_python_path(program);
-  setenv("GEOMESH_PROGRAM", program.c_str(), 1);  // program that scripts of a batch system call
+  setenv("GEOMESH_PROGRAM", program.c_str(), 1);  // the program that scripts of a batch system call
   std::vector<std::string> words{python(), "-c", start};
   words.insert(words.end(), command.arguments.begin(), command.arguments.end());
   std::vector<char*> arguments;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh ensemble`: starts the Python package geomesh, each of whose processes meshes many realisations.
+/// `geomesh ensemble`: starts the Python package geomesh, which meshes many realisations in each of its processes.
 #pragma once
 
 #include "options.hpp"

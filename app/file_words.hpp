@@ -12,8 +12,7 @@ namespace geomesh::app {
 /// contain written as %XX (RFC 3986).
 std::string file_address(const std::filesystem::path& file);
 
-/// Returns the name as it is typed in a shell: in single quotes if it contains more than letters, digits and
-/// ._-/+=:,@%.
+/// Returns a file's name as typed in a shell: quoted if it has other characters than letters, digits and ._-/+=:,@%.
 std::string shell_word(const std::filesystem::path& file);
 
 }  // namespace geomesh::app

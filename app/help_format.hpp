@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Help in plain words. CLI11's own would be: "ENUM:value in {cut->1,elements->2} OR {1,2}".
+/// Help texts in plain words. CLI11's own would contain, for example, "ENUM:value in {cut->1,elements->2} OR {1,2}".
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,8 +9,8 @@
 
 namespace geomesh::app {
 
-/// Returns "a|b|c" for CLI11's "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}"; "N" and "X" for numbers, nothing
-/// for words.
+/// Returns a type of CLI11 in plain words: "a|b|c" for "TEXT:{a,b,c}" or "ENUM:value in {a->0,b->1} OR {0,1}", "N" and
+/// "X" for numbers, nothing for words.
 inline std::string plain_type(const std::string& type) {
   constexpr std::size_t longest = 60;
   const std::size_t open = type.find('{'), close = type.find('}');

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t huge_page = std::size_t{1} << 21;
 
 #ifdef __GLIBC__
-/// Blocks of at least a huge page are mapped separately. The heap of small blocks is not trimmed repeatedly.
+/// Lets glibc map blocks of at least a huge page separately, and not trim the heap of small blocks repeatedly.
 [[maybe_unused]] const bool is_set = [] {
   constexpr int least_mapped = huge_page, heap_step = 4 << 20, heap_kept = 64 << 20;
   mallopt(M_MMAP_THRESHOLD, least_mapped);
@@ -35,12 +35,13 @@ constexpr std::size_t huge_page = std::size_t{1} << 21;
 }();
 #endif
 
-/// Returns null if there is no memory. The result is passed to free().
+/// Allocates a block that is to be freed by free(). Returns null if there is no memory.
 void* allocate(std::size_t bytes) {
   if (bytes < huge_page) return std::malloc(bytes);
   void* block = nullptr;
   if (posix_memalign(&block, huge_page, bytes) != 0) return nullptr;
-  madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);  // only advice: if it fails, pages are small
+  // the kernel may ignore this advice; pages are small then
+  madvise(block, bytes / huge_page * huge_page, MADV_HUGEPAGE);
   return block;
 }
 

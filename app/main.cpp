@@ -21,8 +21,8 @@ int report_error(const std::string& kind, const char* text, int status) {
   return status;
 }
 
-/// If the caller closed a standard stream, the next opened file would get its number, and messages would be written to
-/// that file.
+/// Opens /dev/null in place of standard streams that the caller closed. Otherwise the next opened file would get the
+/// number of such a stream, and messages would be written to that file.
 void occupy_standard_streams() {
   for (int descriptor = open("/dev/null", O_RDWR); descriptor >= 0; descriptor = dup(descriptor)) {
     if (descriptor <= STDERR_FILENO) continue;

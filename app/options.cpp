@@ -35,7 +35,6 @@ Exit status: 0 done, 1 a bug of geomesh, 2 command line or project file, 3 bad i
 4 cannot be meshed as asked, 130 and 143 interrupted. An output file is complete or absent.
 )";
 
-/// Options that every command has.
 struct Common {
   unsigned threads = 0;
   bool quiet = false, verbose = false, json_progress = false;
@@ -115,7 +114,7 @@ void check_stage(const std::string& stage) {
               joined(names));
 }
 
-/// Rejects the first word that looks like an option and is not one of the command's.
+/// Throws Error{usage} for the first word that looks like an option and is not an option of the command.
 void check_option_names(const CLI::App& app) {
   for (const std::string& word : app.remaining()) {
     if (word.size() < 2 || word[0] != '-') continue;
@@ -128,8 +127,7 @@ void check_option_names(const CLI::App& app) {
   }
 }
 
-/// Runs CLI11 and converts its exceptions to those of geomesh; returns true if help was requested (its text is then in
-/// `help`).
+/// Runs CLI11 with the errors of geomesh. Returns true if help was requested (its text is then in `help`).
 bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) {
   use_plain_help(app);
   try {
@@ -139,7 +137,7 @@ bool parse(CLI::App& app, int argc, const char* const* argv, std::string& help) 
     help = app.help();
     return true;
   } catch (const CLI::ParseError& error) {
-    // Called first: the value of a misspelt option would be taken for a file, or a required value would be missing.
+    // Misspelt options are reported first, because they cause other errors, such as values taken for files.
     check_option_names(app);
     usage_error(std::string(error.what()) + "\nSee " + app.get_name() + " --help");
   }
@@ -370,7 +368,7 @@ CommandLine parse_init(int argc, const char* const* argv) {
   return line;
 }
 
-/// The first word that is neither an option nor an option's value is the input.
+/// Parses `geomesh picture`. The first word that is neither an option nor an option's value is the input.
 CommandLine parse_picture(int argc, const char* const* argv) {
   PictureCommand command;
   for (int i = 1; i < argc; ++i) {
@@ -430,7 +428,7 @@ CommandLine parse_ensemble(int argc, const char* const* argv) {
 
 using Commands = std::map<std::string, std::function<CommandLine(int, const char* const*)>>;
 
-/// The first word is a project, unless it resembles a command and is not a file.
+/// Throws Error{usage} if the first word resembles a command and is not a file; otherwise it is taken for a project.
 void check_is_no_misspelt_command(const std::string& word, const Commands& commands) {
   std::vector<std::string_view> names;
   for (const auto& [name, parse] : commands) names.push_back(name);

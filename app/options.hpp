@@ -28,7 +28,7 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false, solver = false;
-  double within = -1;        ///< negative: the value of the project
+  double within = -1;        ///< negative: the project's tolerance is used
   double displacement = -1;  ///< displacement by rounding; negative: the value that the checker computes
   std::optional<std::filesystem::path> report;
 };
@@ -47,13 +47,14 @@ struct InitCommand {
   std::string template_name;
 };
 
-/// Everything except the input is passed to the drawing program unchanged; without input its help is requested.
+/// The command `geomesh picture`. Everything except the input is passed to the drawing program unchanged; without input
+/// the help of that program is requested.
 struct PictureCommand {
   std::filesystem::path input;
   std::vector<std::string> arguments;
 };
 
-/// A study of many realisations; the arguments are checked, and passed on unchanged.
+/// The command `geomesh ensemble`. Its arguments are checked, and passed to the Python package unchanged.
 struct EnsembleCommand {
   std::vector<std::string> arguments;
 };

@@ -17,7 +17,7 @@ class OutputFlags {
   void add_to(CLI::App& app);
   geomodel::WriteOptions options() const;
   bool tells_order() const { return order_ != 0; }
-  /// Returns the requested format, else that of the output's extension.
+  /// Returns the requested format, or else the format of the output's extension.
   std::string format_of(const std::filesystem::path& output) const;
 
  private:

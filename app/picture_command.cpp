@@ -58,7 +58,7 @@ bool is_on_path(const std::string& name) {
   return false;
 }
 
-/// Returns the command that precedes the drawing program if there is no display.
+/// Returns the command that makes a virtual display for the drawing program; empty if there is a display.
 std::vector<std::string> display_prefix() {
   const char* const display = std::getenv("DISPLAY");
   if (display && *display) return {};
@@ -89,7 +89,7 @@ fs::path mesh_of_project(const fs::path& project, const fs::path& folder, const 
   return geomodel::run_project(request, context).files.front();
 }
 
-/// Throws as the readers do if the mesh, or the faces beside it, are damaged, because VTK alone would crash.
+/// Throws the errors of the readers if the mesh, or the faces beside it, are damaged, because VTK alone would crash.
 void require_sound(const fs::path& mesh) {
   const fs::path faces = mesh.parent_path() / (mesh.stem().string() + ".faces.vtp");
   for (const fs::path& file : {mesh, faces})

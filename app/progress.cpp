@@ -31,7 +31,7 @@ std::string json_string(std::string_view text) {
   return quoted + "\"";
 }
 
-/// Returns the name of the step to which a stage belongs for a geologist. Empty: the stage is a step of its own.
+/// Returns the name of the step to which a stage belongs in the view of users; empty if the stage is a step of its own.
 std::string_view step_of(std::string_view stage) {
   return stage == "delaunay" || stage == "recover" || stage == "classify" ? "mesh" : "";
 }
@@ -67,7 +67,7 @@ std::string count_words(std::size_t n) {
 Progress::~Progress() {
   stop_ticker();
   finish_line();
-  tell_warnings();  // when an error has ended the run
+  tell_warnings();  // prints warnings if an error has ended the run
 }
 
 void Progress::stop_ticker() {
@@ -92,7 +92,7 @@ void Progress::attach(RunContext& context) {
   }
 }
 
-/// Redraws, so that stages which report nothing for a while are seen to run.
+/// Redraws the line of the running stage every second, so that a stage that reports nothing for a while is seen to run.
 void Progress::tick() {
   std::unique_lock lock(mutex_);
   while (!ends_.wait_for(lock, tick_interval, [&] { return ended_; }))
@@ -105,7 +105,7 @@ void Progress::clear_line() const {
 
 double Progress::seconds_spent() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-/// Returns a negative number if it is not known.
+/// Returns the estimated time until the end of the stage; negative if it is not known.
 double Progress::seconds_left() const {
   const double spent = std::chrono::duration<double>(Clock::now() - counted_since_).count();
   if (total_ == 0 || done_ > total_ || done_ <= first_done_ || spent < seconds_until_rate) return -1;
@@ -168,7 +168,7 @@ void Progress::on_progress(std::size_t done, std::size_t total) {
   if (Clock::now() - last_drawn_ >= redraw_interval) draw();
 }
 
-/// The unit is percent for all stages. Progress in few rounds does not measure time and is not displayed.
+/// Draws the line of the running stage, with its percentage unless it has few rounds, which do not measure time.
 void Progress::draw() {
   constexpr std::size_t few = 20;
   last_drawn_ = Clock::now();

@@ -22,12 +22,12 @@ namespace geomesh::app {
 
 enum class Verbosity { quiet, normal, verbose };
 enum class ProgressStyle {
-  lines,     ///< finished stages alone
-  terminal,  ///< also the running line, in place
-  json,      ///< objects with `event`: stage, progress, log
+  lines,     ///< only finished stages are printed
+  terminal,  ///< the line of the running stage is also redrawn in place
+  json,      ///< JSON objects whose `event` is stage, progress or log
 };
 
-/// Prints to standard error. Must exist as long as the context made by `attach` is used.
+/// Prints progress and messages to standard error. Must exist as long as the context made by `attach` is used.
 class Progress {
  public:
   Progress(Verbosity verbosity, ProgressStyle style, Colours colours)
@@ -36,9 +36,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   void attach(RunContext& context);
-  /// Prints the collected warnings with their number, grouped by causes: the first of each of the first ten. It is
-  /// called after the result has been printed, so that they come last; if an error has ended the run, they are printed
-  /// when the object is destroyed. With --verbose, and for programs, warnings are printed immediately.
+  /// Prints the collected warnings with their number, grouped by causes: the first warning of each of the first ten
+  /// causes. It is called after the result has been printed, so that warnings come last; if an error has ended the run,
+  /// they are printed when the object is destroyed. With --verbose, and for programs, warnings are printed immediately.
   void tell_warnings();
 
  private:

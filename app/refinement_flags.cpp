@@ -8,7 +8,7 @@ namespace geomesh::app {
 
 namespace {
 
-/// CLI's own validators would say "not in range 0.00000 to 17976931348...".
+/// Checks that a text is a length. CLI11's own validators would say "not in range 0.00000 to 17976931348...".
 std::string is_length(const std::string& text) {
   double value = 0;
   const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -15,7 +15,7 @@ namespace geomesh::app {
 class RefinementFlags {
  public:
   void add_to(CLI::App& app);
-  /// Any option except those for cell arrays and limits turns refinement on.
+  /// Returns the settings for refinement. Any option except those for cell arrays and limits turns refinement on.
   geomodel::RefinementSettings settings() const;
 
  private:

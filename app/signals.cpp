@@ -14,8 +14,8 @@ std::atomic<int> received{0};
 /// Returns the exit status that shells use for a program ended by a signal.
 int status_of(int number) { return 128 + number; }
 
-/// Some steps check the token rarely: libraries, and loops over one large surface. A user who has requested an end does
-/// not wait longer than this.
+/// Time after which the program ends even if the cancel token was not checked. Some steps check the token rarely:
+/// libraries, and loops over one large surface.
 constexpr unsigned seconds_to_end = 1;
 
 extern "C" void on_signal(int number) {
@@ -27,7 +27,7 @@ extern "C" void on_signal(int number) {
   alarm(seconds_to_end);
 }
 
-/// Complete files already have their names; only the file being written is removed.
+/// Ends the program. Complete files already have their names; only the file being written is removed.
 extern "C" void on_alarm(int) {
   geomodel::remove_files_being_written();
   constexpr char text[] = "\ninterrupted: nothing more was written\n";

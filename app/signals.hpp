@@ -12,13 +12,13 @@ namespace geomesh::app {
 
 void install_signal_handlers();
 
-/// Set by the first signal; for RunContext::cancel.
+/// Returns the token for RunContext::cancel, which the first signal sets.
 const std::atomic<bool>& cancel_token();
 
-/// From now on the first signal ends the program.
+/// After this call the first signal, instead of the second, ends the program at once.
 void leave_at_once_when_signalled();
 
-/// Returns 130 or 143 after a signal was received.
+/// Returns the exit status after a signal was received: 130 or 143.
 int status_of_signal();
 
 /// Blocks signals while it exists, for writing a file that must be complete or absent.

@@ -21,6 +21,7 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
 TYPE = re.compile(r"(?:typedef .*?|using |(?:struct|class|union|enum class|enum|concept) +(?:alignas\(.*?\) *)?)(\w+)(?: final)? *(?:$|=|:[^:])", re.S)
 TOP = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 FOLDERS = [os.path.join(TOP, part, kind) for part in ("core", "geomodel") for kind in ("src", "include")]
+FOLDERS += [os.path.join(TOP, "tests", part, "support") for part in ("core", "geomodel")]
 
 
 def end_of(text, at, opening, closing):

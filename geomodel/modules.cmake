@@ -50,8 +50,9 @@ else()
 endif()
 if(GEOMESH_NETCDF_FOUND AND GEOMESH_HDF5_FOUND)  # whoever has netCDF has HDF5, on which it is built
   file(GLOB exodus_sources CONFIGURE_DEPENDS src/formats/exodus/*.cpp)
-  geomesh_module(exodus ${exodus_sources} src/mesh_readers/exodus.cpp src/mesh_readers/netcdf/netcdf_reader.cpp
-                 src/mesh_readers/netcdf/hdf5_groups.cpp plugins/netcdf_grids.cpp)
+  geomesh_group_sources(exodus_compiled ${exodus_sources} src/mesh_readers/exodus.cpp src/mesh_readers/netcdf/netcdf_reader.cpp
+                        src/mesh_readers/netcdf/hdf5_groups.cpp plugins/netcdf_grids.cpp)
+  geomesh_module(exodus ${exodus_compiled})
   target_link_libraries(geomesh-exodus PRIVATE geomesh_geomodel PkgConfig::GEOMESH_NETCDF PkgConfig::GEOMESH_HDF5)
 else()
   geomesh_module_left_out(exodus libnetcdf-dev "Exodus, grids in netCDF and HDF5")

@@ -55,7 +55,7 @@ class Packer {
   Bytes bytes_;
 };
 
-/// Throws InternalError if bytes are missing.
+/// Reads values from bytes. Throws InternalError if bytes are missing.
 class Unpacker {
  public:
   static constexpr bool is_reading = true;

@@ -30,7 +30,7 @@ inline Triangle face_at(const Tetrahedron& t, unsigned i) {
   return {t[face_vertices[i][0]], t[face_vertices[i][1]], t[face_vertices[i][2]]};
 }
 
-/// Points are the same if their coordinates are equal, bit by bit except for the sign of zero.
+/// Hash of a point. Points are the same if their coordinates are equal, bit by bit except for the sign of zero.
 struct PlaceHash {
   std::size_t operator()(const Vec3& p) const {
     std::uint64_t h = 0;
@@ -45,7 +45,6 @@ struct PlaceHash {
 template <class T>
 using ByPlace = std::unordered_map<Vec3, T, PlaceHash>;
 
-/// Orders places by their coordinates.
 inline bool is_before(const Vec3& a, const Vec3& b) {
   if (a.x != b.x) return a.x < b.x;
   return a.y != b.y ? a.y < b.y : a.z < b.z;

@@ -15,8 +15,8 @@ namespace {
 
 using geomodel::Neighbours;
 
-/// Number of elements of size one in a unit volume, which is 30 % more than those of regular shape would be, as meshing
-/// gives; and number of regular triangles of size one in a unit area.
+/// Number of elements of size one that meshing makes in a unit volume, 30 % more than regular tetrahedra would be; and
+/// number of regular triangles of size one in a unit area.
 constexpr double elements_a_cube = 11, faces_a_square = 2.3;
 
 double cube(double x) { return x * x * x; }
@@ -41,7 +41,7 @@ class Divider {
   bool is_constrained(std::size_t t, unsigned i) const {
     return std::binary_search(constrained_.begin(), constrained_.end(), face(t, i));
   }
-  /// Returns the number of elements in a tetrahedron by the sizes at its corners and its centre.
+  /// Estimates how many elements refinement makes in a tetrahedron from the target sizes at its corners and centre.
   double elements(std::size_t t) const {
     const Vec3 middle = 0.25 * ((point(t, 0) + point(t, 1)) + (point(t, 2) + point(t, 3)));
     double density = 0.5 / cube(model_.size.at(middle, model_.component[t]));
@@ -51,7 +51,7 @@ class Divider {
   }
   double faces(std::size_t t, unsigned i) const {
     if (is_constrained(t, i)) return 0;
-    const Corners at = face(t, i);  // equal from both sides, to the last bit
+    const Corners at = face(t, i);  // the same order from both sides, so that results are equal to the last bit
     const Vec3 &a = model_.mesh.points[at[0]], &b = model_.mesh.points[at[1]], &c = model_.mesh.points[at[2]];
     const Vec3 n = cross(b - a, c - a);
     const double h = model_.size.at((1.0 / 3) * (a + b + c), model_.component[t]);
@@ -68,8 +68,7 @@ class Divider {
     }
     return weights;
   }
-  /// Moves a tetrahedron that protrudes from its part to the neighbouring part, because no element would fit into its
-  /// wedge.
+  /// Moves a tetrahedron that protrudes from its part to the neighbouring part, as no element would fit its wedge.
   void smooth() {
     constexpr unsigned rounds = 4;
     for (unsigned round = 0; round < rounds; ++round)

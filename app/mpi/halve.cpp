@@ -33,11 +33,10 @@ class Middles {
   std::vector<Edge> edges_;
 };
 
-/// The octahedron between the midpoints is divided around its shortest diagonal. Midpoints are listed by edge in the
-/// order of the pairs below.
+/// The octahedron between the six midpoints of a tetrahedron's edges is divided around its shortest diagonal. Midpoints
+/// are listed by edge in the order of the pairs below.
 constexpr std::array<std::array<unsigned, 2>, 6> pairs{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-/// A diagonal of the octahedron (from the midpoint of one edge to that of the opposite edge), and the ring of midpoints
-/// around it.
+/// A diagonal of the octahedron, between the midpoints of two opposite edges, and the ring of midpoints around it.
 struct Diagonal {
   unsigned from, to;
   std::array<unsigned, 4> ring;

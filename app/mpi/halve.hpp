@@ -11,10 +11,10 @@
 
 namespace geomesh::app {
 
-/// O(n log n). Throws Error{cannot_mesh} if a tetrahedron is so flat that rounding inverts a piece.
+/// Divides each tetrahedron into eight. O(n log n). Throws Error{cannot_mesh} if rounding inverts a piece.
 void halve_tetrahedra(std::vector<Vec3>& points, std::vector<Tetrahedron>& tetrahedra, std::vector<Index>& component);
 
-/// Divides faces and edges of curves; tetrahedra are not changed. Points are appended.
+/// Divides the faces of a model into four and edges of curves into two, but no tetrahedra. Points are appended.
 void halve_surfaces(geomodel::ModelMesh& mesh);
 
 }  // namespace geomesh::app

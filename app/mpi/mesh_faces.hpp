@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The faces of a part, by whether two of its tetrahedra share them or only one has them.
+/// Finds the inner faces of a part, which two of its tetrahedra share, and the open faces, which only one has.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct InnerFace {
   std::array<Index, 2> cells;
 };
 
-/// O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
+/// Inner and open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
 struct MeshFaces {
   enum class Which { all, at_border };
   /// `at_border` restricts the search to faces whose corners may all be on the outside, if the mesh has this
@@ -41,16 +41,16 @@ struct MeshFaces {
  private:
   /// One use of a face by a tetrahedron; two uses make an inner face.
   struct Use {
-    std::uint64_t low;  ///< the two smallest corners
+    std::uint64_t low;  ///< two smallest corners of the face
     VertexIndex high;
-    Index code;  ///< four times the cell, plus the face
+    Index code;  ///< index of the cell times four, plus that of the face
     Index other = no_index;
     Index cell() const { return code / 4; }
     Corners corners() const {
       return {static_cast<VertexIndex>(low >> 32), static_cast<VertexIndex>(low & 0xFFFFFFFFu), high};
     }
   };
-  std::vector<Use> uses_;  // uses of inner faces, one for each
+  std::vector<Use> uses_;  // one use of each inner face
 };
 
 }  // namespace geomesh::app

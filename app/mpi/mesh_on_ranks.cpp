@@ -41,7 +41,7 @@ class StagedFiles {
 
   fs::path stem() const { return folder_ / stem_.filename(); }
   void add(const std::vector<fs::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Gives the files their names after all ranks have written. If one has failed, no file is kept, and the rank that
+  /// Gives the files their names after all ranks have written. If a rank has failed, no file is kept, and the rank that
   /// failed throws its error, which ends the others.
   std::vector<fs::path> finish(const std::exception_ptr& failure, const Ranks& ranks) {
     const std::vector<char> failed = ranks.gather_all(static_cast<char>(failure != nullptr));
@@ -56,7 +56,7 @@ class StagedFiles {
     if (ranks.rank() == 0) fs::remove_all(folder_);
     ranks.wait_for_all();
     if (failure) std::rethrow_exception(failure);
-    if (has_failed) ranks.wait_for_all();  // waits until all are ended
+    if (has_failed) ranks.wait_for_all();  // waits until the failed rank has ended all
     return named;
   }
 
@@ -135,7 +135,7 @@ Start start_on_all(const geomodel::Project& project, const fs::path& stem, const
   return start;
 }
 
-/// Returns the error, if any, so that the other ranks can be informed before it is thrown.
+/// Writes the part of this rank. Returns any error, so that the other ranks can be informed before it is thrown.
 std::exception_ptr write_part(const geomodel::Project& project, NumberedPart& numbered, const Ranks& ranks,
                               StagedFiles& files) {
   try {

@@ -19,8 +19,8 @@ struct RanksRequest {
   std::optional<std::filesystem::path> directory;  ///< output directory, which overrides the project's output.directory
 };
 
-/// Meshes and writes; returns lines for a person, on rank 0 only. No file gets its final name before all ranks have
-/// written theirs. Errors of a rank are thrown only there, and the caller must end all ranks.
+/// Makes and writes the mesh of a project. Returns the lines to be printed, on rank 0 only. No file gets its final name
+/// before all ranks have written their files. An error is thrown on its rank only, and the caller must end all ranks.
 std::vector<std::string> mesh_on_ranks(const RanksRequest& request, const Ranks& ranks, const RunContext& context);
 
 }  // namespace geomesh::app

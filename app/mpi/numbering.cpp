@@ -37,7 +37,6 @@ void pass(A& archive, GhostMessage& m) {
   archive(m.cells, m.points);
 }
 
-/// Global numbers of the points and tetrahedra of a rank.
 struct GlobalNumbers {
   std::vector<std::int64_t> of_point, of_cell;
   std::uint64_t n_points = 0, n_cells = 0;  ///< of all ranks
@@ -146,7 +145,7 @@ geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& n
   return out;
 }
 
-/// Returns for each rank the tetrahedra of this one that touch it, in the order of their numbers.
+/// Returns for each other rank the tetrahedra of this rank that touch its part, in the order of their numbers.
 std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mesh, const GlobalNumbers& numbers,
                                      const std::vector<Index>& order, const Ranks& ranks) {
   std::vector<GhostMessage> out(static_cast<std::size_t>(ranks.size()));
@@ -181,7 +180,7 @@ std::vector<Bytes> ghosts_for_others(const RankModel& model, const RankMesh& mes
   return bytes;
 }
 
-/// Appends points and tetrahedra to those of the model, in the order of their numbers.
+/// Builds the part of a rank: appends points and tetrahedra to those of the model, in the order of their numbers.
 class PartBuilder {
  public:
   PartBuilder(const RankModel& model, const RankMesh& mesh, GlobalNumbers numbers, const Ranks& ranks)

@@ -10,16 +10,16 @@
 
 namespace geomesh::app {
 
-/// A part with ghosts. `mesh` contains all points of the model first, followed by the part's own and those of ghosts;
-/// its own tetrahedra, followed by ghosts. Regions, faces and curves are those of the whole model.
+/// A part with ghosts. `mesh` contains all points of the model, followed by the part's own points and those of ghosts,
+/// and the part's own tetrahedra, followed by ghosts. Regions, faces and curves are those of the whole model.
 struct NumberedPart {
   geomodel::ModelMesh mesh;
   geomodel::GivenPart part;
   std::size_t n_own = 0;
 };
 
-/// Assigns numbers: points of the model in their order, followed by those of rank 0, 1 ... which own the points that
-/// they share with higher ranks; tetrahedra by region, and within one by rank.
+/// Assigns global numbers. Points of the model come first in their order, followed by those of rank 0, rank 1 and so
+/// on; a shared point belongs to the lowest of its ranks. Tetrahedra are numbered by region, then by rank.
 NumberedPart number_part(const RankModel& model, const RankMesh& mesh, const MeshFaces& faces, const Ranks& ranks);
 
 }  // namespace geomesh::app

@@ -16,11 +16,10 @@ namespace geomesh::app {
 
 namespace {
 
-/// Edges longer than this multiple of the target size at their midpoint are halved; halves are then not shorter than
-/// its inverse.
+/// Edges longer than this multiple of the target size at their midpoint are halved. Halves are therefore hardly shorter
+/// than the target size divided by this number.
 constexpr double longest_share = 1.4;
 
-/// Halves edges on the border of a part.
 class BorderHalver {
  public:
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
@@ -55,7 +54,7 @@ class BorderHalver {
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of its ends
+    Vec3 low, high;  // positions of the edge's ends
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;
@@ -125,7 +124,7 @@ class BorderHalver {
   const SizeField& size_;
   std::vector<bool> stays_;  // for each point: whether it is a point of the model
   const std::vector<Edge>* kept_ = nullptr;
-  std::vector<std::vector<Index>> cells_at_;  // cells at points of the border
+  std::vector<std::vector<Index>> cells_at_;  // cells at each point of the border
   struct BorderTriangle {
     Triangle corners;
     Index component;
@@ -216,8 +215,9 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
   return mesh;
 }
 
-/// Rank 0 has repaired poor tetrahedra while surfaces could still be moved. These and their neighbours are not refined
-/// again if they are as small as requested, or have only points of the model. Those in `divided` have changed since.
+/// Marks tetrahedra that are not refined again. Rank 0 has repaired poor tetrahedra while surfaces could still be
+/// moved. These and their neighbours are marked if they are as small as requested, or have only points of the model.
+/// Tetrahedra in `divided` have changed since and are not marked.
 void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
   constexpr double poor = 30;       // angle in degrees, close to that which the serial program repairs
   constexpr double as_asked = 1.6;  // largest edge, as a multiple of the target size

@@ -12,16 +12,16 @@
 
 namespace geomesh::app {
 
-/// Points on surfaces and curves, and named ones, which have the same positions in the sparse mesh and in the fine one.
+/// Points on surfaces and curves, and named points. They have the same positions in the sparse and the fine mesh.
 class ModelPoints {
  public:
   static constexpr std::uint32_t none = UINT32_MAX;
 
   explicit ModelPoints(const geomodel::ModelMesh& mesh);
   std::size_t size() const { return rows_.size(); }
-  /// Returns their rows in the sparse mesh, ascending.
+  /// Returns the rows of the model's points in the sparse mesh, ascending.
   const std::vector<VertexIndex>& rows() const { return rows_; }
-  /// Returns the number of the point at a place, or `none`.
+  /// Returns the number of the model's point at a place, or `none`.
   std::uint32_t number_at(const Vec3& place) const {
     const auto found = number_.find(place);
     return found == number_.end() ? none : found->second;
@@ -43,7 +43,7 @@ struct ModelSimplices {
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of curves, sorted and distinct
 
   ModelSimplices(const geomodel::ModelMesh& mesh, const ModelPoints& points);
-  /// Returns no_index if there is no such face.
+  /// Returns the row of the face with these corners, or no_index if there is none.
   Index face_of(const Corners& corners) const;
 };
 
@@ -68,13 +68,12 @@ struct RankMesh {
 };
 
 /// Returns the tetrahedra of the sparse mesh that belong to a rank. Edges on the border to other ranks that are longer
-/// than the target size are halved, the longest first; ties are decided by position. Which edges are halved, and
-/// therefore where points are, follows from each triangle alone, so that the ranks on both sides make the same
-/// triangles without communication. O(n log n) in the triangles. Throws Error{cannot_mesh} if a tetrahedron at the
-/// border becomes too flat.
+/// than the target size are halved, the longest first; ties are decided by position. The halved edges, and so the
+/// points, follow from each triangle alone, so that both ranks make the same triangles without communication. O(n log
+/// n) in the triangles. Throws Error{cannot_mesh} if a tetrahedron at the border becomes too flat.
 RankMesh part_of_rank(const RankModel& model, const std::vector<std::int32_t>& rank_of, std::int32_t rank);
 
-/// Adds the parts of the model that lie in the mesh.
+/// Adds to a part of the mesh the points, edges and faces of the model that lie in it.
 TetrahedraPart with_model(RankMesh mesh, const RankModel& model);
 RankMesh without_model(TetrahedraPart part);
 

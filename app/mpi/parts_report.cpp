@@ -25,8 +25,8 @@ double first_percentile(const PartShapes& shapes) {
   return 0;
 }
 
-/// Combines the verdicts of all ranks, except counts relative to the median time step. Places do not include the row in
-/// a rank.
+/// Combines the verdicts of all ranks, except counts relative to the median time step. Places of elements do not
+/// include their rows, which differ between ranks.
 geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_rank) {
   geomodel::SolverVerdict all;
   for (const geomodel::SolverVerdict& v : by_rank) {
@@ -54,7 +54,8 @@ geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_ra
   return all;
 }
 
-/// The keys are those in the report of one process; those that would need all elements at once are left out.
+/// Returns the predictions for solvers with the same keys as in the report of a single process, without the keys that
+/// would need all elements at once.
 ordered_json solver_json(const PartsReport& report) {
   geomodel::SolverVerdict all = of_all(report.verdicts);
   Box3 box;

@@ -39,7 +39,7 @@ struct PartsReport {
   const SparseModel& model;
   const SparseRun& run;
   const VerifiedParts& verified;
-  const geomodel::ModelMesh& numbered;  ///< with counts and volumes of all ranks
+  const geomodel::ModelMesh& numbered;  ///< the mesh, with counts and volumes of all ranks
   PartShapes shapes;
   std::vector<RankCost> ranks;
   std::vector<geomodel::SolverVerdict> verdicts;  ///< by rank

@@ -58,9 +58,9 @@ class Ranks {
     for (std::size_t r = 0; r < all.size(); ++r) std::memcpy(&values[r], all[r].data(), sizeof(T));
     return values;
   }
-  /// Returns the number of bytes sent to other ranks, without broadcasts.
+  /// Returns the number of bytes sent to other ranks, not counting broadcasts.
   std::uint64_t sent_bytes() const { return sent_bytes_; }
-  /// Replaces each byte by the largest of all ranks.
+  /// Replaces each byte by the largest value that this byte has on any rank.
   void greatest(Bytes& bytes) const;
   void wait_for_all() const;
   /// Ends all ranks.

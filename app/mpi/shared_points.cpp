@@ -14,8 +14,7 @@ std::size_t keeper_of(const Vec3& p, const Ranks& ranks) {
   return PlaceHash{}(p) / 7 % static_cast<std::size_t>(ranks.size());
 }
 
-/// A face by the positions of its corners, in ascending order; `even`: whether this is an even permutation of the order
-/// seen from its cell.
+/// A face by its corners' positions, ascending; `even`: whether this is an even permutation of the cell's order.
 struct PlacedFace {
   std::array<Vec3, 3> places;
   std::uint32_t even;
@@ -51,7 +50,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
   const std::vector<std::vector<Vec3>> came = ranks.exchange(asked);
   Sharers at;
   for (std::size_t r = 0; r < n_ranks; ++r)
-    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // ascending, because r is
+    for (const Vec3& p : came[r]) at[p].push_back(static_cast<std::int32_t>(r));  // ascending, because r is ascending
   // Answers, in the order of each rank's questions: how many ranks share the point, and which.
   std::vector<std::vector<std::int32_t>> answers(n_ranks);
   for (std::size_t r = 0; r < n_ranks; ++r)
@@ -77,7 +76,7 @@ Sharers find_sharers(const RankMesh& mesh, const std::vector<VertexIndex>& rows,
 std::vector<Across> match_faces(const RankMesh& mesh, const std::vector<OpenFace>& faces, const Ranks& ranks) {
   const auto n_ranks = static_cast<std::size_t>(ranks.size());
   std::vector<std::vector<PlacedFace>> asked(n_ranks);
-  // For each face: the keeper, and the position in the message to it.
+  // for each face, the rank that keeps its place, and the face's position in the message to that rank
   std::vector<std::pair<std::size_t, std::size_t>> sent;
   for (const OpenFace& face : faces) {
     const PlacedFace f = placed(mesh, face);

@@ -57,17 +57,18 @@ namespace {
                                     " is not there on ranks; leave it out, or mesh by geomesh, in one process");
 }
 
-/// Number of elements above which edges of the model are halved once, which reduces the work that rank 0 does alone to
-/// a quarter. Smaller meshes are made quickly, and with better shapes without it.
+/// Number of elements above which the model is meshed with doubled sizes and its edges are halved once, which reduces
+/// the work that rank 0 does alone to a quarter. Smaller meshes are made quickly, and with better shapes without it.
 constexpr double large_mesh = 1e6;
-/// Features of the input may require less than twice the size. If more than this share of the edges on surfaces is too
-/// short, halves would be shorter than requested.
+/// Features of the input may require edges that are much shorter than the doubled sizes, so that halves would be
+/// shorter than requested. If more than the share `many_short` of the edges on surfaces is shorter than `short_edge`
+/// times the doubled size, edges are not halved.
 constexpr double many_short = 0.05, short_edge = 0.55;
-/// Growth of sizes in the interior, per unit of distance: there are few tetrahedra between the surfaces, and their
-/// shapes still allow a border between parts.
+/// Growth of sizes in the interior, per unit of distance. It leaves few tetrahedra between the surfaces, with shapes
+/// that still allow a border between parts.
 constexpr double growth = 0.7, slow_growth = 0.3;
-/// The largest tetrahedra are a small share of a part, so that parts can have equal sizes. The number of ranks has no
-/// influence: surfaces do not depend on it.
+/// Least number of tetrahedra of the sparse mesh. The largest tetrahedra are then a small share of a part, so that
+/// parts can have equal sizes. The number of ranks has no influence, so that surfaces do not depend on it.
 constexpr double least_cells = 20000;
 constexpr double least_ratio = 2, most_ratio = 12;
 
@@ -116,7 +117,7 @@ void refuse_what_ranks_lack(const geomodel::Project& project) {
 
 namespace {
 
-/// Edges of faces, each counted as often as it has faces.
+/// Returns the share of short edges among the edges of faces, each counted as often as it has faces.
 double share_of_short_edges(const geomodel::ModelMesh& mesh, const SizeField& size) {
   std::size_t n = 0, n_short = 0;
   for (const auto& face : mesh.faces)
@@ -162,7 +163,7 @@ SparseModel make_sparse_model(const geomodel::Project& project, const RunContext
 
 namespace {
 
-/// Returns sizes that are a function of position, as prepare_project provides them: every rank reads the file itself.
+/// Returns the target sizes that are a function of position. Every rank reads them from the file itself.
 std::function<double(const Vec3&)> size_by_place(const geomodel::Project& project, const geomodel::ModelMesh& mesh) {
   geomodel::RefinementSettings settings = project.mesh.refinement;
   if (settings.size.background.empty() && settings.size.by_depth.empty()) return {};

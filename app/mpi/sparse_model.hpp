@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The data with which all ranks start: named surfaces within the tolerance, few tetrahedra between them, and the
-/// sizes.
+/// The data with which all ranks start: surfaces within the tolerance, few tetrahedra between them, and the sizes.
 #pragma once
 
 #include <string>
@@ -16,9 +15,9 @@
 namespace geomesh::app {
 
 struct SparseModel {
-  /// Verified mesh. Its faces and edges of curves, halved some times, are those of the fine mesh.
+  /// The verified mesh. Its faces and edges of curves, halved `halvings` times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
-  std::vector<Index> component;  ///< component of each tetrahedron, for which sizes are requested
+  std::vector<Index> component;  ///< component of each tetrahedron, on which target sizes depend
   SizeField size;                ///< as requested
   unsigned halvings = 0;         ///< number of times that all edges are halved before surfaces have the target sizes
 };
@@ -38,11 +37,11 @@ std::vector<std::string> leave_out_page(geomodel::Project& project);
 /// Throws Error{usage} if the project requests something that is not supported on ranks.
 void refuse_what_ranks_lack(const geomodel::Project& project);
 
-/// Runs the stages read to verify of the serial program, with few points inside. Throws as geomodel::run_project.
+/// Runs the serial program's stages from `read` to `verify`, with few points in regions. Errors: those of run_project.
 SparseModel make_sparse_model(const geomodel::Project& project, const RunContext& context, SparseRun& run);
 
-/// Sends the model from rank 0 to all. Returns its size in bytes. Sizes that are a function of position come from the
-/// project.
+/// Sends the model from rank 0 to all ranks. Returns its size in bytes. Target sizes that are a function of position
+/// are not sent; each rank reads them from the project.
 std::size_t broadcast(SparseModel& model, const geomodel::Project& project, const Ranks& ranks);
 
 }  // namespace geomesh::app

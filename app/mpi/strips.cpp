@@ -39,7 +39,7 @@ class Takers {
     std::size_t axis;
     double at;
   };
-  /// Divides at the median, along the axis of largest extent.
+  /// Divides places at the median, along the axis of largest extent.
   static Cut cut(const std::vector<Vec3>& places) {
     Box3 box;
     for (const Vec3& p : places) box.add(p);
@@ -54,7 +54,7 @@ class Takers {
   }
 
   unsigned round_;
-  std::map<std::vector<std::int32_t>, Cut> cuts_;  // by pair of ranks
+  std::map<std::vector<std::int32_t>, Cut> cuts_;  // the cut for each pair of ranks
 };
 
 /// For each point of the part, whether it has been between ranks in every round.
@@ -72,7 +72,6 @@ void pass(A& archive, Parcel& p) {
   archive(p.points, p.is_pending, p.may_be_outside, p.tetrahedra, p.component);
 }
 
-/// Copies tetrahedra of one part into a parcel.
 class ParcelFiller {
  public:
   ParcelFiller(const RankMesh& mesh, const Pending& pending)
@@ -138,7 +137,7 @@ class Joiner {
   ByPlace<VertexIndex> at_;
 };
 
-/// Removes tetrahedra that any rank takes, including this one: those of its strip come back with the parcels.
+/// Removes the tetrahedra that some rank takes. Those that this rank takes come back with the parcels of its strip.
 void drop_taken(RankMesh& mesh, const std::vector<std::int32_t>& takers) {
   std::size_t n = 0;
   for (std::size_t c = 0; c < takers.size(); ++c) {
@@ -202,8 +201,8 @@ class StripImprover {
     return model_.simplices.face_of(sorted_corners({numbers[0], numbers[1], numbers[2]})) != no_index;
   }
 
-  /// Returns the corners of faces between ranks that lie on no surface. At first all are pending except those of the
-  /// model; later only those are returned that are still pending.
+  /// Returns the corners of faces between ranks that lie on no surface. In the first round all are pending except
+  /// points of the model. In later rounds only points that are still pending are returned.
   std::vector<VertexIndex> points_between_ranks(bool is_first) {
     const MeshFaces faces(mesh_, MeshFaces::Which::at_border);
     std::vector<bool> is_between(mesh_.points.size(), false);
@@ -219,8 +218,8 @@ class StripImprover {
     return found;
   }
 
-  /// Returns the rank that takes each tetrahedron, the lowest of those that its points name; none if it lies beyond the
-  /// layers.
+  /// Returns the rank that takes each tetrahedron, or `nobody` for those beyond the layers. If the points of a
+  /// tetrahedron name several ranks, the lowest of them takes it.
   std::vector<std::int32_t> takers_of_cells(std::vector<std::int32_t> taker_at) const {
     std::vector<std::int32_t> of_cell(mesh_.tetrahedra.size(), nobody);
     for (unsigned layer = 0; layer < layers; ++layer) {
@@ -241,7 +240,7 @@ class StripImprover {
   }
 
   /// Sends tetrahedra to the ranks that take them. Those that this rank receives are its strip, which is improved and
-  /// added to the mesh. Returns the number of tetrahedra in the strip before that.
+  /// added to the mesh. Returns the number of tetrahedra in the strip before it is improved.
   std::size_t exchange_and_improve(const std::vector<std::int32_t>& takers, const RefineOptions& options,
                                    const RunContext& context) {
     const auto n_ranks = static_cast<std::size_t>(ranks_.size());
@@ -280,8 +279,7 @@ class StripImprover {
     return n;
   }
 
-  /// Returns the improved strip. Points that were pending remain so if they have kept their place, as all points on the
-  /// border of the strip do.
+  /// Returns the improved strip. Pending points remain pending if they have not moved, like all on the strip's border.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

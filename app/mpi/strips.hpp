@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Improves the borders between ranks after shifting the partition past them.
+/// Improves tetrahedra at the borders between ranks, after moving these borders elsewhere.
 #pragma once
 
 #include "part.hpp"
@@ -13,9 +13,9 @@ struct StripsResult {
   std::size_t n_never_free = 0;  ///< number of points, over all ranks, that were between ranks in every round
 };
 
-/// Sends tetrahedra within some layers of a border to one of the ranks that share it, where they are improved: the
-/// former border is then inside, and the strip's own border is kept. A second round handles what lay on borders in the
-/// first round too. Afterwards the partition is the shifted one.
+/// Sends the strip of tetrahedra within some layers of a border to one of the ranks that share the border, which
+/// improves them. The former border is then inside the strip, and only the strip's own border is kept. A second round
+/// handles points that were on borders in the first round, too. Tetrahedra remain on the ranks that have improved them.
 StripsResult improve_strips(RankMesh& mesh, const RankModel& model, const RefineOptions& options, const Ranks& ranks,
                             const RunContext& context);
 

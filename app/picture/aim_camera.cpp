@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// Returns least and greatest x and y of all actors' boxes in the picture, from -1 to 1 within it.
+/// Returns the least and greatest x and y of all actors' boxes in the picture, whose coordinates reach from -1 to 1.
 std::array<double, 4> seen_bounds(vtkRenderer& scene, vtkCamera& camera, double aspect) {
   std::array<double, 4> seen{1e300, -1e300, 1e300, -1e300};
   vtkMatrix4x4* const matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1);

@@ -11,7 +11,7 @@
 
 namespace geomesh::picture {
 
-/// Returns the direction from the model to the camera, in the map.
+/// Returns the horizontal direction from the model to the camera.
 std::array<double, 2> towards_camera(const PictureOptions& options);
 
 /// Fits the scene into the picture, with a margin and room for the scale of colours below. The legend takes a share of

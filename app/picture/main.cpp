@@ -11,8 +11,7 @@
 #include "scene.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
-/// Display drivers are unloaded at the end, which makes the memory that they keep look leaked. With the sanitizer they
-/// are not unloaded.
+/// Display drivers are not unloaded with the sanitizer: the memory that they keep would look leaked.
 extern "C" int dlclose(void*) { return 0; }
 #endif
 

@@ -23,14 +23,13 @@ struct MeshFile {
   vtkSmartPointer<vtkPolyData> faces;  ///< contents of NAME.faces.vtp; null if there is none
   std::map<int, std::string> region_names, surface_names;
   geomodel::GivenColours colours;   ///< colours of the project, from NAME.report.json if it exists
-  std::vector<int> region_of_cell;  ///< 0 if the file has no regions
+  std::vector<int> region_of_cell;  ///< region of each cell; 0 if the file has no regions
 };
 
-/// Throws std::runtime_error if the file has no tetrahedra.
+/// Reads a mesh, and the faces and colours beside it. Throws std::runtime_error if the file has no tetrahedra.
 MeshFile read_mesh_file(const std::filesystem::path& file);
 
-/// Returns the boundary of the tetrahedra that `wanted` accepts, with flat shading and the cell array `value` from
-/// `value_of`.
+/// Returns the boundary of the tetrahedra that `wanted` accepts, shaded flat, with cell array `value` from `value_of`.
 vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::function<bool(vtkIdType)>& wanted,
                                         const std::function<double(vtkIdType)>& value_of);
 
@@ -46,14 +45,13 @@ vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const Hal
 
 vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid);
 
-/// Computes the centre of a tetrahedron.
 void centre_of(const MeshFile& mesh, vtkIdType cell, double centre[3]);
 
-/// Returns the smallest dihedral angle in degrees.
+/// Returns the smallest dihedral angle of a tetrahedron in degrees.
 double smallest_dihedral(const MeshFile& mesh, vtkIdType cell);
 
-/// Returns faces of the surfaces without sides of the box; the cell array `value` contains the id. Null if there are
-/// none.
+/// Returns the faces of all surfaces except the sides of the box, with the id of the surface as cell array `value`.
+/// Returns null if there are none.
 vtkSmartPointer<vtkPolyData> inner_surfaces(const MeshFile& mesh);
 
 }  // namespace geomesh::picture

@@ -10,8 +10,8 @@ namespace geomesh::picture {
 
 enum class View {
   regions,   ///< the whole model, coloured by region
-  cut,       ///< without the quarter that is nearest to the camera, with plane walls
-  elements,  ///< the same with whole elements, so that walls follow the tetrahedra
+  cut,       ///< the model without the quarter nearest to the camera, cut along planes
+  elements,  ///< the model without the quarter nearest to the camera, cut along whole elements
   exploded,  ///< units moved apart vertically
   surfaces,  ///< horizons, faults and bodies with the edges of their faces, without sides of the box
   quality,   ///< whole elements, coloured by the smallest dihedral angle
@@ -25,12 +25,12 @@ struct PictureOptions {
   double azimuth = 215;   ///< direction to the camera in degrees clockwise from north (y)
   double elevation = 25;  ///< height of the camera in degrees above the horizon
   double zoom = 1;
-  double scale_z = 0;  ///< 0: chosen from the shape of the model
+  double scale_z = 0;  ///< vertical exaggeration; 0: chosen from the shape of the model
   bool edges = true;
   bool legend = true;
 };
 
-/// Ends the program if help was requested or an option is wrong.
+/// Parses the command line. Ends the program if help was requested or an option is wrong.
 PictureOptions parse_picture_options(int argc, char** argv);
 
 }  // namespace geomesh::picture

@@ -88,7 +88,8 @@ class SceneBuilder {
   }
   std::array<double, 2> middle() const { return {0.5 * (bounds_[0] + bounds_[1]), 0.5 * (bounds_[2] + bounds_[3])}; }
 
-  /// Adds two blocks: the half behind the first wall, and the part beside the quarter that is removed.
+  /// Adds the model without the quarter nearest to the camera as two blocks: the half behind the first wall, and the
+  /// quarter beside the one that is removed.
   void add_cut() {
     auto table = colours_of(ids_in(mesh_.region_of_cell), mesh_.region_names, units());
     const auto [sx, sy] = side();
@@ -98,7 +99,7 @@ class SceneBuilder {
       add(outside_of(block), table, low_, high_);
   }
 
-  /// Returns whether a tetrahedron is kept: the quarter on the camera's side is removed, which opens two walls.
+  /// Returns a function that decides whether a tetrahedron is kept: all but the quarter on the camera's side are.
   Wanted behind_the_cut() const {
     const auto [cx, cy] = middle();
     const auto [sx, sy] = side();
@@ -163,7 +164,6 @@ class SceneBuilder {
     add(outside_of(mesh_, wanted, [this](vtkIdType c) { return region(c); }), table, low_, high_);
   }
 
-  /// Returns the unit to which each region belongs.
   std::map<int, std::string> units_of_regions(const std::set<int>& ids) const {
     std::map<int, std::string> units;
     for (const int id : ids) {
@@ -314,7 +314,7 @@ class SceneBuilder {
     Colour colour;
   };
   std::vector<Entry> entries_;
-  double legend_share_ = 0;  ///< share of the picture's width
+  double legend_share_ = 0;  ///< share of the picture's width that the legend takes
 };
 
 }  // namespace

@@ -14,10 +14,10 @@ namespace geomesh::picture {
 /// Formats the vertical exaggeration: "5", "2.5".
 std::string scale_words(double scale);
 
-/// Returns the vertical exaggeration if the command line does not give it, as on the page.
+/// Returns the vertical exaggeration that is used if the command line gives none, the same as on the HTML page.
 double fitting_scale(const MeshFile& mesh);
 
-/// Throws std::runtime_error if there is nothing of the requested kind.
+/// Builds the scene of a view. Throws std::runtime_error if the mesh has nothing of the requested kind.
 vtkSmartPointer<vtkRenderer> make_scene(const MeshFile& mesh, const PictureOptions& options);
 
 /// Renders at twice the size, scales down by half, and writes the PNG.

@@ -27,7 +27,8 @@ _HOME = {"Model": "model", "run": "model", "check": "model", "read_surfaces": "i
 
 
 def __getattr__(name):
-    # geomesh.core alone loads nothing of the rest, which has another licence and more libraries.
+    # Other modules are loaded when they are first used, so that geomesh.core alone loads none of them: they have another licence and need
+    # more libraries.
     import importlib
     if name in _HOME:
         return getattr(importlib.import_module("." + _HOME[name], __name__), name)

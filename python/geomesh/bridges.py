@@ -27,23 +27,22 @@ def _is_empty(surface, rows):
 def from_gempy(geo_model, *, as_fields=False, extend="flat", column=True):
     """A model from a computed GeoModel of GemPy 3.
 
-    Read are ``structural_frame.structural_groups`` (youngest first), of each ``is_fault`` and ``elements``, of these
-    ``name``, ``vertices`` (n, 3) in the model's coordinates and ``edges`` (m, 3), the triangles; and
+    It uses ``structural_frame.structural_groups`` (youngest first) with ``is_fault`` and ``elements``; ``name``,
+    ``vertices`` (n, 3) in the model's coordinates and ``edges`` (m, 3), the triangles, of each element; and
     ``grid.extent`` or ``grid.regular_grid.extent``. A surface of GemPy is the base of the unit of its name, so the
-    column is made of these names; the surface itself is called ``base_NAME``. Groups that erode become ``base:
-    erode``, those that onlap ``base: onlap``, at their lowest surface.
+    column consists of these names; the surface itself is called ``base_NAME``. The lowest surface of a group that
+    erodes has ``base: erode``, that of a group that onlaps has ``base: onlap``.
 
     Parameters
     ----------
     as_fields : bool
-        Take the scalar fields in place of ``vertices`` and ``edges``. Read are then, too, ``grid.regular_grid`` with
-        ``resolution`` and ``extent``; ``solutions.raw_arrays.scalar_field_matrix``, a row for each group with a value in
-        the centre of each cell, z fastest; of each element ``scalar_field_at_interface``; and
-        ``structural_frame.fault_relations``, or all faults affect all other groups. The surfaces of a group are values
-        of one field and never cross. Where faults affect a group it has one field for each side of them, continued
-        from the nodes of that side. Groups below one that erodes hold below its lowest surface, and a group that
-        onlaps holds above the highest surface of the next group. A fault that other faults affect is smooth across
-        them.
+        Take the scalar fields instead of ``vertices`` and ``edges``. They are in ``grid.regular_grid`` with
+        ``resolution`` and ``extent``; ``solutions.raw_arrays.scalar_field_matrix``, a row for each group with a value at
+        the centre of each cell, z fastest; and ``scalar_field_at_interface`` of each element. Without
+        ``structural_frame.fault_relations`` all faults affect all other groups. The surfaces of a group are values of
+        one field and never cross. A group that faults affect has one field for each side of them, continued from the
+        nodes of that side. Groups below one that erodes are valid below its lowest surface, and a group that onlaps is
+        valid above the highest surface of the next group. A fault that other faults affect is smooth across them.
     extend : str or None
         How surfaces go on to the box (key `extend`); None: not at all. Without use with ``as_fields``.
     column : bool
@@ -87,18 +86,18 @@ def _file_name(name):
 def from_loopstructural(model, *, as_fields=False, extend="flat", nodes=80):
     """A model from a GeologicalModel of LoopStructural.
 
-    Read are ``get_stratigraphic_surfaces()`` and ``get_fault_surfaces()``, of each surface ``name``, ``vertices``
-    (n, 3) and ``triangles`` (m, 3); and ``bounding_box.global_origin`` and ``global_maximum``, or ``origin`` and
-    ``maximum``. Surfaces of several pieces come as several of one name and are joined.
+    It uses ``get_stratigraphic_surfaces()`` and ``get_fault_surfaces()`` with ``name``, ``vertices`` (n, 3) and
+    ``triangles`` (m, 3) of each surface; and ``bounding_box.global_origin`` and ``global_maximum``, or ``origin`` and
+    ``maximum``. Several surfaces of one name are pieces of one surface, and are joined.
 
     Parameters
     ----------
     as_fields : bool
-        Take the scalar fields in place of surfaces. Read are then ``features`` (youngest first) with ``name``, ``type``,
+        Take the scalar fields instead of surfaces. They are the ``features`` (youngest first) with ``name``, ``type``,
         ``evaluate_value(points, ignore_regions=True)`` of points in the model's own frame, ``faults`` and ``regions``;
         ``scale(points, inplace=False)``; and ``stratigraphic_column``: its ``get_isovalues()``, or the dict of dicts with
         ``min`` of earlier versions. A unit's base is called ``base_NAME``. Features without faults are evaluated where a value
-        is needed. Where faults displace a feature it has one field for each side of them, continued from nodes of that
+        is needed. A feature that faults displace has one field for each side of them, continued from nodes of that
         side. Unconformities, which are regions with ``parent``, ``value`` and ``sign``, bound the domains.
     extend : str or None
         How surfaces go on to the box (key `extend`). Without use with ``as_fields``.
@@ -125,9 +124,9 @@ class _Sequence:
 
     def __init__(self, model):
         self.model = model
-        self._column = []  # unit, horizon, unit, ... horizon
-        self._reaching = None  # the unit above, where its own base is below all that the unit may fill
-        self._is_complete = False  # nothing of the box is older
+        self._column = []  # The units and horizons added so far: unit, horizon, unit, ... horizon.
+        self._reaching = None  # The unit above, if its base is below its whole domain: it then has the next base.
+        self._is_complete = False  # Whether nothing in the box is older.
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
         """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
@@ -282,7 +281,8 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    surfaces, open_unit, name_of = [], None, {}  # (unit, feature, value); the unit whose base is not known yet
+    # (unit, feature, value) of each surface; the unit whose base is not known yet; the name of each surface
+    surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}
         cut = {value for found in bounds.values() for key in ("above", "below") for of, value in found[key] if of == group}
@@ -305,7 +305,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has removed it
+            continue  # the feature's own unconformity has removed this surface
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 

@@ -41,7 +41,7 @@ class GridField:
 
 
 class FaultField(NamedTuple):
-    """A fault: the surface on which its values on the lattice are zero."""
+    """A fault: the surface on which values given on a lattice are zero."""
     name: str
     values: Any
 
@@ -191,6 +191,6 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
 
 
 def takes(values: Any, value: float, nodes: Any) -> bool:
-    """Returns whether values on some nodes are on both sides of a value."""
+    """Returns whether the values on some nodes lie on both sides of a given value."""
     known = values[nodes & numpy.isfinite(values)]
     return known.size > 0 and bool(known.min() < value < known.max())

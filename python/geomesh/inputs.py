@@ -99,7 +99,8 @@ def without_nan(points: Any, triangles: Any) -> Tuple[Any, Any]:
     if known.all() or triangles.size == 0:
         return points, triangles
     inside = (triangles >= 0) & (triangles < len(points))
-    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)  # rows that are out of range are rejected later
+    # triangles with rows out of range are kept here and rejected later
+    kept = numpy.where(inside, known[numpy.where(inside, triangles, 0)], True).all(axis=1)
     rows = numpy.cumsum(known) - 1
     triangles = triangles[kept].astype(numpy.int64)
     valid = (triangles >= 0) & (triangles < len(points))

@@ -176,7 +176,7 @@ class Mesh:
         return "<p>%s</p>%s" % (views.html.escape(repr(self)[1:-1]), self._view()._repr_html_())
 
     def _repr_png_(self) -> Optional[bytes]:
-        """Used where no page can be shown (a notebook as a PDF). None if no picture can be drawn; it is drawn once."""
+        """Returns a PNG picture, drawn once, for places that cannot show a page (a notebook as a PDF); None if it cannot be drawn."""
         if self._png is None:
             with tempfile.TemporaryDirectory() as folder:
                 file = os.path.join(folder, "mesh.png")

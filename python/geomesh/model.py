@@ -46,7 +46,7 @@ def _run_options(threads: int, progress: Optional[Progress], log: Optional[Log],
 
 
 def _drawing(progress: Union[bool, Progress, None], run: Callable[[Optional[Progress]], Mesh]) -> Mesh:
-    """Runs with the requested progress display, and closes it whatever happens."""
+    """Runs work with the requested display of progress, and closes the display whatever happens."""
     shown = progress_of(progress)
     finished = False
     try:

@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional, Union
 
 Progress = Callable[[str, int, int], None]
 
-#: Stages of a run in their order; refinement and what follows may come several times.
+#: Stages of a run in their order. Refinement and the stages after it may occur several times.
 STAGES = ("read", "build", "intersect", "delaunay", "recover", "classify", "estimate", "refine", "improve", "verify", "write")
 
 

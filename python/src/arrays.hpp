@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Conversion between numpy arrays and the plain arrays of the library: input is checked and copied at most once,
-/// output is viewed.
+/// Conversion between arrays of numpy and of the library: input is checked and copied at most once, output is viewed.
 #pragma once
 
 #include <pybind11/numpy.h>

@@ -18,7 +18,7 @@ using Polygons = std::vector<std::vector<std::vector<VertexIndex>>>;
 struct PlcArguments {
   PointArray points;
   std::vector<Triangle> triangles;
-  Polygons polygons;  ///< instead of triangles
+  Polygons polygons;  ///< facets given as polygons, instead of triangles
   py::array segments;
   PointArray regions, holes;  ///< points inside the parts to be numbered or left out
 };

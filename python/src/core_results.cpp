@@ -166,7 +166,6 @@ py::dict statistics_of(const RefineResult& result) {
   d["points_inside"] = s.points_inside;
   d["deviation_result_to_input"] = s.deviation_result_to_input;
   d["deviation_input_to_result"] = s.deviation_input_to_result;
-  d["edges_within_size"] = s.edges_within_size;
   d["out_of_time"] = s.out_of_time;
   return d;
 }

@@ -18,7 +18,7 @@ struct DelaunayResult {
   PointArray points;  ///< the caller's own array if it was float64 and contiguous
   std::vector<Tetrahedron> tetrahedra;
   std::vector<std::array<std::int32_t, 4>> neighbors;  ///< neighbours opposite each vertex; -1 on the hull
-  std::vector<Triangle> hull;                          ///< normals outward
+  std::vector<Triangle> hull;                          ///< faces on the hull; their normals point outwards
   std::vector<VertexIndex> representative;
   DelaunayStatistics statistics;
 };
@@ -29,7 +29,7 @@ DelaunayResult without_ghosts(PointArray points, DelaunayTetrahedralization&& wh
 struct MeshResult {
   ConstrainedTetrahedralization mesh;
   std::vector<std::string> warnings;
-  py::dict statistics;  ///< made while holding the interpreter's lock
+  py::dict statistics;  ///< must be made while the interpreter's lock is held
 };
 
 py::dict statistics_of(const ConstrainedTetrahedralization& mesh);

@@ -23,7 +23,7 @@ const char* class_of(ErrorKind kind) {
   return "Error";
 }
 
-/// Returns a new array, since errors are rare and may outlive the data to which they refer.
+/// Returns the places of an error as a new array: errors are rare and may outlive the data to which they refer.
 py::array places_of(const Error& error) {
   const std::vector<Vec3>& places = error.context().places;
   py::array_t<double> array({places.size(), std::size_t{3}});

@@ -75,7 +75,7 @@ void Job::finish() {
   changed_.notify_all();
 }
 
-/// Returns false when the work has ended.
+/// Waits up to 50 ms for the end of the work. Returns false when the work has ended.
 bool Job::wait() {
   const py::gil_scoped_release released;
   std::unique_lock lock(mutex_);

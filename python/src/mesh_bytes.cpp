@@ -168,7 +168,8 @@ class Reader {
   std::string_view rest_;
 };
 
-/// Must be changed whenever members change: together with the version it shows whether bytes can be read.
+/// Mark at the beginning of the bytes. It must be changed whenever members change; together with the version it shows
+/// whether bytes can be read.
 const std::string mark = std::string("geomesh mesh 1, ") + GEOMESH_VERSION;
 
 }  // namespace

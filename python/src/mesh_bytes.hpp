@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Converts results of jobs to bytes and back, for pickling between processes of one machine and one version of
-/// geomesh.
+/// Converts results of jobs to bytes and back, for pickling on one machine with one version of geomesh.
 #pragma once
 
 #include <string>
@@ -14,7 +13,7 @@ namespace geomesh::python {
 /// Encodes everything in the result. O(size of the mesh).
 std::string bytes_of(const geomodel::JobResult& result);
 
-/// Throws Error{usage} if the bytes were made by another version, or are damaged.
+/// Decodes a result from bytes. Throws Error{usage} if the bytes were made by another version, or are damaged.
 geomodel::JobResult result_of(std::string_view bytes);
 
 }  // namespace geomesh::python

@@ -88,7 +88,7 @@ JobResult run(const RunArguments& arguments, const ProjectOfJob& project) {
   return job.run([&](const RunContext& context) { return run_project(request, context); });
 }
 
-/// One function object is one field, whatever the number of surfaces that name it.
+/// A function object makes one field, for any number of surfaces that use it.
 GivenFields given_fields(const py::dict& functions, Job& job) {
   std::map<PyObject*, std::shared_ptr<FieldFunction>> known;
   GivenFields fields;

@@ -31,7 +31,7 @@ void measure_regions(ModelMesh& mesh) {
   }
 }
 
-/// Sums areas; a face counts for every surface on which it lies.
+/// Sums the areas of surfaces. A face counts for every surface on which it lies.
 void measure_surfaces(ModelMesh& mesh) {
   std::map<std::int32_t, double> areas;
   for (const ModelMesh::Face& face : mesh.faces) {

@@ -10,7 +10,7 @@
 namespace geomesh::python {
 
 /// Reads a mesh file of any tool that `geomesh convert` supports, with volumes, areas and lengths measured. The mesh is
-/// not verified. Throws as read_model_mesh.
+/// not verified. Throws the errors of read_model_mesh.
 geomodel::JobResult read_mesh(const std::string& file);
 
 }  // namespace geomesh::python

@@ -9,7 +9,8 @@
 
 namespace geomesh::python {
 
-/// Keys are those of `output` in a project file. Throws Error{usage} for an unknown key, or a value of another kind.
+/// Converts keyword arguments, whose names are the keys of `output` in a project file. Throws Error{usage} for an
+/// unknown key, or a value of another kind.
 geomodel::WriteOptions write_options(const pybind11::dict& keywords);
 
 }  // namespace geomesh::python

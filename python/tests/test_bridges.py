@@ -51,7 +51,7 @@ def test_a_loopstructural_model_gives_its_surfaces_with_pieces_of_one_name_joine
 
 def test_surfaces_of_a_gmsh_model_come_with_the_names_of_their_physical_groups():
     points, triangles = sheet(lambda x, y: -500 + 0 * x)
-    tags = numpy.arange(len(points)) * 3 + 5  # gmsh numbers nodes as it likes
+    tags = numpy.arange(len(points)) * 3 + 5  # the numbers of nodes in gmsh are arbitrary
     order = numpy.random.default_rng(1).permutation(len(points))
     of_mesh = Of(getElementsByType=lambda kind, tag: (numpy.arange(len(triangles)), tags[triangles].ravel()),
                  getNodes=lambda dim, tag, boundary: (tags[order], points[order].ravel(), []))

@@ -11,7 +11,7 @@ SOURCE = os.environ["GEOMESH_SOURCE_DIR"]
 
 
 def block_of_python(document, first_line):
-    """Returns the fenced block of Python that begins with that line."""
+    """Returns the fenced block of Python that begins with the given line."""
     with open(os.path.join(SOURCE, document), encoding="utf-8") as file:
         blocks = re.findall(r"^```python\n(.*?)^```", file.read(), re.M | re.S)
     found = [b for b in blocks if b.startswith(first_line)]

@@ -62,7 +62,7 @@ class Fields(unittest.TestCase):
         model.add_field("top", recumbent, 0)
         at = numpy.arange(1000) - 499.5
         y, z = numpy.meshgrid(at, at, indexing="ij")
-        wanted = numpy.clip(-recumbent(0, y, z) + 500, 0, 1000).sum()  # exact along x, by midpoints across
+        wanted = numpy.clip(-recumbent(0, y, z) + 500, 0, 1000).sum()  # volume by an integral that is exact along x, with midpoints across
         volumes = self.region_volumes(model)
         found = volumes["core"] if abs(volumes["core"] - wanted) < abs(volumes["front"] - wanted) else volumes["front"]
         self.assertAlmostEqual(found / wanted, 1, delta=0.001)
@@ -87,7 +87,7 @@ class Fields(unittest.TestCase):
         mesh = model.mesh(size=80)
         at = (numpy.arange(1000) + 0.5) - 500
         x, y = numpy.meshgrid(at, at, indexing="ij")
-        height = -fold(x, y, 0)  # exact along z, by midpoints in the map; the fault is where z = 2 x
+        height = -fold(x, y, 0)  # volumes by integrals that are exact along z, with midpoints in the map; the fault is at z = 2 x
         west = numpy.maximum(height + 30, 2 * x) - numpy.maximum(height - 60, 2 * x)
         east = numpy.minimum(height - 50, 2 * x) - numpy.minimum(height - 140, 2 * x)
         volumes = {unit: sum(r.volume for r in mesh.regions if r.name.split("__")[0] == unit) for unit in "abc"}

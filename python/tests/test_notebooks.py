@@ -41,7 +41,7 @@ def test_nbconvert_executes_a_notebook(name, tmp_path):
     for module in ("nbconvert", "ipykernel"):
         if importlib.util.find_spec(module) is None:
             pytest.skip("skipped: no " + module)
-    shutil.copy(os.path.join(FOLDER, name), tmp_path)  # it runs in its own folder
+    shutil.copy(os.path.join(FOLDER, name), tmp_path)  # the notebook runs in a folder of its own
     done = subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--inplace", name], cwd=tmp_path,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=600)
     assert done.returncode == 0, done.stdout
@@ -49,5 +49,5 @@ def test_nbconvert_executes_a_notebook(name, tmp_path):
         outputs = [output for cell in json.load(file)["cells"] for output in cell.get("outputs", [])]
     assert "faces of base_sandstone" in "".join("".join(output.get("text", "")) for output in outputs)
     shown = ["".join(output.get("data", {}).get("text/html", "")) for output in outputs]
-    assert any("<iframe" in page for page in shown)  # the mesh
-    assert any("<table" in page and "sandstone" in page for page in shown)  # its regions
+    assert any("<iframe" in page for page in shown)
+    assert any("<table" in page and "sandstone" in page for page in shown)

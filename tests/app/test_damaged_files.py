@@ -47,6 +47,21 @@ class DamagedMeshes(ProgramTest):
         for part in (0.02, 0.3, 0.7):
             self.damage("out.vtu", lambda content: content[:int(part * len(content))])
 
+    def test_surfaces_of_another_mesh(self):
+        self.run_program("mesh", self.write("other.off", off(*box_surface((0, 0, 0), (1, 1, 2)))), "-o", "other.vtu")
+        for part in (".faces.vtp", ".curves.vtp"):
+            with open(self.path("other" + part), "rb") as file:
+                other = file.read()
+            with open(self.path("out" + part), "rb") as file:
+                own = file.read()
+            self.write("out" + part, other)
+            if own != other:  # a file without points belongs to any mesh
+                said = self.run_program("convert", "out.vtu", "-o", "out.msh", status=BAD_INPUT)
+                self.assertIn("out" + part, said)
+                self.assertIn("not of one run", said)
+            self.write("out" + part, own)
+        self.run_program("convert", "out.vtu", "-o", "out.msh")
+
     def test_cells_of_a_legacy_file_that_run_beyond_their_block(self):
         """VTK's reader, which was ours once, wrote beyond its memory (found by fuzz.replay_meshes)."""
         with open(os.path.join(SOURCE, "tests", "corpus", "bytes", "mesh_two_tetrahedra.vtk")) as file:

@@ -115,7 +115,7 @@ class SizesAsked(ProgramTest):
         told, line = self.announced(printed)
         self.assertIn("mesh: {size: L} changes that", line)
         self.assertLess(abs(report["tetrahedra"] / told - 1), 0.3)
-        self.assertAlmostEqual(report["refinement"]["mean_edge"] / 120, 1, delta=0.3)
+        self.assertAlmostEqual(report["quality"]["whole"]["edge_length"]["mean"] / 120, 1, delta=0.3)
         report, printed = self.mesh([500, 520], "{size: 150}")
         told, line = self.announced(printed)
         self.assertRegex(line, "more in gaps between surfaces; for fewer: mesh: {size: {gap_layers: none}}")

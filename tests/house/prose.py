@@ -14,7 +14,7 @@ ROOT = Path(os.environ.get("GEOMESH_SOURCE_DIR", Path(__file__).resolve().parent
 SOURCES = ("core", "geomodel", "app", "python")
 
 FULL_LINE = re.compile(r"^\s*//(/?)(<?)[ \t]?(.*)$")
-TRAILING = re.compile(r"""^(?:[^"'/]|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|/(?!/))*?\s//(/?)(<?)[ \t]?(.*)$""")
+TRAILING = re.compile(r"""^(?:[^"'/]|(?<=\d)'(?=\d)|"(?:[^"\\]|\\.)*"|'(?:[^'\\]|\\.)*'|/(?!/))*?\s//(/?)(<?)[ \t]?(.*)$""")
 
 
 def comments_of_cpp(text):

@@ -2,8 +2,12 @@
 #include "classify/classify.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "common/flood.hpp"
+#include "geomesh/core/error.hpp"
+#include "geomesh/core/predicates.hpp"
 #include "recover/model/presence.hpp"
 
 namespace geomesh::classify {
@@ -17,8 +21,8 @@ using recover::Subsegment;
 
 constexpr Index unvisited = no_index, outside = no_index - 1, dropped = no_index - 2;
 
-/// Numbers the components: cells that locked faces separate from all others are one component. The facets around a
-/// component decide its number.
+/// Assigns each cell to a component. A component is a maximal set of cells that are connected through faces without a
+/// lock. Components are numbered in the order of the facets around them.
 class Components {
  public:
   Components(ConstrainedMesh& mesh, DeclaredModel& model, const PiecewiseLinearComplex& plc, const RunContext& context)
@@ -32,16 +36,17 @@ class Components {
   Index size() const { return n_; }
   Index of(CellIndex c) const { return label_[c]; }
   bool kept(CellIndex c) const { return label_[c] < n_; }
-  /// Returns live subfacets by facet, so that numbers and output do not depend on the course of recovery.
+  /// Returns the live subfacets ordered by facet, so that the numbers of components and the output do not depend on the
+  /// order in which recovery created subfacets.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// Returns the face on the upper side of each of `subfacets()`.
+  /// Returns the mesh face of each of `subfacets()`, seen from its upper side.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
   /// Returns the region seed in each component, or no_index.
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {
-      const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
+      const CellIndex c = locate(seed, "region");
       if (c == no_cell || !kept(c)) {
         context_.note(LogLevel::warning, "a region seed lies outside every region");
         continue;
@@ -57,6 +62,34 @@ class Components {
   }
 
  private:
+  /// Returns a cell that contains the seed, or no_cell if it is outside the box. Throws Error{invalid_input} if the
+  /// seed lies on a facet, because it would then be in the components on both sides.
+  CellIndex locate(const PiecewiseLinearComplex::Seed& seed, const char* kind) const {
+    const CellIndex first = mesh_.locate(seed.point, mesh_.cell_of(0));
+    if (first == no_cell) return no_cell;
+    std::vector<CellIndex> around{first};  // the cells that contain the seed
+    for (std::size_t k = 0; k < around.size(); ++k) {
+      if (mesh_.cells().is_ghost(around[k])) continue;
+      const Tetrahedron v = mesh_.cells().vertices(around[k]);
+      for (unsigned i = 0; i < 4; ++i) {
+        const auto& corners = face_vertices[i];
+        const Vec3 &p = mesh_.point(v[corners[0]]), &q = mesh_.point(v[corners[1]]), &r = mesh_.point(v[corners[2]]);
+        if (orient3d(p, q, r, seed.point) != Sign::zero) continue;
+        const FaceRef face(around[k], i);
+        if (mesh_.is_locked(face)) throw_seed_on_facet(seed, kind);
+        const CellIndex beyond = mesh_.cells().mirror(face).cell();
+        if (std::find(around.begin(), around.end(), beyond) == around.end()) around.push_back(beyond);
+      }
+    }
+    return first;
+  }
+  [[noreturn]] static void throw_seed_on_facet(const PiecewiseLinearComplex::Seed& seed, const char* kind) {
+    ErrorContext context;
+    context.places.push_back(seed.point);
+    throw Error(ErrorKind::invalid_input,
+                std::string("a ") + kind + " seed lies on a facet, so it is on both sides of it; move it into a region",
+                std::move(context));
+  }
   void flood(CellIndex start, Index label) {
     flood_cells(mesh_.cells(), start, label_, unvisited, label, [&](FaceRef f) { return !mesh_.is_locked(f); });
   }
@@ -67,7 +100,7 @@ class Components {
     }
   }
   void flood_hole(const PiecewiseLinearComplex::Seed& seed) {
-    const CellIndex c = mesh_.locate(seed.point, mesh_.cell_of(0));
+    const CellIndex c = locate(seed, "hole");
     if (c == no_cell || label_[c] == outside) {
       context_.note(LogLevel::warning, "a hole seed lies outside the model");
     } else if (label_[c] == unvisited) {
@@ -96,7 +129,7 @@ class Components {
   Index n_ = 0;
 };
 
-/// The kept components in plain arrays, rows in the order of the mesh.
+/// Copies the kept components of the mesh into plain arrays, in the order of the mesh.
 class Arrays {
  public:
   Arrays(ConstrainedMesh& mesh, DeclaredModel& model, const Components& components, ConstrainedTetrahedralization& out)
@@ -175,7 +208,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Returns whether some cell at the edge is kept. Both of its ends may be kept although no such cell is.
+  /// Returns whether at least one cell around the edge is kept. If none is, both ends of the edge may still be kept.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;
@@ -188,8 +221,8 @@ class Arrays {
   DeclaredModel& model_;
   const Components& components_;
   ConstrainedTetrahedralization& out_;
-  std::vector<VertexIndex> point_;  ///< rows of the vertices
-  std::vector<Index> tetrahedron_;  ///< rows of the cells
+  std::vector<VertexIndex> point_;  ///< row of each vertex in the output
+  std::vector<Index> tetrahedron_;  ///< row of each cell in the output
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Classification by flood fill (section 4 of the paper), and conversion of the result to plain arrays.
+/// Classification of cells as inside or outside by flood fill (Cavalcanti and Mello 1999, section 4), and conversion of
+/// the result to plain arrays.
 #pragma once
 
 #include "geomesh/core/plc.hpp"
@@ -10,9 +11,9 @@
 
 namespace geomesh::classify {
 
-/// Finds the components of the recovered mesh between its locked faces, numbers and seeds them, and drops the outside,
-/// as ConstrainedTetrahedralization documents. Throws Error{cannot_mesh} if nothing is enclosed, and
-/// Error{invalid_input} if a hole seed lies on a facet.
+/// Finds and numbers the components into which locked faces divide the recovered mesh, assigns the region seeds to
+/// them, and drops the cells outside (see ConstrainedTetrahedralization). Throws Error{cannot_mesh} if nothing is
+/// enclosed.
 ConstrainedTetrahedralization classify(recover::ConstrainedMesh& mesh, recover::DeclaredModel& model,
                                        const PiecewiseLinearComplex& plc, const RunContext& context);
 

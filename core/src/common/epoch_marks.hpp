@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Marks on a few cells, or vertices, of many, which are cleared in constant time.
+/// Marks on a few of many cells or vertices. All marks are cleared in constant time.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace geomesh {
 
-/// A hash table that fits into the nearest cache, because few items are marked at a time: a star, a cavity. An array by
-/// cell would be read all over memory. An entry is valid in the epoch in which it was made. Use one object per thread.
-/// All calls take constant time, except for growth of the table, which has at least twice as many places as entries.
+/// A hash table that fits into the nearest cache, because only few items are marked at a time (a star, a cavity). An
+/// array indexed by cell would cause scattered memory access. An entry is valid only in the epoch in which it was made.
+/// Use one object per thread. Calls take constant time unless the table grows; at most half of its slots are used.
 class EpochMarks {
  public:
   /// Takes all marks off.
@@ -40,7 +40,7 @@ class EpochMarks {
 
  private:
   struct Entry {
-    std::uint32_t index = 0, stamp = 0;  ///< twice the epoch, plus 1 if marked
+    std::uint32_t index = 0, stamp = 0;  ///< `stamp` is twice the epoch, plus 1 if marked
   };
   static constexpr std::uint32_t epochs = std::uint32_t{1} << 31;
   static constexpr unsigned first_bits = 9;
@@ -48,7 +48,7 @@ class EpochMarks {
   bool is_of_epoch(const Entry& e) const { return e.stamp >> 1 == epoch_; }
   static bool is_on(const Entry& e) { return (e.stamp & 1u) != 0; }
 
-  /// Returns the place of its entry, or of the free entry where it would be.
+  /// Returns the slot of item i in the table, or the free slot where it would be inserted.
   std::size_t place_of(std::uint32_t i) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t at = (i * 0x9E3779B1u) >> (32 - bits_);

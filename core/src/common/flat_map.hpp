@@ -60,14 +60,14 @@ class SimplexMap {
     Index value = empty;
   };
 
-  /// Returns where the key is or would be inserted. Erased keys keep their slot.
+  /// Returns the slot that holds the key or in which it would be inserted. Erased keys keep their slots.
   std::size_t place_of(const Key& key) const {
     const std::size_t mask = slots_.size() - 1;
     std::size_t i = hash_of(key) & mask;
     while (slots_[i].value != empty && !are_equal(slots_[i].key, key)) i = (i + 1) & mask;
     return i;
   }
-  /// Compares directly, because std::array would compare three vertices by a call of memcmp.
+  /// Compares the vertices one by one, because std::array would compare three vertices by a call of memcmp.
   static bool are_equal(const Key& a, const Key& b) {
     VertexIndex difference = 0;
     for (std::size_t i = 0; i < N; ++i) difference |= a[i] ^ b[i];
@@ -88,13 +88,12 @@ class SimplexMap {
   std::size_t n_used_ = 0;
 };
 
-/// A set of directed edges.
 class DirectedEdgeSet {
  public:
   using Edge = std::array<VertexIndex, 2>;
 
   bool contains(const Edge& e) const { return !slots_.empty() && slots_[place_of(pack(e))] != empty; }
-  /// Returns whether the edge was not in the set.
+  /// Inserts the edge and returns whether it was not in the set before.
   bool insert(const Edge& e) {
     if (2 * (n_ + 1) > slots_.size()) grow();
     const std::size_t i = place_of(pack(e));

@@ -10,7 +10,7 @@
 namespace geomesh {
 
 /// Assigns `label` to `start` and to all unlabelled cells that are reached from it through faces for which
-/// `is_open(FaceRef)`. `labels` has one entry per slot of `cells`, no_label if a cell has none. O(cells reached).
+/// is_open(FaceRef) is true. `labels` has an entry per slot of `cells`: no_label if unlabelled. O(cells reached).
 template <class Label, class IsOpen>
 void flood_cells(const TetMesh& cells, CellIndex start, std::vector<Label>& labels, Label no_label, Label label,
                  const IsOpen& is_open) {

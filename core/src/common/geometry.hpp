@@ -31,7 +31,7 @@ inline Vec3 unit(const Vec3& v) {
 /// Returns the normal of a triangle, whose length is twice the triangle's area.
 constexpr Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
-/// Returns Newell's normal of a loop, whose length is twice its area.
+/// Returns the normal of a polygon by Newell's method. The length of the normal is twice the area of the polygon.
 inline Vec3 loop_normal(std::span<const Vec3> points, std::span<const VertexIndex> loop) {
   Vec3 n;
   const Vec3& o = points[loop[0]];

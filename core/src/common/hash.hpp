@@ -20,7 +20,7 @@ constexpr std::uint64_t hash_of(const std::array<Number, N>& key) {
   return h ^ h >> 32;
 }
 
-/// Well mixed: the finaliser of splitmix64 (Steele, Lea and Flood 2014).
+/// Returns a well-mixed hash, by the finaliser of splitmix64 (Steele, Lea and Flood 2014).
 constexpr std::uint64_t mixed(std::uint64_t h) {
   h = (h ^ h >> 30) * 0xBF58476D1CE4E5B9ull;
   h = (h ^ h >> 27) * 0x94D049BB133111EBull;

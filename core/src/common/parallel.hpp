@@ -17,7 +17,7 @@
 
 namespace geomesh {
 
-/// Returns the number of threads to use: 0 means all cores, and more than that is never used.
+/// Returns the number of threads to use: all cores if `asked` is 0, and never more threads than cores.
 inline unsigned thread_count(unsigned asked) {
   const auto cores = static_cast<unsigned>(tbb::this_task_arena::max_concurrency());
   return asked == 0 || asked > cores ? cores : asked;
@@ -31,7 +31,7 @@ void for_each_task(std::size_t n, unsigned threads, const Task& task) {
     return;
   }
 #if defined(__SANITIZE_THREAD__)
-  // The thread sanitizer does not see into oneTBB's library and would miss the order of events.
+  // The thread sanitizer does not see how oneTBB synchronises its threads and would report races that do not exist.
   std::atomic<std::size_t> next{0};
   std::vector<std::thread> workers;
   for (unsigned t = 0; t < threads; ++t)
@@ -52,7 +52,7 @@ void for_each_task(std::size_t n, unsigned threads, const Task& task) {
 #endif
 }
 
-/// Calls body(i) for i in [0, n), for short bodies.
+/// Calls body(i) for i in [0, n). The calls are distributed in large chunks because the body is short.
 template <class Body>
 void for_each_index(std::size_t n, unsigned threads, const Body& body) {
   constexpr std::size_t chunk = 16384;

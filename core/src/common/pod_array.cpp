@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t line = 64;
 
-/// Allocates with malloc, whose result is the handle.
+/// Resizes a small block with realloc. The pointer that realloc returned is the handle of the block.
 void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) {
   const std::ptrdiff_t shift = raw ? static_cast<char*>(data) - static_cast<char*>(raw) : 0;
   void* const moved = std::realloc(raw, bytes + line);
@@ -30,7 +30,7 @@ void* resize_small(void*& raw, void* data, std::size_t used, std::size_t bytes) 
 
 // Large blocks are mapped separately, starting at the boundary of a huge page. Random access over hundreds of megabytes
 // misses the TLB at nearly every step with small pages. A block grows in place, or is remapped to another such
-// boundary: huge pages are neither copied nor split. The first line contains the length.
+// boundary: huge pages are neither copied nor split. The first cache line of a block contains its length.
 
 constexpr std::size_t huge = std::size_t{1} << 21, least_mapped = 2 * huge;
 
@@ -39,7 +39,7 @@ bool is_mapped(const void* raw) { return (reinterpret_cast<std::uintptr_t>(raw) 
 char* base_of(void* raw) { return static_cast<char*>(raw) - 1; }
 std::size_t& length_of(char* base) { return *reinterpret_cast<std::size_t*>(base); }
 
-/// Returns null if there is no memory.
+/// Maps `length` bytes that begin at the boundary of a huge page. Returns null if there is no memory.
 char* map_aligned(std::size_t length) {
   void* const got = mmap(nullptr, length + huge, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (got == MAP_FAILED) return nullptr;
@@ -48,12 +48,13 @@ char* map_aligned(std::size_t length) {
   char* const base = static_cast<char*>(got) + before;
   if (before > 0) munmap(got, before);
   munmap(base + length, huge - before);
-  madvise(base, length, MADV_HUGEPAGE);  // only advice: if it is ignored, pages are small
+  madvise(base, length, MADV_HUGEPAGE);  // the kernel may ignore this advice; pages are small then
   return base;
 }
 
-/// Returns null if there is no memory. The advice is kept with the pages. If there is no space beside the old block for
-/// the new one, for example under a limit of the address space, it is moved to any page.
+/// Grows a mapped block and returns its address, or null if there is no memory. The pages keep the advice to be huge.
+/// If the address space has no room for the old and the new block together, for example under a limit, the block is
+/// moved to the boundary of any small page.
 char* grow_mapped(char* base, std::size_t length) {
   const std::size_t before = length_of(base);
   if (mremap(base, before, length, 0) != MAP_FAILED) return base;

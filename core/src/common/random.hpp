@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The only generator of random choices: the same seed gives the same numbers on every machine. Good enough for walks,
-/// for shuffling and for trying places, and cheap enough for each step of a walk.
+/// The only random number generator of the program. The same seed gives the same numbers on every machine. The numbers
+/// are good enough for walks through a mesh, shuffling and trial positions, and cheap enough for each step of a walk.
 #pragma once
 
 #include <cstdint>

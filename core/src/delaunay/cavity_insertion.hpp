@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions:
-/// locate the point, find the conflict zone, stellate.
+/// The cavity algorithm (Bowyer 1981; Watson 1981; Cavalcanti and Mello 1999, section 2.1) in 2 and 3 dimensions. Each
+/// insertion locates the point, finds the cells in conflict with it, and connects their border with the point.
 #pragma once
 
 #include <limits>
@@ -12,8 +12,9 @@
 
 namespace geomesh {
 
-/// The conflict test is exact and perturbed, so the cavity is star-shaped with respect to the new point (the paper's
-/// equation 1). Builds with expensive checks verify this with the orientation predicate for every face.
+/// Incremental Delaunay insertion by cavities. The conflict test is exact and perturbed, so that the cavity is
+/// star-shaped with respect to the new point (Cavalcanti and Mello 1999, equation 1). Builds with expensive checks
+/// verify this with the orientation predicate for every face.
 template <class Space, bool Shared = false>
 class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
   using Base = IncrementalTriangulation<Space, Shared>;
@@ -24,7 +25,7 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
  public:
   using Base::Base;
 
-  /// Inserts vertex v. Points closer than `cluster_distance` to a vertex are left out (in 3D).
+  /// Inserts vertex v. A point closer than `cluster_distance` to a vertex is not inserted (3D only).
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
 
  private:
@@ -49,18 +50,18 @@ class CavityInsertion : public IncrementalTriangulation<Space, Shared> {
 
   static constexpr unsigned table_bits = 6, table_side = 1u << table_bits;
 
-  // Lists of the same size, of which the first n_cavity_ and n_boundary_ items count.
-  /// Reused for the slots of the new cells, by boundary face.
+  /// Cells of the cavity, later the slots of the new cells, by boundary face. Only the first n_cavity_ items are valid.
   std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);
+  /// Faces of the cavity. The list is as long as cavity_, but only the first n_boundary_ items are valid.
   std::vector<Face> boundary_ = std::vector<Face>(256);
   std::size_t n_cavity_ = 0, n_boundary_ = 0;
-  /// Squared distance of the new point from the nearest vertex, to which it will be connected. Not known in 2D.
+  /// Squared distance of the new point from the nearest vertex, to which it will be connected. Computed only in 3D.
   double nearest_ = std::numeric_limits<double>::infinity();
-  std::array<VertexIndex, table_side + 1> numbered_;                 ///< vertices of the boundary by number
+  std::array<VertexIndex, table_side + 1> numbered_;  ///< vertices of the boundary in the order of their numbers
   std::array<std::array<std::uint16_t, 4>, 2 * table_side> number_;  ///< numbers of the vertices of each boundary face
   std::uint16_t infinite_local_ = PointRecord::no_local;
-  /// 3D: the new cell's face on the directed boundary edge (a, b) in row a, column b. 2D: the new cell's face on
-  /// boundary vertex b, in row 0 if the new cell's edge begins with it.
+  /// Faces of new cells that wait for their neighbour. 3D: row a, column b has the face on the directed boundary edge
+  /// (a, b). 2D: row 0 has the face on boundary vertex b of the new cell whose edge begins with b, row 1 the other.
   std::array<FaceRef, table_side * table_side> table_;
 };
 
@@ -213,7 +214,7 @@ void CavityInsertion<Space, Shared>::stellate(VertexIndex v) {
   this->hint_ = cavity_[n_boundary_ - 1];
 }
 
-/// Makes new cell k from face k and v, without its neighbours around v.
+/// Makes new cell k from boundary face k and vertex v. Its neighbours across the faces with v are not linked yet.
 template <class Space, bool Shared>
 inline void CavityInsertion<Space, Shared>::write_cell(std::size_t k, VertexIndex v) {
   const Face& b = boundary_[k];
@@ -257,8 +258,8 @@ unsigned CavityInsertion<Space, Shared>::number_boundary() {
   return count;
 }
 
-/// The common case: new faces are stored in a square table by directed edge. Each entry is written before it is read,
-/// so the table is never cleared.
+/// Links the new cells in the common case of a small cavity: their faces are stored in a square table by directed edge.
+/// Each entry is written before it is read, so the table is never cleared.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   const unsigned shift = number_boundary() <= 32 ? 5 : table_bits;
@@ -303,7 +304,7 @@ void CavityInsertion<Space, Shared>::link_by_table(VertexIndex v) {
   }
 }
 
-/// For large cavities: faces are stored in a map by the rest of the edge or vertex.
+/// Links the new cells of a large cavity, with a map of their faces by the boundary edge (3D) or vertex (2D) on them.
 template <class Space, bool Shared>
 void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
   std::unordered_map<std::uint64_t, FaceRef> open;
@@ -313,7 +314,7 @@ void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
     write_cell(k, v);
     const auto& u = boundary_[k].vertices;
     for (unsigned j = 0; j < dimension; ++j) {
-      // 3D: face j is on the edge from vertex j + 1 to j + 2. 2D: face j is on the other vertex.
+      // 3D: face j lies on the edge from vertex j + 1 to j + 2. 2D: face j lies on the other vertex.
       const VertexIndex a = u[(j + 1) % dimension], b = dimension == 3 ? u[(j + 2) % dimension] : a;
       const FaceRef face(cavity_[k], j);
       const auto [at, is_new] =

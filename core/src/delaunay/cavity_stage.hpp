@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The cavity algorithm for all points: rounds in spatial order, large ones in concurrent parts, clustered points last.
+/// Inserts all points by the cavity algorithm: in rounds in spatial order, large rounds in concurrent parts, and
+/// clustered points last.
 #pragma once
 
 #include <cstddef>
@@ -15,26 +16,25 @@
 namespace geomesh {
 
 /// Parallel insertion after the idea of HXT (Marot, Pellerin and Remacle 2019, "One machine, one minute, three billion
-/// tetrahedra"). A part is a stretch of the Hilbert curve. It may only change cells with all of their vertices on its
-/// stretch; a point that needs other cells is deferred. Unlike in HXT, the parts depend only on the number of points
-/// and take their slots from stripes of their own. Every part therefore does the same work whatever the number of
-/// threads, and the result is the same in every byte. No locks are needed.
+/// tetrahedra"). Each part inserts the points of one interval of the Hilbert curve. It may only change cells with all
+/// of their vertices in this interval; a point that needs other cells is deferred. Unlike in HXT, the parts depend only
+/// on the number of points, and each takes slots for new cells from stripes of its own. The work of a part, and every
+/// byte of the result, are therefore the same for any number of threads. No locks are needed.
 ///
 /// No two parts interfere: a cell that a part removes has all its vertices in that part, and shares three vertices with
-/// each neighbour. A neighbour that the part does not own has therefore at least two finite vertices in this part, so
-/// no other part owns it either: its vertices do not change, and each of its neighbour links is written by at most one
-/// part.
+/// each neighbour. A neighbour not owned by the part has therefore at least two finite vertices in it, so no other part
+/// owns it either: its vertices do not change, and each of its neighbour links is written by at most one part.
 class CavityStage {
  public:
   CavityStage(TetMesh& mesh, PointRecord* records, VertexIndex n_points, double unit, double cluster_distance,
               const RunContext& context);
 
   void start(const Tetrahedron& first) { sequential_.start(first); }
-  /// Inserts the positions [begin, end), which are in the order of the curve.
+  /// Inserts the positions [begin, end), which are in the order of the Hilbert curve.
   void insert_round(VertexIndex begin, VertexIndex end);
-  /// Inserts the deferred points, which were too close to others. The triangulation is then complete.
+  /// Inserts the points that were deferred because they were too close to others. The triangulation is then complete.
   void insert_waiting();
-  /// Removes unused slots, and adds to the statistics.
+  /// Removes unused slots and writes the statistics.
   void finish(DelaunayStatistics& statistics);
 
   const std::vector<Twin>& twins() const { return twins_; }

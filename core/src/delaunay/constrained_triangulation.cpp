@@ -39,7 +39,7 @@ bool ConstrainedTriangulation::start_with_a_triangle(std::vector<VertexIndex>& o
 }
 
 bool ConstrainedTriangulation::triangulate() {
-  constexpr std::size_t few = 64;  // number of items whose order does not matter
+  constexpr std::size_t few = 64;  // number of points up to which their order does not matter
   std::vector<VertexIndex> order(records.size() - 1);
   std::iota(order.begin(), order.end(), VertexIndex{0});
   if (order.size() > few) order = hilbert_order(std::vector<Vec3>(records.begin(), records.end() - 1));
@@ -54,7 +54,7 @@ bool ConstrainedTriangulation::triangulate() {
   return true;
 }
 
-/// Returns the cell on the left of a-b, by its face opposite the apex; invalid if there is no such edge.
+/// Returns the face opposite the apex of the cell on the left of edge a-b; invalid if there is no such edge.
 FaceRef ConstrainedTriangulation::edge(VertexIndex a, VertexIndex b) const {
   CellIndex c = cell_of_[a];
   do {
@@ -77,7 +77,7 @@ bool ConstrainedTriangulation::is_flippable(VertexIndex a, VertexIndex b) const 
   return c && d && orient(*d, b, *c) == Sign::positive && orient(*c, a, *d) == Sign::positive;
 }
 
-/// Replaces edge a-b by the edge between the two apexes p, on its left, and q.
+/// Replaces edge a-b by the edge from the apex p on its left to the apex q on its right.
 void ConstrainedTriangulation::flip(VertexIndex a, VertexIndex b) {
   const FaceRef f = edge(a, b), g = mesh.mirror(f);
   const CellIndex c = f.cell(), d = g.cell();
@@ -113,7 +113,7 @@ void ConstrainedTriangulation::restore_delaunay() {
   }
 }
 
-/// Returns the face opposite a through which a-b leaves the star of a, or the vertex of the star through which it runs.
+/// Returns the face through which the segment a-b leaves the star of a, or the vertex of the star on the segment.
 std::variant<FaceRef, ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::exit_from_star(
     VertexIndex a, VertexIndex b) const {
   const auto side_of = [&](VertexIndex v) {
@@ -171,7 +171,7 @@ std::optional<ConstrainedTriangulation::Obstacle> ConstrainedTriangulation::inse
       return true;
     };
     if (auto obstacle = cross_edges(a, b, list)) return obstacle;
-    // Crossed edges of convex quadrilaterals are flipped until none is crossed.
+    // Flips crossed edges whose quadrilateral is convex until the segment a-b crosses no edge.
     std::deque<Edge> queue(crossed.begin(), crossed.end());
     while (!queue.empty()) {
       const auto [p, q] = queue.front();

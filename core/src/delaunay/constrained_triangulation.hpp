@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The constrained Delaunay triangulation of points in a plane: a 2D Delaunay triangulation in which segments are
-/// recovered by flips (Sloan 1993). It is small and used for facets: it makes the paper's draft (section 3.2).
+/// recovered by flips (Sloan 1993). It makes the draft of a facet (Cavalcanti and Mello 1999, section 3.2).
 #pragma once
 
 #include <array>
@@ -16,20 +16,20 @@
 
 namespace geomesh {
 
-/// Mesh and points, to which the base class has references.
+/// Holds the mesh and the points to which the base class has references.
 struct PlaneStore {
   TriMesh mesh;
-  std::vector<PointRecord> records;  ///< by row, followed by the one at infinity
+  std::vector<PointRecord> records;  ///< the points by index, followed by the infinite vertex
 };
 
-/// Vertices are rows of the given points. Orientations are those of the projection.
+/// Vertices are indices of the given points. Orientations are those of the projection.
 class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<PlaneSpace> {
  public:
   using Edge = std::array<VertexIndex, 2>;
-  /// An obstacle to a constraint: a vertex on it, or a constraint that it crosses.
+  /// An obstacle to a constraint: a vertex on it, or the two ends of a constraint that it crosses.
   using Obstacle = std::vector<VertexIndex>;
 
-  /// The points must be exactly in one plane, to which the dropped axis is not parallel.
+  /// The points must be exactly in one plane that is not parallel to the axis of projection.
   ConstrainedTriangulation(std::span<const Vec3> points, PlaneProjection projection);
   ConstrainedTriangulation(const ConstrainedTriangulation&) = delete;
   ConstrainedTriangulation& operator=(const ConstrainedTriangulation&) = delete;
@@ -38,11 +38,11 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   bool triangulate();
   /// Makes a-b a permanent edge by flips. Returns an obstacle if that is not possible.
   std::optional<Obstacle> insert_constraint(VertexIndex a, VertexIndex b);
-  /// Returns the number of edges that a-b crosses, counted up to `most`; 0 if it is an edge or runs through a vertex.
+  /// Returns the number of edges that a-b crosses, up to `most`; 0 if a-b is an edge or runs through a vertex.
   std::size_t n_crossed(VertexIndex a, VertexIndex b, std::size_t most) const;
   /// Restores the Delaunay criterion for all edges that are not constraints.
   void restore_delaunay();
-  /// Returns the apex of the triangle on the left of a-b; nothing if there is no such edge or the outside is there.
+  /// Returns the apex of the triangle on the left of edge a-b; nothing if there is no such edge or triangle.
   std::optional<VertexIndex> apex(VertexIndex a, VertexIndex b) const;
   /// Returns the triangles that are reached from the left of the edges `from` without crossing one of `barriers`.
   std::vector<Triangle> triangles_left_of(std::vector<Edge> from, std::span<const Edge> barriers) const;
@@ -57,8 +57,8 @@ class ConstrainedTriangulation : private PlaneStore, private CavityInsertion<Pla
   bool is_flippable(VertexIndex a, VertexIndex b) const;
   void flip(VertexIndex a, VertexIndex b);
   std::variant<FaceRef, Obstacle> exit_from_star(VertexIndex a, VertexIndex b) const;
-  /// Calls `visit` with each edge that a-b crosses, its end on the right of a-b first, as long as it returns true. If
-  /// an obstacle is returned, the edges before it have been visited.
+  /// Calls `visit` with each edge that the segment a-b crosses, as long as `visit` returns true. The end of the edge on
+  /// the right of a-b comes first. If an obstacle is returned, the edges before it have been visited.
   template <class Visit>
   std::optional<Obstacle> cross_edges(VertexIndex a, VertexIndex b, const Visit& visit) const;
 

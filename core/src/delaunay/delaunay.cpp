@@ -17,7 +17,7 @@
 namespace geomesh {
 namespace {
 
-/// 8 cells per point suffice for any input with a mesh of linear size; cell indices have 30 bits.
+/// Limit that follows from 30-bit cell indices: 8 cells per point suffice for any input with a mesh of linear size.
 constexpr std::size_t most_points = 120000000;
 
 void check_coordinates(std::span<const Vec3> points) {
@@ -60,9 +60,9 @@ Tetrahedron first_tetrahedron(std::span<const Vec3> points, std::vector<VertexIn
   return {0, 1, 2, 3};
 }
 
-/// The cluster distance `auto`: 2^-44 of the model's extent, if any two consecutive points on the curve are that close;
-/// otherwise none. At that distance, differences of coordinates have at most nine significant bits. Deferring costs
-/// more than it saves at larger distances (docs/decisions/delaunay.md, "Deferred points").
+/// Returns the cluster distance for the option `auto`: 2^-44 of the model's extent if two consecutive points on the
+/// Hilbert curve are that close, otherwise 0. At that distance, differences of coordinates have at most nine
+/// significant bits. Deferring at larger distances does not pay (docs/decisions/delaunay.md, "Deferred points").
 double chosen_distance(const PodArray<PointRecord>& records, VertexIndex n) {
   Box3 box;
   double least = std::numeric_limits<double>::infinity();
@@ -104,7 +104,7 @@ std::vector<Twin> insert_by_flips(DelaunayTetrahedralization& result, PodArray<P
   return twins;
 }
 
-/// Converts positions in insertion order to the caller's rows.
+/// Converts positions in insertion order to the caller's indices.
 void finish(DelaunayTetrahedralization& result, const std::vector<Twin>& twins, PodArray<PointRecord>& records,
             unsigned threads) {
   TetMesh::Cell* cells = result.mesh.cells();
@@ -125,7 +125,7 @@ DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> poi
   DelaunayTetrahedralization result;
   TetMesh& mesh = result.mesh;
   mesh.reserve(8 * points.size() + 64 * SlotSource::block);
-  // The memory of the cells is first used for sorting: 16 of the 256 bytes per point.
+  // The memory of the cells is first used for sorting, which takes 16 of its 256 bytes per point.
   SpatialOrder spatial =
       spatial_order(points, {reinterpret_cast<std::uint64_t*>(mesh.cells()), 2 * points.size()}, threads);
   const Tetrahedron first = first_tetrahedron(points, spatial.order);

@@ -23,7 +23,7 @@ bool FlipInsertion::all_positive() {
   return std::all_of(new_.begin(), new_.end(), [&](const CellVertices& v) { return positive(v); });
 }
 
-/// Replaces old_ by new_; both fill the same polyhedron.
+/// Replaces the cells old_ by new_, which fill the same polyhedron.
 void FlipInsertion::replace() {
   for (const CellIndex c : old_) flags_[c] |= cavity_flag;
   pairing_.begin(4 * (old_.size() + new_.size()));
@@ -51,8 +51,8 @@ void FlipInsertion::replace() {
   hint_ = made_.back();
 }
 
-/// Collects the cells whose closure contains p: one, two at a face, or the ring around an edge; a ghost if p is beyond
-/// its face.
+/// Collects the cells whose closure contains p: one cell, the two cells at a face, or all cells around an edge. If p is
+/// outside the hull, collects the ghost of the face beyond which it lies.
 void FlipInsertion::collect_holders(CellIndex c, const Vec3& p) {
   old_.assign(1, c);
   if (flags_[c] & ghost_flag) return;
@@ -62,7 +62,7 @@ void FlipInsertion::collect_holders(CellIndex c, const Vec3& p) {
   GEOMESH_CHECK(on.size() <= 2);
   if (on.size() == 1) old_.push_back(cells_[c].neighbors[on[0]].cell());
   if (on.size() < 2) return;
-  // Turns around the edge that is on both faces: each cell is left by the face through which it was not entered.
+  // Turns around the common edge of both faces that contain p, leaving each cell through the face not entered.
   FaceRef next = cells_[c].neighbors[on[0]];
   VertexIndex pivot = cells_[c].vertices[on[1]];
   while (next.cell() != c) {
@@ -130,8 +130,8 @@ std::size_t FlipInsertion::flip_all() {
   return stuck_ = flip_queue(no_vertex);
 }
 
-/// Flips until no queued face can be flipped; returns how many of those are not locally Delaunay. When v is inserted,
-/// only link faces, which are opposite v, may be flipped: flips within the star would get stuck.
+/// Flips queued faces until none can be flipped. Returns how many of the remaining ones are not locally Delaunay. When
+/// v is inserted, only link faces, which are opposite v, may be flipped: flips within the star would get stuck.
 std::size_t FlipInsertion::flip_queue(VertexIndex v) {
   std::vector<Candidate> waiting;
   for (bool progress = true; progress;) {
@@ -157,8 +157,8 @@ std::size_t FlipInsertion::flip_queue(VertexIndex v) {
   return stuck;
 }
 
-/// Returns whether the apex on one side is not in conflict with the cell on the other. The test is symmetric and uses a
-/// finite apex.
+/// Returns whether face f is locally Delaunay: the apex on one side is not in conflict with the cell on the other. The
+/// test is symmetric and uses a finite apex.
 bool FlipInsertion::locally_delaunay(FaceRef f) {
   FaceRef outer = cells_[f.cell()].neighbors[f.face()];
   if (cells_[f.cell()].vertices[f.face()] == infinite_) std::swap(f, outer);
@@ -178,10 +178,10 @@ bool FlipInsertion::try_flip(FaceRef f) {
   return try_3_to_2(f, outer) || try_2_to_3(f, outer) || try_4_to_4(f, outer);
 }
 
-// In the following, v and d are the apexes of the two cells on face (a, b, c). Replacing one face vertex by d in v's
-// cell gives the cells on the new edge (v, d), with their orientation.
+// Notation of the flips: v and d are the apexes of the two cells at face (a, b, c). Replacing one of a, b and c by d in
+// the cell of v gives a cell on the new edge (v, d) with correct orientation.
 
-/// Handles three cells around edge (a, b): v's, d's, and one on (v, d, a, b).
+/// Flips three cells around edge (a, b), those of v and d and one with the vertices v, d, a and b, into two.
 bool FlipInsertion::try_3_to_2(FaceRef f, FaceRef outer) {
   const CellVertices w = cells_[f.cell()].vertices;
   const VertexIndex d = cells_[outer.cell()].vertices[outer.face()];
@@ -201,7 +201,7 @@ bool FlipInsertion::try_3_to_2(FaceRef f, FaceRef outer) {
   return false;
 }
 
-/// Returns whether b is a vertex of some cell at a; c is one cell at a.
+/// Returns whether a and b are connected by an edge. c is one of the cells at a.
 bool FlipInsertion::adjacent(CellIndex c, VertexIndex a, VertexIndex b) {
   std::vector<CellIndex> star{c};
   bool found = false;
@@ -234,7 +234,7 @@ bool FlipInsertion::try_2_to_3(FaceRef f, FaceRef outer) {
   return true;
 }
 
-/// Handles v, a, d, b in one plane with four cells around edge (a, b), the others having a common vertex.
+/// Flips the four cells around edge (a, b) if v, a, d and b are coplanar and the other two cells have a common vertex.
 bool FlipInsertion::try_4_to_4(FaceRef f, FaceRef outer) {
   const CellVertices w = cells_[f.cell()].vertices;
   const VertexIndex v = w[f.face()], d = cells_[outer.cell()].vertices[outer.face()];

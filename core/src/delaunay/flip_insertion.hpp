@@ -15,31 +15,31 @@
 
 namespace geomesh {
 
-/// The vertex at infinity takes part in flips like any other, so that hull faces need no special case. A 4-4 flip with
-/// an infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip around an edge to infinity removes a
-/// vertex from the hull.
+/// The vertex at infinity takes part in flips like any other: hull faces need no special case. A 4-4 flip with an
+/// infinite vertex is the 2-2 flip of two coplanar hull faces. A 3-2 flip around an edge to infinity removes a vertex
+/// from the hull.
 class FlipInsertion : public IncrementalTriangulation<Space3, false> {
  public:
   using IncrementalTriangulation::IncrementalTriangulation;
 
-  /// Inserts vertex v. Points closer than `cluster_distance` to a vertex of the cell that contains them are left out.
+  /// Inserts vertex v. A point closer than `cluster_distance` to a vertex of the cell that contains it is not inserted.
   InsertionOutcome insert(VertexIndex v, double cluster_distance = 0);
   /// Splits the cells that contain v without flips, so that the result need not be Delaunay.
   InsertionOutcome split_only(VertexIndex v);
-  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped; returns the number of those left
-  /// (stuck). Each flip lowers the lifted surface, so this terminates from any triangulation.
+  /// Flips all faces of the mesh that are not locally Delaunay and can be flipped. Returns the number of faces that
+  /// remain not locally Delaunay (stuck). Each flip lowers the lifted surface, so this terminates.
   std::size_t flip_all();
 
-  /// Makes the first of the flips 3-2, 2-3, 4-4 that is possible at face f between two finite cells, Delaunay or not;
-  /// returns false if none is. (At ghosts, orientations alone would allow a flip that dents the hull; there the
-  /// conflict test keeps it convex.)
+  /// Makes the first possible of the flips 3-2, 2-3 and 4-4 at face f between two finite cells, whether or not the face
+  /// is locally Delaunay. Returns false if none is possible. (At ghosts, orientations alone would allow a flip that
+  /// dents the hull; the conflict test of the other functions keeps it convex.)
   bool flip_face(FaceRef f);
 
   std::size_t stuck_faces() const { return stuck_; }
   std::size_t flips() const { return flips_; }
 
  private:
-  /// A cell as it was when it was queued; it may have been removed since.
+  /// A face of a cell as it was when it was queued; the cell may have been removed since.
   struct Candidate {
     CellIndex cell;
     CellVertices vertices;
@@ -63,7 +63,7 @@ class FlipInsertion : public IncrementalTriangulation<Space3, false> {
   unsigned index_of(CellIndex c, VertexIndex v) const { return mesh_.index_of(c, v); }
 
   std::vector<CellIndex> old_;     ///< cells to be replaced
-  std::vector<CellVertices> new_;  ///< their replacements; after replace() their slots are in made_
+  std::vector<CellVertices> new_;  ///< cells that replace old_; after replace() their slots are in made_
   std::vector<CellIndex> made_;
   std::vector<Candidate> queue_;
   std::size_t stuck_ = 0, flips_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The common base of the incremental algorithms in 2 and 3 dimensions (Cavalcanti and Mello 1999, end of section 2.1).
-/// It contains the first simplex with its ghosts, point location, and ownership of cells in parallel runs. The
-/// algorithms are derived from it: cavity_insertion.hpp and flip_insertion.hpp.
+/// It makes the first simplex with its ghosts, locates points, and knows which cells a part of a parallel run owns. The
+/// algorithms in cavity_insertion.hpp and flip_insertion.hpp are derived from it.
 #pragma once
 
 #include <array>
@@ -19,12 +19,12 @@ namespace geomesh {
 
 enum class InsertionOutcome {
   inserted,
-  duplicate,  ///< equals a vertex, which `IncrementalTriangulation::twin()` returns
-  too_near,   ///< closer to a vertex than the cluster distance; nothing was changed
+  duplicate,  ///< the point equals a vertex, which `IncrementalTriangulation::twin()` returns
+  too_near,   ///< the point is closer to a vertex than the cluster distance; nothing was changed
   not_owned,  ///< the insertion would change cells of another part; nothing was changed
 };
 
-/// In this stage, vertices are positions in insertion order, and the infinite vertex is the one after the last.
+/// Base of the incremental algorithms. Vertices are positions in insertion order; the infinite vertex follows the last.
 template <class Space, bool Shared>
 class IncrementalTriangulation {
  public:
@@ -43,7 +43,7 @@ class IncrementalTriangulation {
   /// Makes the first simplex of an empty mesh from affinely independent, positively oriented vertices.
   void start(const CellVertices& first);
 
-  /// Returns the cell that contains p, or the ghost beyond which it lies; the next walk starts there.
+  /// Returns the cell that contains p, or the ghost of a hull face that p is beyond. The next walk starts at this cell.
   CellIndex locate(const Vec3& p) { return hint_ = walk(p); }
   void set_hint(CellIndex c) { hint_ = c; }
   CellIndex hint() const { return hint_; }
@@ -52,14 +52,14 @@ class IncrementalTriangulation {
   const Space& space() const { return space_; }
   const SlotSource& slots() const { return slots_; }
   SlotSource& slots() { return slots_; }
-  /// Must be called when the mesh has grown.
+  /// Updates pointers into the mesh. Must be called when the mesh has grown.
   void refresh() {
     cells_ = mesh_.cells();
     flags_ = mesh_.cell_flags();
   }
 
  protected:
-  /// Returns a cell in conflict with p: the cell that contains it, or the ghost of a hull face beyond which it lies;
+  /// Returns a cell in conflict with p: the cell that contains p, or the ghost of a hull face beyond which p lies;
   /// no_cell if the walk leaves the owned part.
   CellIndex walk(const Vec3& p);
   /// Returns the vertex of c equal to p, or no_vertex.
@@ -77,9 +77,9 @@ class IncrementalTriangulation {
       if (!owns(u)) return false;
     return true;
   }
-  /// Ends a walk that has reached cell c of another part: the next one starts at an owned neighbour of c. If it started
-  /// where this one did, walks to points along a line would visit ever more cells. No part changes c, because it has
-  /// vertices of both.
+  /// Ends a walk that has reached a cell c of another part, and lets the next walk start at an owned neighbour of c. If
+  /// all walks started at the same cell, walks to points along a line would visit ever more cells. No part changes c,
+  /// because c has vertices of both parts.
   CellIndex leave_part(CellIndex c) {
     for (const FaceRef& n : cells_[c].neighbors)
       if (owns_cell(cells_[n.cell()].vertices)) hint_ = n.cell();
@@ -90,7 +90,7 @@ class IncrementalTriangulation {
     for (const VertexIndex u : v) r |= u == infinite_;
     return r;
   }
-  /// Ensures room for n more cells: grows the mesh, or, if it is shared and full, returns false.
+  /// Ensures room for n more cells by growing the mesh. Returns false if the mesh is shared and full.
   bool make_room(std::size_t n) {
     if (slots_.has(n)) return true;
     if constexpr (Shared) return false;
@@ -129,7 +129,7 @@ void IncrementalTriangulation<Space, Shared>::start(const CellVertices& first) {
   flags_[inner] = 0;
   std::array<CellIndex, n_faces> ghost;
   for (unsigned i = 0; i < n_faces; ++i) {
-    // The ghost beyond face i sees that face from the other side, so two of its vertices are exchanged.
+    // The ghost beyond face i has this face in the opposite order, so two of its vertices are exchanged.
     CellVertices v = first;
     v[i] = infinite_;
     std::swap(v[face_of<dimension>(i)[0]], v[face_of<dimension>(i)[1]]);
@@ -144,8 +144,8 @@ void IncrementalTriangulation<Space, Shared>::start(const CellVertices& first) {
   hint_ = inner;
 }
 
-/// Remembering walk (Devillers, Pion and Teillaud 2002): never back through the face by which it entered; faces in
-/// random order.
+/// Remembering walk (Devillers, Pion and Teillaud 2002): it tests the faces of a cell in random order and never leaves
+/// through the face by which it entered.
 template <class Space, bool Shared>
 CellIndex IncrementalTriangulation<Space, Shared>::walk(const Vec3& p) {
   CellIndex c = hint_;

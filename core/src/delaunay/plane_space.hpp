@@ -9,7 +9,7 @@
 
 namespace geomesh {
 
-/// Drops an axis: the result is (y, z), (z, x) or (x, y), optionally with the coordinates exchanged.
+/// Projects points along an axis: the result is (y, z), (z, x) or (x, y), or these exchanged.
 struct PlaneProjection {
   enum class Handedness { right, left };
   int axis = 2;
@@ -21,8 +21,8 @@ struct PlaneProjection {
   }
 };
 
-/// Like Space3, for exactly coplanar points. Orientations are those of a projection along an axis that is not parallel
-/// to the plane.
+/// Predicates like those of Space3 for exactly coplanar points. Orientations are those of a projection along an axis
+/// that is not parallel to the plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;
@@ -37,14 +37,14 @@ class PlaneSpace {
   Sign orient(VertexIndex a, VertexIndex b, VertexIndex c) const {
     return orientation(points_[a], points_[b], points_[c]);
   }
-  /// Returns the orientation of edge `face` of a finite cell with p: negative if p is beyond it.
+  /// Returns the orientation of p with edge `face` of a finite cell: negative if p is beyond the edge.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) const {
     return orientation(points_[v[(face + 1) % 3]], points_[v[(face + 2) % 3]], p);
   }
   bool finite_conflict(const CellVertices& v, const Vec3& p) const {
     return in_circle_coplanar_perturbed(points_[v[0]], points_[v[1]], points_[v[2]], p) == Sign::positive;
   }
-  /// Returns whether p is strictly beyond the ghost's edge, or strictly between its ends.
+  /// Returns whether p is strictly beyond the ghost's edge, or on its line strictly between its ends.
   bool ghost_conflict(const CellVertices& v, const Vec3& p) const {
     unsigned g = 0;
     while (v[g] != infinite_) ++g;

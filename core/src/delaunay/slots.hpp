@@ -10,9 +10,9 @@
 
 namespace geomesh {
 
-/// One of `n_sources` sources that share the mesh beyond `base`: source k owns the blocks k, k + n_sources, ... of
-/// `block` slots each. The slots that a source returns therefore depend only on its own work, and not on the timing of
-/// others. With one source the blocks form one range.
+/// Gives out slots for new cells. Each of `n_sources` sources that share the mesh beyond slot `base` owns a part of it:
+/// source k owns the blocks k, k + n_sources, ... of `block` slots each. The slots that a source gives out therefore
+/// depend only on its own work, and not on the timing of others. The blocks of a single source form one range.
 class SlotSource {
  public:
   SlotSource() = default;
@@ -41,9 +41,9 @@ class SlotSource {
   void give_back(CellIndex c) { free_.push_back(c); }
   void raise_limit(CellIndex limit) { limit_ = limit; }
 
-  /// Returns one past the last slot of the used blocks.
+  /// Returns the number after the last slot of the used blocks.
   CellIndex used_end() const { return block_end_; }
-  /// Returns the slots of this source below `end` that no cell uses: freed ones, followed by never used ones.
+  /// Returns the slots of this source below `end` that no cell uses: freed ones, followed by those never used.
   std::vector<CellIndex> unused(CellIndex end) const {
     std::vector<CellIndex> r = free_;
     CellIndex c = next_, stop = block_end_;
@@ -51,7 +51,7 @@ class SlotSource {
       for (; c < std::min(stop, end); ++c) r.push_back(c);
     return r;
   }
-  /// Continues with a new range from `base`; the rest of the old one is added to the freed slots.
+  /// Continues with a new range of slots from `base`; the rest of the old range is added to the freed slots.
   void restart(CellIndex base, CellIndex limit) {
     for (; next_ < block_end_; ++next_)
       if (next_ < limit_) free_.push_back(next_);
@@ -59,8 +59,8 @@ class SlotSource {
     block_end_ = base + block;
     limit_ = limit;
   }
-  /// For the only source of a mesh, at the end: removes all slots that no cell uses. Its blocks are one range, so none
-  /// beyond the next slot has been used.
+  /// Removes all slots that no cell uses, after the last insertion. Only for the single source of a mesh: its blocks
+  /// form one range, so that no slot beyond the next one has been used.
   template <class Mesh>
   void finish(Mesh& mesh) const {
     for (const CellIndex c : free_)

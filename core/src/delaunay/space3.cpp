@@ -7,7 +7,7 @@
 namespace geomesh {
 namespace {
 
-/// Like compare_lexicographic, but without branches, which would be mispredicted for ties on lattices.
+/// Compares like compare_lexicographic, but without branches, which would be mispredicted for ties on lattices.
 int compare(const Vec3& a, const Vec3& b) {
   return 4 * ((a.x > b.x) - (a.x < b.x)) + 2 * ((a.y > b.y) - (a.y < b.y)) + ((a.z > b.z) - (a.z < b.z));
 }
@@ -26,8 +26,8 @@ bool Space3::finite_conflict_after_filter(const Vec3& a, const Vec3& b, const Ve
   return s != Sign::zero ? s == Sign::positive : tie_conflict(a, b, c, d, p);
 }
 
-/// Decides the tie of points whose differences r from p are at most 512 units. The lexicographic order is then that of
-/// one exact number, which is 0 for p. Orientations are plain determinants.
+/// Decides a tie of four points whose differences r from p are at most 512 units. The lexicographic order of the points
+/// is then the order of one exact number each, which is 0 for p. Orientations are plain determinants.
 bool Space3::near_tie_conflict(const std::array<Vec3, 4>& r) {
   std::array<double, 4> place;
   for (unsigned i = 0; i < 4; ++i) place[i] = 0x1p22 * r[i].x + 0x1p11 * r[i].y + r[i].z;
@@ -43,8 +43,8 @@ bool Space3::near_tie_conflict(const std::array<Vec3, 4>& r) {
   return false;
 }
 
-/// Like detail::in_sphere_tie, but selects the greatest remaining point instead of sorting: the first one nearly always
-/// decides.
+/// Decides a tie like detail::in_sphere_tie, but selects the greatest remaining point instead of sorting, because the
+/// first one nearly always decides.
 bool Space3::tie_conflict(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& p) {
   const std::array<const Vec3*, 4> v{&a, &b, &c, &d};
   for (unsigned left = 0b1111; left != 0;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The predicates of incremental triangulation in space, on point records, with the fast paths inlined.
+/// The predicates of incremental triangulation in 3D, for point records, with the fast paths inlined.
 #pragma once
 
 #include <array>
@@ -17,20 +17,19 @@
 
 namespace geomesh {
 
-/// A space decides, for points given by their records, on which side of a face a point lies, and with which cells it is
-/// in conflict. It is the only part of the incremental algorithms that differs between the plane, a facet's plane and
-/// space, apart from the dimension.
+/// A space decides on which side of a face a point lies, and with which cells it is in conflict. Apart from the
+/// dimension, it is all that differs between the incremental algorithms in 2D, in the plane of a facet and in 3D.
 ///
-/// Lattices and rounded data have coordinates that are multiples of one power of two. Differences of up to 512 units
-/// then make the plain determinants exact in doubles: 72 * 512^5 < 2^53. A tie then needs no expansion.
+/// Lattices and rounded data have coordinates that are multiples of one power of two. Plain determinants are then exact
+/// in doubles for differences of up to 512 units, because 72 * 512^5 < 2^53, and ties need no expansions.
 class Space3 {
  public:
   static constexpr int dimension = 3;
   using Record = PointRecord;
   using CellVertices = TetMesh::CellVertices;
 
-  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter decides anything about it. `unit`:
-  /// the coordinates are multiples of it, or 0.
+  /// `points[infinite]` must exist; its coordinates become NaN, so that no filter decides anything about this point.
+  /// All coordinates are multiples of `unit`, which is 0 if no such unit is known.
   Space3(PointRecord* points, VertexIndex infinite, double unit)
       : points_(points), infinite_(infinite), exact_reach_(512 * unit) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +41,7 @@ class Space3 {
   std::size_t exact_calls() const { return exact_calls_; }
   double exact_reach() const { return exact_reach_; }
 
-  /// Returns the orientation of face `face` of a finite cell with p: negative if p is beyond it.
+  /// Returns the orientation of p with face `face` of a finite cell: negative if p is beyond the face.
   Sign side(const CellVertices& v, unsigned face, const Vec3& p) {
     const auto& f = face_vertices[face];
     return orientation(points_[v[f[0]]], points_[v[f[1]]], points_[v[f[2]]], p);
@@ -56,13 +55,12 @@ class Space3 {
     return finite_conflict_after_filter(a, b, c, d, p, estimate.value);
   }
 
-  /// Returns whether p is in conflict with a finite cell if the filter is known to be undecided about the determinant
-  /// `value`.
+  /// Returns whether p is in conflict with a finite cell if the filter left the determinant `value` undecided.
   bool finite_conflict(const CellVertices& v, const Vec3& p, double value) {
     return finite_conflict_after_filter(points_[v[0]], points_[v[1]], points_[v[2]], points_[v[3]], p, value);
   }
 
-  /// Returns whether p is strictly beyond the ghost's face, or in its plane and inside its circumcircle.
+  /// Returns whether p is strictly beyond the ghost's face, or in the plane of the face and inside its circumcircle.
   bool ghost_conflict(const CellVertices& v, const Vec3& p) {
     unsigned g = 0;
     while (v[g] != infinite_) ++g;

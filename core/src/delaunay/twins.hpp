@@ -10,13 +10,13 @@
 
 namespace geomesh {
 
-/// A position whose point equals an inserted vertex.
+/// The position of a point that equals an already inserted vertex.
 struct Twin {
   VertexIndex position, vertex;
 };
 
-/// Assigns to each vertex the least id of the points equal to it; returns that id for each point, its own if there is
-/// no equal one.
+/// Assigns to each vertex the least id of the points equal to it. Returns for each point the least id of the points
+/// equal to it, which is its own id if there are none.
 inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, PointRecord* records, VertexIndex n) {
   std::vector<VertexIndex> representative(n);
   for (VertexIndex i = 0; i < n; ++i) representative[i] = i;

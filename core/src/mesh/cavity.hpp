@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A set of cells that is to be refilled. It grows across faces by a predicate (in-sphere, visibility), then gives up
-/// cells until a point sees its whole border, so that the star of that point fills it.
+/// A cavity: a set of cells that is to be replaced. It grows across faces by a predicate (in-sphere, visibility). Then
+/// cells are removed from it until a given point sees its whole border, so that the star of this point fills the
+/// cavity.
 ///
-/// The Delaunay base has a cavity of its own (delaunay/cavity_insertion.hpp), which tests four faces at a time in
-/// lanes. ConstrainedMesh::find_cavity marks cells in their flags, as replace_by_star needs them.
+/// The Delaunay triangulation has its own kind of cavity (delaunay/cavity_insertion.hpp), which tests four faces at a
+/// time with vector instructions. ConstrainedMesh::find_cavity marks cells in their flags, because replace_by_star
+/// needs them.
 #pragma once
 
 #include <algorithm>
@@ -16,11 +18,10 @@
 
 namespace geomesh {
 
-/// Works on marks and a list that belong to the caller. The list is the result, and the marks are set for exactly the
-/// cells in it.
+/// A cavity that is stored in a list and in marks of the caller, which are set for exactly the cells in the list.
 class Cavity {
  public:
-  /// Begins with `bases`, which are never given up. The mesh must not change while the cavity is used.
+  /// Starts with the cells `bases`, which remain in the cavity. The mesh must not change while the cavity is used.
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());
@@ -35,14 +36,14 @@ class Cavity {
     cells_.push_back(c);
   }
 
-  /// Gives up the cell in row i of the list.
+  /// Removes the cell in row i of the list from the cavity.
   void erase(std::size_t i) {
     marks_.unmark(cells_[i]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
   }
 
   /// Adds each cell for which takes(cell) is true and that can be reached through faces for which may_cross(face) is
-  /// true and that have cells on both sides. Ends soon after there are `most` cells.
+  /// true. These faces must have cells on both sides. Stops soon after the cavity has `most` cells.
   template <class MayCross, class Takes>
   void grow(std::size_t most, const MayCross& may_cross, const Takes& takes) {
     for (std::size_t k = 0; k < cells_.size() && cells_.size() < most; ++k)
@@ -54,9 +55,9 @@ class Cavity {
       }
   }
 
-  /// Gives up cells with a border face for which sees(face) is false, then those whose faces are at the border because
-  /// of that, and at last those separated from the bases. Faces for which may_cross is false count as border, except
-  /// those for which is_inner(face) is true. Returns false if a base would have to be given up.
+  /// Removes cells with a border face for which sees(face) is false, then cells with such faces that have become border
+  /// because of the removals, and finally cells that are separated from the bases. Faces for which may_cross is false
+  /// count as border, except those for which is_inner(face) is true. Returns false if a base would have to be removed.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Circumcentres in doubles, as candidates for places of points. They decide nothing.
+/// Circumcentres in floating point, as candidates for new points. No topological decision depends on them.
 #pragma once
 
 #include <optional>

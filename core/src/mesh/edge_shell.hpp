@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The shell of an edge, refilled without the edge. Each triangle of a triangulation of the polygon of ring vertices
-/// stands for two cells, one with either end of the edge. The best triangulation is found by dynamic programming over
-/// spans of the polygon (Klincsek 1980; Shewchuk 2002, "Two discrete optimization algorithms for the topological
-/// improvement of tetrahedral meshes"). The goal defines what is best:
+/// Edge removal: the shell of an edge, which consists of the cells around it, is triangulated anew without the edge.
+/// Each triangle of a triangulation of the polygon of ring vertices represents two cells, one with each end of the
+/// edge. The best triangulation is found by dynamic programming over spans of the polygon (Klincsek 1980; Shewchuk
+/// 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"). The goal
+/// defines what is best:
 ///
 ///   recovery   positive   any triangulation of positive cells without forbidden diagonals
 ///   remeshing  worst      the largest worst shape

@@ -5,8 +5,8 @@ namespace geomesh {
 
 namespace {
 
-/// Walks from `start` until the ring closes or ends outside. Each step enters cell k, positive in the order (a, b, x,
-/// y), and leaves it across the face opposite x.
+/// Walks around the edge (a, b) from cell `start` until the ring of cells closes or ends outside of the mesh. Each step
+/// enters a cell, positive in the order (a, b, x, y), and leaves it across the face opposite x.
 bool turn_forward(const TetMesh& mesh, CellIndex start, VertexIndex a, VertexIndex b, std::vector<CellIndex>& cells,
                   std::vector<VertexIndex>& ring) {
   cells.clear();

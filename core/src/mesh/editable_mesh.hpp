@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The one tetrahedral mesh that is edited in place: under recovery with locked faces, under remeshing with surfaces,
-/// curves and components. It holds cells, points, and for each vertex one cell that has it.
+/// The tetrahedral mesh that recovery and remeshing edit in place. Recovery adds locked faces to it; remeshing adds
+/// surfaces, curves and components. It holds cells, points, and one cell of each vertex.
 ///
 /// There is one change of connectivity, `exchange`: a set of cells is replaced by another that fills the same region.
 /// The caller is responsible for the region and for positive cells, and decides both by exact predicates.
 ///
 /// Invariants:
-///   1. cell_of(v) of a vertex in the mesh is a live cell that has v;
+///   1. cell_of(v) of a vertex v in the mesh is a live cell with the vertex v;
 ///   2. neighbour links are mutual and see their face from both sides (validate_topology);
 ///   3. every finite cell is exactly positive (validate_geometry).
 #pragma once
@@ -50,10 +50,10 @@ class EditableMesh {
   const Vec3& point(VertexIndex v) const { return points_[v]; }
   CellIndex cell_of(VertexIndex v) const { return cell_of_[v]; }
 
-  /// All cells that can be reached from cell_of(v) through faces with v, in an order that depends on the mesh alone.
+  /// Lists the star of v: the cells reached from cell_of(v) through faces with v, in an order that the mesh determines.
   void star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
-  /// Finds these cells step by step: the first cell, then for each k < out.size() the neighbours of out[k] that are not
-  /// in the list yet.
+  /// Lists the star of v step by step: begin_star() lists the first cell, and grow_star() adds the neighbours of out[k]
+  /// that have v and are not in the list yet, to be called for each k < out.size().
   void begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
   void grow_star(VertexIndex v, std::size_t k, EpochMarks& marks, std::vector<CellIndex>& out) const;
 
@@ -63,22 +63,22 @@ class EditableMesh {
     End end;
     CellIndex cell;  ///< the last
   };
-  /// Walks towards p, exactly, from a finite cell, each time through a face that has p beyond it: the first such face
-  /// from first_face() on. Stops before a face for which is_barrier(face) is true, and after `most_steps` steps.
+  /// Walks from a finite cell towards p with exact predicates. Each step crosses the first face from first_face() on
+  /// that has p beyond it. Stops before a face for which is_barrier(face) is true, and after `most_steps` steps.
   template <class FirstFace, class IsBarrier>
   Walk walk(const Vec3& p, CellIndex start, std::size_t most_steps, const FirstFace& first_face,
             const IsBarrier& is_barrier) const;
 
  protected:
-  static constexpr std::uint8_t region_flag = 0x80;  ///< in flags(cell): the cell is about to be removed
+  static constexpr std::uint8_t region_flag = 0x80;  ///< flag of a cell that is about to be removed
 
   EditableMesh() = default;
   EditableMesh(TetMesh mesh, std::vector<Vec3> points)
       : mesh_(std::move(mesh)), points_(std::move(points)), cell_of_(points_.size(), no_cell) {}
 
-  /// Exchanges the cells `removed` for the cells make(0), make(1) ... below `n_added`, which it makes with their
-  /// attributes. note_neighbor(cell) is called before a cell beside the region is linked anew, note_removal(cell)
-  /// before one is freed. Throws InternalError if the two regions do not have the same border. O(cells).
+  /// Replaces the cells `removed` by `n_added` new cells; make(k) creates new cell k with its attributes.
+  /// note_neighbor(cell) is called before the links of a cell beside the region change, note_removal(cell) before a
+  /// cell is freed. Throws InternalError if the old and the new cells do not have the same border. O(cells).
   template <class Make, class NoteNeighbor, class NoteRemoval>
   void exchange(std::span<const CellIndex> removed, std::size_t n_added, const Make& make,
                 const NoteNeighbor& note_neighbor, const NoteRemoval& note_removal) {
@@ -87,8 +87,8 @@ class EditableMesh {
       mesh_.free_cell(c);
     });
   }
-  /// Exchanges cells with a table and slots that belong to the caller, who also frees the removed cells. For changes
-  /// that are made concurrently.
+  /// Does the same as exchange() for changes that are made concurrently: the table of faces belongs to the caller, and
+  /// free(cell) frees the removed cells.
   template <class Make, class NoteNeighbor, class Free>
   void exchange_by(FacePairing<FaceMark>& pairing, std::span<const CellIndex> removed, std::size_t n_added,
                    const Make& make, const NoteNeighbor& note_neighbor, const Free& free);

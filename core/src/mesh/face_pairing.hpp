@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds the equal faces of a set of cells, so that exchanged cells are linked with those around them and with each
-/// other.
+/// Matches equal faces of a set of cells, so that new cells are linked with the cells around them and with each other.
 #pragma once
 
 #include <bit>
@@ -28,16 +27,16 @@ inline FaceKey face_key(const Tetrahedron& t, unsigned i) {
   return {std::uint64_t{low} << 32 | middle, high};
 }
 
-/// Faces wait in this table, with a mark, for the new face that takes their place. It is an open-addressing table that
-/// is kept from one exchange to the next and never cleared. O(1) for each face.
+/// Faces and their marks wait in this table for the face of a new cell that equals them. It is an open-addressing hash
+/// table that is reused from one exchange to the next without being cleared. O(1) for each face.
 template <class Mark>
 class FacePairing {
  public:
   enum class Role : std::uint8_t {
-    outer,   ///< belongs to a kept cell; to none if the face is on the outside
-    inner,   ///< between two removed cells: only its mark waits
-    added,   ///< belongs to a new cell
-    linked,  ///< has been met
+    outer,   ///< face of a kept cell, or of no cell if it is on the outside
+    inner,   ///< face between two removed cells, of which only the mark waits
+    added,   ///< face of a new cell
+    linked,  ///< face that has been linked with its equal
   };
   struct Entry {
     FaceKey key;
@@ -47,7 +46,7 @@ class FacePairing {
     std::uint32_t epoch = 0;
   };
 
-  /// Must be called before the first of at most `n_faces` faces of an exchange.
+  /// Begins an exchange of at most `n_faces` faces.
   void begin(std::size_t n_faces) {
     const std::size_t size = std::bit_ceil(n_faces + 1);
     if (entries_.size() < size) entries_.assign(size, Entry{}), epoch_ = 0;
@@ -68,8 +67,8 @@ class FacePairing {
     Entry& e = at(key);
     if (e.epoch != epoch_) e = {key, {}, mark, Role::inner, epoch_};
   }
-  /// Adds a face of a new cell. Returns the face that it meets, which is linked from now on, or null if it has to wait
-  /// itself.
+  /// Adds a face of a new cell. If an equal face waits in the table, marks it as linked and returns it. Otherwise
+  /// returns null, and the new face waits.
   const Entry* meet(const FaceKey& key, FaceRef face) {
     Entry& e = at(key);
     if (e.epoch != epoch_ || e.role == Role::inner) {
@@ -86,7 +85,7 @@ class FacePairing {
     e.role = Role::linked;
     return &met_;
   }
-  /// Faces of kept cells that have lost their neighbour, and new faces that have found none.
+  /// Number of faces of kept cells (outer) and of new cells (added) that have not found an equal face.
   std::size_t n_outer_waiting() const { return n_outer_; }
   std::size_t n_added_waiting() const { return n_added_; }
 
@@ -97,7 +96,7 @@ class FacePairing {
     return entries_[i];
   }
 
-  std::vector<Entry> entries_;  ///< an entry of another epoch is free
+  std::vector<Entry> entries_;  ///< entries of other epochs are free
   std::size_t mask_ = 0, n_outer_ = 0, n_added_ = 0;
   std::uint32_t epoch_ = 0;
   Entry met_;

@@ -11,14 +11,14 @@ namespace geomesh {
 
 namespace {
 
-/// The even orders of four vertices. [i][j] begins with i and is the j-th of the three rotations of the others that
-/// keep the orientation.
+/// The even permutations of four vertices. even_orders[i][j] begins with vertex i, followed by the j-th of the three
+/// orders of the other vertices that keep the orientation.
 constexpr std::uint8_t even_orders[4][3][4] = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}},
                                                {{1, 0, 3, 2}, {1, 3, 2, 0}, {1, 2, 0, 3}},
                                                {{2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}},
                                                {{3, 0, 2, 1}, {3, 2, 1, 0}, {3, 1, 0, 2}}};
 
-/// New positions of the local vertices.
+/// New order of the local vertices of a cell.
 struct Order {
   std::uint8_t first = 0, rotation = 0;
   unsigned operator[](unsigned i) const { return even_orders[first][rotation][i]; }
@@ -45,7 +45,7 @@ TetMesh with_sorted_cells(const TetMesh& mesh, VertexIndex n_vertices) {
   struct Entry {
     Tetrahedron vertices;
     CellIndex cell;
-    /// Order of cells with the same first vertex.
+    /// Sort key of cells that have the same first vertex.
     std::pair<std::uint64_t, VertexIndex> others() const {
       return {std::uint64_t{vertices[1]} << 32 | vertices[2], vertices[3]};
     }

@@ -46,7 +46,7 @@ constexpr HilbertAutomaton make_automaton() {
 
 constexpr HilbertAutomaton hilbert = make_automaton();
 
-/// Places of points on the curve that fills the cube around their box, 2^levels cells a side.
+/// Positions of points along the Hilbert curve that fills a cube around the points. The cube has 2^levels cells a side.
 class HilbertPlaces {
  public:
   HilbertPlaces(std::span<const Vec3> points, std::span<const VertexIndex> subset, int levels) : levels_(levels) {
@@ -79,7 +79,7 @@ class HilbertPlaces {
   double extent_, scale_;
 };
 
-/// Number of levels at which the curve has about 2^6 cells for each point.
+/// Number of levels at which the Hilbert curve has about 2^6 cells for each point.
 int levels_for(std::size_t n) { return std::clamp((static_cast<int>(std::bit_width(n)) + 2) / 3 + 2, 3, 11); }
 
 /// A well mixed hash of the coordinates, measured from the low corner of the points' box in a unit that is a power of
@@ -103,7 +103,7 @@ class CoordinateHash {
   double scale_;
 };
 
-// An item has a key in the high bits and a position below 2^28 in the low ones.
+// An item to be sorted has a key in the high bits and the index of a point, below 2^28, in the low bits.
 constexpr int index_bits = 28;
 constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 constexpr unsigned n_rounds = 8;
@@ -130,7 +130,7 @@ void sort_small(std::span<const Vec3> points, std::span<VertexIndex> run) {
   });
 }
 
-/// Orders points that share a cell of a coarser curve along a curve of their own.
+/// Orders points in the same cell of a coarser Hilbert curve along a Hilbert curve through the box of these points.
 void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
   if (run.size() <= 4) return sort_small(points, run);
   const HilbertPlaces place(points, run, levels_for(run.size()));
@@ -146,7 +146,8 @@ void refine_run(std::span<const Vec3> points, std::span<VertexIndex> run) {
   }
 }
 
-/// Cuts the curve so that the largest round has equal shares, and gives each point the number of its part.
+/// Cuts the Hilbert curve into parts that hold equally many points of the last and largest round, and stores the number
+/// of its part for each point.
 void assign_places(std::span<const std::uint64_t> items, std::uint64_t place_mask, SpatialOrder& result) {
   const std::size_t first = result.round_begin[result.round_begin.size() - 2], n = items.size() - first;
   std::vector<std::uint64_t> cut;

@@ -28,7 +28,7 @@ void check_vertices(const TetMesh& mesh, CellIndex c, FaultList& faults) {
       if (v[i] == v[j]) faults.add("a cell has a vertex twice", c);
 }
 
-/// Returns whether both list the same three vertices, in opposite cyclic order.
+/// Returns whether the faces f and g have the same three vertices in opposite cyclic order.
 bool seen_from_both_sides(const TetMesh& mesh, FaceRef f, FaceRef g) {
   std::array<VertexIndex, 3> a, b;
   for (unsigned k = 0; k < 3; ++k) {

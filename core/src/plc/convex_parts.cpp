@@ -7,7 +7,7 @@ namespace geomesh {
 
 namespace {
 
-/// Polygons as rings of corners: the edge that begins at corner c ends where that of next_[c] begins.
+/// Stores polygons as rings of triangle corners: the edge that begins at corner c ends where that of next_[c] begins.
 class PartFinder {
  public:
   explicit PartFinder(const FlatPatch& patch)
@@ -36,8 +36,7 @@ class PartFinder {
   }
 
  private:
-  /// Returns whether the polygon remains convex at the vertex where corner c begins if the edge is left out whose two
-  /// sides are c and d.
+  /// Returns whether the polygon remains convex at the vertex of corner c without the edge with the sides c and d.
   bool stays_convex(Index c, Index d) const {
     const VertexIndex before = patch_.vertex(previous_[c]), after = patch_.vertex(next_[next_[d]]);
     return before != after && patch_.turn(before, patch_.vertex(c), after) != Sign::negative;

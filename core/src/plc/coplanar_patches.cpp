@@ -16,11 +16,10 @@ struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  /// Uses with the same a are ordered by b, then by facet.
+  /// Sort key of uses with the same `a`: by b, then by facet.
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
-/// Lists the facets and segments at each edge of a complex.
 class EdgeUses {
  public:
   explicit EdgeUses(const PiecewiseLinearComplex& plc) : plc_(plc) { list_uses(); }
@@ -38,7 +37,7 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    // Sorts by the first end in one pass, then the few uses of each.
+    // Sorts the uses by their first vertex in one pass, then the few uses of each vertex.
     std::vector<Index> end(plc_.points.size() + 2, 0);
     for_each_use([&](VertexIndex a, VertexIndex b, Index, VertexIndex) { ++end[std::min(a, b) + 2]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
@@ -76,16 +75,14 @@ class EdgeUses {
   std::vector<EdgeUse> uses_;  ///< sorted
 };
 
-/// Returns whether four points are coplanar. Sides of boxes and horizontal surfaces are recognised without a
-/// determinant.
+/// Returns whether four points are coplanar. For sides of boxes and horizontal surfaces no determinant is needed.
 bool are_coplanar(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a[i] == b[i] && a[i] == c[i] && a[i] == d[i]) return true;
   return orient3d(a, b, c, d) == Sign::zero;
 }
 
-/// Returns whether exactly two coplanar triangles of one surface, and nothing else, meet at an edge. `provenance` is by
-/// facet.
+/// Returns whether only two coplanar triangles of one surface meet at an edge. `provenance` has an entry per facet.
 bool is_inside_patch(const PiecewiseLinearComplex& plc, std::span<const Index> provenance,
                      std::span<const EdgeUse> uses) {
   if (uses.size() != 2 || uses[0].facet == no_index || uses[1].facet == no_index) return false;
@@ -108,7 +105,7 @@ class PatchFinder {
     });
   }
 
-  /// Decides for all patches together.
+  /// Returns whether all patches together are far from Delaunay.
   bool are_far_from_delaunay(double most_crossings) {
     std::vector<Index> begin(plc_.n_facets() + 1, 0);
     for (Index& f : facet_of_inner_edge_) ++begin[(f = find(f)) + 1];
@@ -149,7 +146,7 @@ class PatchFinder {
     }
   }
 
-  /// Keeps an edge inside a patch as a segment if anything else lies at it.
+  /// Makes an edge inside a patch a segment if another facet or segment shares the edge.
   void note_segments(std::span<const EdgeUse> uses) {
     if (uses.size() == 2 && is_inside_patch(plc_, provenance_, uses)) return;
     for (std::size_t i = 0; i < uses.size(); ++i)
@@ -162,7 +159,7 @@ class PatchFinder {
   std::span<const Index> provenance_;
   EdgeUses edges_;
   std::vector<Index> patch_;  ///< union-find over facets
-  std::vector<Index> row_;    ///< row in patches_, by first facet
+  std::vector<Index> row_;    ///< row in patches_ of the patch that begins with each facet
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
   std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge

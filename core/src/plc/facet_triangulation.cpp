@@ -13,7 +13,7 @@ namespace geomesh {
 
 namespace {
 
-/// Projects along the coordinate in which the normal is largest. The outer loop is counter-clockwise in the projection.
+/// Returns the projection along the largest component of the normal in which the outer loop is counter-clockwise.
 PlaneProjection projection_along(const Vec3& normal) {
   using Handedness = PlaneProjection::Handedness;
   const double x = std::fabs(normal.x), y = std::fabs(normal.y), z = std::fabs(normal.z);
@@ -83,8 +83,8 @@ class FacetTriangulator {
     }
     out_.deviation = 0.5 * (high - low);
   }
-  /// Triangulates the points in space if they are exactly planar, so that a facet that is present equals its draft;
-  /// otherwise their projections.
+  /// Returns a triangulation of the points in space if they are exactly planar, so that a facet that is already present
+  /// in the mesh equals its draft triangulation. Otherwise the projections of the points are triangulated.
   ConstrainedTriangulation plane_of(const Vec3& normal) const {
     const PlaneProjection projection = projection_along(normal);
     std::vector<Vec3> points;

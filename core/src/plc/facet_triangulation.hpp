@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Triangulation of one polygonal facet (holes, inner segments, inner points): the paper's draft (section 3.2). A
-/// constrained Delaunay triangulation in the facet's plane, ties broken as in 3D.
+/// Triangulation of one polygonal facet with holes, inner segments and inner points: the draft of Cavalcanti and Mello
+/// 1999 (section 3.2). It is a constrained Delaunay triangulation in the facet's plane, with ties broken as in 3D.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace geomesh {
 
-/// Vertices are rows of `points`.
+/// A polygonal facet. Its vertices are indices of points.
 struct FacetPolygon {
   std::vector<std::vector<VertexIndex>> loops;  ///< outer, holes
   std::vector<std::array<VertexIndex, 2>> segments;
@@ -21,7 +21,7 @@ struct FacetPolygon {
 };
 
 struct FacetTriangulation {
-  std::vector<Triangle> triangles;  ///< in the orientation of the outer loop
+  std::vector<Triangle> triangles;  ///< triangles in the orientation of the outer loop
   bool exactly_planar = false;
   double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero if exactly planar
 };
@@ -32,8 +32,8 @@ struct FacetFault {
   std::vector<VertexIndex> vertices;
 };
 
-/// O(n log n) plus flips. Returns nothing for a polygon that cannot be used; then `fault` has the reason (zero area, a
-/// loop that crosses itself, a vertex on an edge ...).
+/// Returns the constrained Delaunay triangulation of a polygon. Returns nothing if the polygon is invalid (zero area, a
+/// loop that crosses itself, a vertex on an edge ...); `fault` then has the reason. O(n log n) plus flips.
 std::optional<FacetTriangulation> triangulate_facet(std::span<const Vec3> points, const FacetPolygon& polygon,
                                                     FacetFault& fault);
 

@@ -70,7 +70,7 @@ class CrossingSearch {
     return out;
   }
   void collect() {
-    // Whether the facet has points or segments inside, where others may end.
+    // Whether each facet has points or segments inside, at which other facets and segments may end.
     std::vector<bool> has_parts(plc_.n_facets(), false);
     for (const auto& p : plc_.facet_points) has_parts[p.facet] = true;
     for (const auto& s : plc_.facet_segments) has_parts[s.facet] = true;
@@ -86,7 +86,7 @@ class CrossingSearch {
     }
     for (const auto& s : plc_.segments) edges_.push_back(make(s.a, s.b, no_vertex, no_index));
   }
-  /// Sorts the edges along the longest axis and keeps each once, as the first facet has it.
+  /// Sorts the edges along the longest axis and keeps only the first of equal edges.
   void sort_edges() {
     const std::size_t axis = longest_axis();
     const auto key = [axis](const Item& e) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Exact search for items of a PLC that meet where they must not. Recovery calls it only after it has added more points
-/// than a valid model is likely to need.
+/// Exact search for edges and triangles of a PLC that cross. Recovery runs it only after it has added more points than
+/// a valid model is likely to need.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ struct PlcCrossing {
   Index facet = no_index;                    ///< the facet met
 };
 
-/// Returns the first crossing, ordered by edge, then facet. Only triangles are searched; polygons, and triangles with
-/// points or segments inside, were checked when they were declared. O(n log n) plus the pairs whose boxes overlap along
-/// the longest axis.
+/// Returns the first crossing, ordered by edge, then facet. Only triangular facets are searched; polygons, and
+/// triangles with points or segments inside, were checked when recovery triangulated them. O(n log n) plus the pairs
+/// whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
-/// Returns all crossings in the same order.
+/// Returns all crossings, ordered by edge, then facet.
 std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);
 
-/// Searches for crossings when they are first requested, and remembers them.
+/// Finds the first crossing of a complex when it is first requested, and remembers it.
 class CrossingsOf {
  public:
   explicit CrossingsOf(const PiecewiseLinearComplex& plc) : plc_(plc) {}

@@ -125,7 +125,7 @@ bool FlatPatch::holds(Index triangle, const Vec2& x) const {
   return true;
 }
 
-/// Returns how far x is beyond the side of the triangle that it is farthest beyond.
+/// Returns the largest distance of x beyond a side of the triangle; 0 if it is beyond none.
 double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   const Triangle& t = triangles_[triangle];
   double most = 0;
@@ -137,8 +137,7 @@ double FlatPatch::distance_outside(Index triangle, const Vec2& x) const {
   return most;
 }
 
-/// Walks along the straight line from v to x. Returns nothing if the line leaves the patch, which only happens because
-/// of rounding of x.
+/// Walks straight from v to x. Returns nothing if the line leaves the patch, which only rounding of x causes.
 std::optional<Index> FlatPatch::walk_from(VertexIndex v, const Vec2& x) const {
   const Vec2 from = flat(v);
   Index at = no_index;

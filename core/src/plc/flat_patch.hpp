@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A patch of coplanar triangles: its outline as loops, and the triangle in which a point of it lies.
+/// A patch of coplanar triangles. Finds the loops of its outline, and the triangle that contains a given point.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,13 @@
 
 namespace geomesh {
 
-/// Exactly coplanar triangles that are connected by edges. They are oriented like the first one; corner 3 t + k is
-/// vertex k of triangle t.
+/// Exactly coplanar triangles connected by edges, oriented like the first. Corner 3 t + k is vertex k of triangle t.
 class FlatPatch {
  public:
   using Edge = std::array<VertexIndex, 2>;
 
-  /// Returns nothing if an edge has more than two triangles, or two on one side of it, or if rounding leaves no axis
-  /// along which the plane can be projected. `points` must outlive the patch.
+  /// Makes a patch. Returns nothing if an edge has more than two triangles, or two on one side of it, or if rounding
+  /// leaves no axis along which the plane can be projected. `points` must outlive the patch.
   static std::optional<FlatPatch> of(std::span<const Vec3> points, std::vector<Triangle> triangles);
 
   /// Returns whether the given triangle has the opposite orientation to the first one.
@@ -30,19 +29,19 @@ class FlatPatch {
   /// Returns the triangle with its new orientation.
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
-  /// Returns the corner at which the reverse of the edge that begins at `corner` begins, or no_index on the border.
+  /// The edge that begins at `corner` is reversed in the triangle on its other side. Returns the corner of that
+  /// triangle at which the reversed edge begins, or no_index on the border.
   Index opposite(Index corner) const { return opposite_[corner]; }
   /// Returns positive if a, b, c have the orientation of the triangles.
   Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }
   Sign turn(VertexIndex a, VertexIndex b, const Vec3& c) const { return orient2d(flat(a), flat(b), projection_(c)); }
-  /// Returns the outer loop and holes, with the patch on the left, and the inner vertices except those on `segments`,
-  /// which become segments of the polygon. O(n log n).
+  /// Returns the patch as one polygon: the outer loop and the holes, with the patch on their left; the given segments;
+  /// and the inner vertices that are not on segments. O(n log n).
   FacetPolygon polygon(std::vector<Edge> segments) const;
 
   /// Returns the triangle that contains the centroid (rounded to doubles) of a triangle inside the patch, whose
-  /// vertices are points of the patch or on it. Exact for the rounded centroid. `near` contains rows of the patch's
-  /// vertices among the corners; it may be empty. O(triangles between a corner and the centroid), O(n) without a
-  /// corner.
+  /// vertices are points of the patch or on it. Exact for the rounded centroid. `near` lists the corners of the
+  /// triangle that are vertices of the patch, if any. O(triangles from a corner to the centroid), O(n) without one.
   Index triangle_at_centroid(const std::array<Vec3, 3>& corners, std::span<const VertexIndex> near) const;
 
  private:

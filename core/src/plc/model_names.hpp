@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The caller's names for the items of the model that is being meshed. The caller gave the model in another frame and
-/// order (tetrahedralize/canonical_form.hpp).
+/// The caller's frame and the caller's indices of vertices, facets and segments. The model is meshed in another frame
+/// and order than the caller's (tetrahedralize/canonical_form.hpp).
 #pragma once
 
 #include <array>
@@ -12,38 +12,38 @@
 
 namespace geomesh {
 
-/// A frame with permuted and reversed axes, which is exact in doubles.
+/// A change of frame that permutes and reverses axes, which is exact in doubles.
 struct AxisFrame {
-  std::array<std::uint8_t, 3> axis{0, 1, 2};  ///< axis i here is the caller's axis[i] ...
-  std::array<double, 3> direction{1, 1, 1};   ///< ... times this, 1 or -1
+  std::array<std::uint8_t, 3> axis{0, 1, 2};  ///< axis i of the model is the caller's axis[i], times direction[i]
+  std::array<double, 3> direction{1, 1, 1};   ///< 1 or -1 for each axis
 
-  /// From the caller's frame; -0 becomes 0.
+  /// Converts p from the caller's frame to that of the model; -0 becomes 0.
   Vec3 enter(const Vec3& p) const {
     return {direction[0] * p[axis[0]] + 0.0, direction[1] * p[axis[1]] + 0.0, direction[2] * p[axis[2]] + 0.0};
   }
-  /// Back to the caller's frame; -0 becomes 0.
+  /// Converts p from the frame of the model to that of the caller; -0 becomes 0.
   Vec3 leave(const Vec3& p) const {
     Vec3 out;
     for (std::size_t i = 0; i < 3; ++i) out[axis[i]] = direction[i] * p[i] + 0.0;
     return out;
   }
-  /// Returns whether a positive tetrahedron of the caller is a negative one here.
+  /// Returns whether a tetrahedron that is positive in the caller's frame is negative in the frame of the model.
   bool mirrors() const {
     const bool is_odd = (axis[0] + 1) % 3 != axis[1];
     return is_odd != (direction[0] * direction[1] * direction[2] < 0);
   }
 };
 
-/// The caller's row of each item of the model.
+/// The caller's index of each vertex, facet and segment of the model.
 struct ModelNames {
   AxisFrame frame;
   std::vector<VertexIndex> vertex;
   std::vector<Index> facet;
   std::vector<Index> segment;
-  std::vector<std::uint8_t> facet_is_reversed;    ///< its outer loop is reversed with respect to the caller's
-  std::vector<std::uint8_t> segment_is_reversed;  ///< its ends are exchanged with respect to the caller's
+  std::vector<std::uint8_t> facet_is_reversed;    ///< whether the outer loop is reversed with respect to the caller's
+  std::vector<std::uint8_t> segment_is_reversed;  ///< whether the ends are exchanged with respect to the caller's
 
-  /// Returns whether the upper side of facet f here (by its loop and the frame here) is the caller's lower side.
+  /// Returns whether the upper side of facet f, by its loop in the model's frame, is its lower side for the caller.
   bool swaps_sides(Index f) const { return (facet_is_reversed[f] != 0) != frame.mirrors(); }
 };
 

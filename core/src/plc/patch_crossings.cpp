@@ -59,8 +59,8 @@ class PatchCrossings {
     }
     return n;
   }
-  /// Returns whether the side a-b of a flipped edge's quadrilateral, at which the flip replaces `apex` by `new_apex`,
-  /// is locally Delaunay afterwards, and was before.
+  /// Flipping an edge replaces `apex` by `new_apex` at the side a-b of the edge's quadrilateral. Returns whether this
+  /// side is locally Delaunay before and after the flip.
   bool is_locally_delaunay_after_flip(std::span<const InnerEdge> edges, VertexIndex a, VertexIndex b, VertexIndex apex,
                                       VertexIndex new_apex) const {
     const std::pair key{std::min(a, b), std::max(a, b)};
@@ -69,7 +69,7 @@ class PatchCrossings {
     const VertexIndex beyond = side->apex == apex ? side->other_apex : side->apex;
     return is_locally_delaunay(a, b, apex, beyond) && is_locally_delaunay(a, b, new_apex, beyond);
   }
-  /// Returns whether the sum of the two angles that see the edge a-b is at most 180 degrees.
+  /// Returns whether the sum of the two angles opposite the edge a-b is at most 180 degrees.
   bool is_locally_delaunay(VertexIndex a, VertexIndex b, VertexIndex apex, VertexIndex other_apex) const {
     const auto sees = [&](VertexIndex from) {
       const Vec3 to_a = points_[a] - points_[from], to_b = points_[b] - points_[from];
@@ -107,7 +107,8 @@ class PatchCrossings {
     return out;
   }
 
-  /// Returns the number of crossings, counted up to about `most`; 0 if the vertices have no Delaunay triangulation.
+  /// Returns how many edges of the Delaunay triangulation the given edges cross, counted up to about `most`; 0 if the
+  /// vertices have no Delaunay triangulation.
   std::size_t crossings(std::span<const InnerEdge> edges, std::size_t most) {
     list_vertices(edges);
     std::vector<Vec3> points;
@@ -127,7 +128,7 @@ class PatchCrossings {
   std::span<const InnerEdge> edges_;
   std::span<const Index> first_;
   std::vector<VertexIndex> vertices_;  ///< vertices of the current patch
-  std::vector<VertexIndex> row_;       ///< rows in vertices_ by point; undefined for other points
+  std::vector<VertexIndex> row_;       ///< row of each point in vertices_; undefined for points of other patches
 };
 
 }  // namespace

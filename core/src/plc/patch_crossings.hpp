@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Measures how far patches of coplanar triangles are from Delaunay, which determines whether recovering their inner
-/// edges is worth while.
+/// Measures how far patches of coplanar triangles are from Delaunay, and so the cost of recovering their inner edges.
 #pragma once
 
 #include <span>
@@ -17,9 +16,9 @@ struct InnerEdge {
   VertexIndex apex, other_apex;  ///< apexes of the two triangles
 };
 
-/// Largest number of edges of a triangulation of n points that a segment between two of them can cross: each connects a
-/// vertex on its left with one on its right, and such a bipartite planar graph with m >= 3 vertices has at most 2 m - 4
-/// edges.
+/// Largest number of edges of a triangulation of n points that a segment between two of them can cross. Each crossed
+/// edge connects a vertex on the left of the segment with one on its right, and such a bipartite planar graph with m >=
+/// 3 vertices has at most 2 m - 4 edges.
 constexpr std::size_t most_crossed(std::size_t n) { return n < 4 ? 0 : n == 4 ? 1 : 2 * (n - 2) - 4; }
 
 /// Returns whether the inner edges of plane patches cross more than `most` edges each, on average over all patches, of

@@ -14,7 +14,7 @@ namespace geomesh {
 
 namespace {
 
-/// Number of bits of a place in the plane: a millionth of the polygon's size is accurate enough.
+/// Largest number of bits of a point's two coordinates in the plane: a millionth of the polygon's size suffices.
 constexpr int most_bits = 20;
 
 struct Circle {
@@ -60,8 +60,8 @@ class RoofBuilder {
   }
 
  private:
-  /// Finds the largest triangle whose corners divide the border into thirds, which defines the plane. Returns false if
-  /// none has an area.
+  /// Finds the largest of the triangles whose corners divide the border into thirds. It defines the plane of the
+  /// polygon. Returns false if no such triangle has an area.
   bool find_base(const std::vector<Vec3>& corners) {
     double largest = 0;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -75,9 +75,9 @@ class RoofBuilder {
     return largest > 0;
   }
   std::array<Vec3, 3> base() const { return {points_[base_[0]], points_[base_[1]], points_[base_[2]]}; }
-  /// Makes the corners run in one direction from the least one on, as projected along the axis. Polygons that are
-  /// stacked along it then get points above each other, which keeps the spheres around each roof's triangles free of
-  /// the other roofs' points.
+  /// Orders the corners so that they turn in one direction, beginning with the least one, as projected along the axis.
+  /// Polygons that are stacked along the axis then get inner points above each other, so that the spheres around the
+  /// triangles of one roof contain no points of the other roofs.
   void put_in_order() {
     const auto [a, b, c] = base();
     is_turned_ = cross(projected(b - a), projected(c - a))[axis_] < 0;
@@ -105,7 +105,7 @@ class RoofBuilder {
   }
   double distance_from_side(std::size_t i, const Vec3& p) const { return dot(inward_[i], p - flat_[i]); }
 
-  /// Adds a point in the circumcircle of each triangle, unless one that was added before lies there.
+  /// Adds a point in the circumcircle of each triangle, unless a point added earlier by this call lies in the circle.
   bool add_points(const std::vector<Triangle>& triangles) {
     const auto first = static_cast<std::ptrdiff_t>(points_.size());
     for (const Triangle& t : triangles) {
@@ -119,8 +119,7 @@ class RoofBuilder {
     }
     return true;
   }
-  /// Returns a point on the line from the triangle to the centre of its circumcircle, at most half as far as the border
-  /// in that direction.
+  /// Returns a point from the triangle towards the centre of its circumcircle, at most half as far as the border.
   Vec3 towards(const Triangle& t, const Vec3& centre) const {
     const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
     double part = 1;
@@ -130,9 +129,9 @@ class RoofBuilder {
     }
     return from + part * (centre - from);
   }
-  /// Returns an acceptable point in doubles, exactly in the plane, and nearer to x than to the border: a sum of two
-  /// vectors in the plane with factors of few bits, because sums with fewer bits are less often rounded, here and in
-  /// shears.
+  /// Returns an accepted point near x that lies exactly in the plane and is nearer to x than to the border. It is a sum
+  /// of two vectors in the plane whose factors have as few bits as possible, because such sums are rounded less often,
+  /// both here and when the model is sheared.
   template <class Accept>
   std::optional<Vec3> place_near(const Vec3& x, const Accept& is_accepted) const {
     const auto [a, b, c] = base();

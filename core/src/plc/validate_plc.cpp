@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The invariants of a complex, declared in geomesh/core/plc.hpp.
+// Checks the invariants of a PiecewiseLinearComplex that are declared in geomesh/core/plc.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -99,7 +99,7 @@ class Validator {
     Index facet;
     friend auto operator<=>(const Entry&, const Entry&) = default;
   };
-  /// Triangular facets by their smallest vertex: those of v are in rows begin[v] to begin[v + 1].
+  /// Returns the triangular facets, grouped by their smallest vertex: those of vertex v begin in row begin[v].
   std::vector<Entry> triangles_by_vertex(std::vector<std::size_t>& begin) const {
     std::vector<Entry> entries;
     for (Index f = 0; f < plc_.n_facets(); ++f) {

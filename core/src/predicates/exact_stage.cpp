@@ -26,7 +26,7 @@ Expansion<24> det3(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (minor2(a.x, b.y, b.x, a.y) * c.z + minor2(b.x, c.y, c.x, b.y) * a.z) + minor2(c.x, a.y, a.x, c.y) * b.z;
 }
 
-/// Returns det [b - a; c - a; d - a], expanded in the coordinates themselves.
+/// Returns det [b - a; c - a; d - a], expanded in the coordinates without differences.
 Expansion<96> orient3d_expansion(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return (det3(b, c, d) - det3(a, c, d)) + (det3(a, b, d) - det3(a, b, c));
 }
@@ -50,7 +50,7 @@ Expansion<8 * N> times_lift(const Expansion<N>& e, const Vec2& p) {
   return e * p.x * p.x + e * p.y * p.y;
 }
 
-/// Multiplies e by f, which is short, by scaling e with each term of f and summing.
+/// Multiplies e by the short expansion f: scales e with each term of f and adds the results.
 template <int N>
 Expansion<12 * N> product(const Expansion<N>& e, const Expansion<6>& f) {
   Expansion<2 * N> part[6];
@@ -125,14 +125,14 @@ template <class Number>
 Number det3(const Vector<Number>& u, const Vector<Number>& v, const Vector<Number>& w) {
   return (u.z * (v.x * w.y - w.x * v.y) + v.z * (w.x * u.y - u.x * w.y)) + w.z * (u.x * v.y - v.x * u.y);
 }
-/// Returns det3 with every product and difference replaced by a sum of magnitudes.
+/// Returns the sum of the magnitudes of all products in det3, for error bounds.
 double permanent3(const Vector<double>& u, const Vector<double>& v, const Vector<double>& w) {
   const auto pair = [](double a, double b, double c, double d) { return std::fabs(a * b) + std::fabs(c * d); };
   return std::fabs(u.z) * pair(v.x, w.y, w.x, v.y) + std::fabs(v.z) * pair(w.x, u.y, u.x, w.y) +
          std::fabs(w.z) * pair(u.x, v.y, v.x, u.y);
 }
 
-/// Returns in_sphere of a, b, c, d, given relative to the fifth point.
+/// Returns the in-sphere determinant of a, b, c and d, given relative to the fifth point.
 template <class Number>
 Number in_sphere_det(const Vector<Number>* p) {
   const auto lift = [](const Vector<Number>& v) { return (v.x * v.x + v.y * v.y) + v.z * v.z; };
@@ -149,14 +149,15 @@ Sign sign_of(double x) { return x > 0 ? Sign::positive : Sign::negative; }
 
 }  // namespace
 
-// The bounds in doubles are those of filters.hpp relative to the sum of the magnitudes of the products. In TwoDouble a
-// product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8; 2^-98 is used.
+// Error bounds of the dynamic filters. In doubles they are those of filters.hpp, relative to the sum of the magnitudes
+// of the products. In TwoDouble a product passes through at most 12 operations of 6 u^2 each: 72 u^2 = 2^-99.8 < 2^-98.
 
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls) {
   const auto u = vector_from(a, d, 0.0), v = vector_from(b, d, 0.0), w = vector_from(c, d, 0.0);
   const double det = det3(u, v, w), permanent = permanent3(u, v, w);
   if (std::fabs(det) > filter::orient3d_permanent_factor * permanent) return -sign_of(det);
-  if (permanent == 0) return Sign::zero;  // each product has a zero factor: exact (a plane perpendicular to an axis)
+  // each product has a zero factor, so the determinant is exactly 0 (a plane perpendicular to an axis)
+  if (permanent == 0) return Sign::zero;
   const exact::TwoDouble fine = det3(vector_from(a, d, exact::TwoDouble{}), vector_from(b, d, exact::TwoDouble{}),
                                      vector_from(c, d, exact::TwoDouble{}));
   if (std::fabs(fine.hi) > 0x1p-98 * permanent) return -sign_of(fine.hi);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Decides cases that a semi-static filter leaves open: first by a dynamic filter, whose bound follows from the
-/// magnitudes of the terms, then by the exact sign with expansions. Inside the core only; callers elsewhere use
+/// magnitudes of the terms, then by the exact sign with expansions. For use inside the core; other callers use
 /// geomesh/core/predicates.hpp.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace geomesh::exact {
 
-/// Return exact signs in the conventions of predicates.hpp. Each first tries differences that happen to be exact (as
-/// for points that are near each other), then uses the coordinates themselves.
+/// Exact signs of the predicates, in the conventions of predicates.hpp. Each function first tries differences of
+/// coordinates, which are often exact for points near each other, and otherwise uses the coordinates themselves.
 Sign orient2d(double ax, double ay, double bx, double by, double cx, double cy);
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
@@ -22,13 +22,12 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
 
 namespace geomesh::detail {
 
-/// Applies the dynamic filter, then exact arithmetic; `exact_calls` is incremented if the dynamic filter does not
-/// decide either.
+/// Apply the dynamic filter, then exact arithmetic. `exact_calls` counts undecided dynamic filters.
 Sign orient3d_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, std::size_t& exact_calls);
 Sign in_sphere_after_filter(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e,
                             std::size_t& exact_calls);
 
-/// Returns the sign of in_sphere_perturbed if the unperturbed one is zero.
+/// Returns the sign of in_sphere_perturbed for points whose unperturbed in-sphere determinant is zero.
 Sign in_sphere_tie(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
 }  // namespace geomesh::detail

@@ -5,8 +5,8 @@
 /// predicates", section 2.
 ///
 /// Precondition throughout: round-to-even doubles, no contraction into fused operations, no over- or underflow
-/// (exponents_are_safe). All results are non-adjacent, which is what fast_expansion_sum asks of its arguments (theorem
-/// 13 and section 2.4 there).
+/// (exponents_are_safe). All results are non-adjacent, as fast_expansion_sum requires of its arguments (Shewchuk 1997,
+/// theorem 13 and section 2.4).
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace geomesh::exact {
 
-/// head + tail == a + b exactly (Knuth 1969).
+/// Computes head + tail == a + b exactly (Knuth 1969).
 inline void two_sum(double a, double b, double& head, double& tail) {
   head = a + b;
   const double b_virtual = head - a;
@@ -24,23 +24,23 @@ inline void two_sum(double a, double b, double& head, double& tail) {
   tail = (a - a_virtual) + (b - b_virtual);
 }
 
-/// head + tail == a + b exactly, where |a| >= |b| (Dekker 1971).
+/// Computes head + tail == a + b exactly if |a| >= |b| (Dekker 1971).
 inline void fast_two_sum(double a, double b, double& head, double& tail) {
   head = a + b;
   tail = b - (head - a);
 }
 
-/// head + tail == a - b exactly.
+/// Computes head + tail == a - b exactly.
 inline void two_difference(double a, double b, double& head, double& tail) { two_sum(a, -b, head, tail); }
 
-/// a == high + low with at most 26 bits each (Veltkamp's splitting).
+/// Splits a into high + low == a with at most 26 bits each (Veltkamp's splitting).
 inline void split(double a, double& high, double& low) {
   const double c = 134217729.0 * a;
   high = c - (c - a);
   low = a - high;
 }
 
-/// head + tail == a * b exactly, b split already.
+/// Computes head + tail == a * b exactly, for a number b that is already split.
 inline void two_product(double a, double b, double b_high, double b_low, double& head, double& tail) {
   double a_high, a_low;
   head = a * b;
@@ -144,7 +144,7 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   return h;
 }
 
-/// a * b - c * d exactly.
+/// Returns a * b - c * d exactly.
 inline Expansion<4> minor2(double a, double b, double c, double d) {
   Expansion<2> ab, cd;
   double head, tail;

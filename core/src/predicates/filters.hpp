@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Semi-static filters of the predicates: the determinant in doubles against an error bound from the largest coordinate
-/// differences of this very call. One global bound would fail nearly always on models whose spacings span many orders
-/// of magnitude.
+/// Semi-static filters of the predicates: the determinant in doubles is compared with an error bound that is computed
+/// in each call from the largest differences of coordinates. One global bound would nearly always leave the sign open
+/// on models whose spacings span many orders of magnitude.
 ///
 /// Bounds, with u = 2^-53. Each difference has a relative error of u. Every product of the expanded determinant passes
 /// through a number of roundings. Each has relative size u of a quantity that is at most the sum of the magnitudes of
 /// the products:
 ///   orient2d : 2 products, 2 differences + product + final subtraction              = 4 u  -> 8 u X Y;
 ///   orient3d : 6 products, 3 differences + (2x2: 2) + product + two sums            = 8 u  -> 48 u X Y Z;
-///   in_circle: 6 products, 2 differences, lift (2 + product + sum = 4), 2, 1, 2     = 11 u -> 66 u X Y L, L = X^2 +
-///   Y^2 >= lift; in_sphere: 24 products, 3 differences, lift (2 + product + two sums = 5), 2x2 (2), 3x3 (product + two
-///   sums = 3), product, three
-///              sums (3)                                                              = 17 u -> 408 u X Y Z L.
-/// The factors used are about a tenth larger, which covers the terms of second order and the rounding of the bound
-/// itself.
+///   in_circle: 6 products, 2 differences, lift (2 + product + sum = 4), 2, 1, 2     = 11 u -> 66 u X Y L;
+///   in_sphere: 24 products, 3 differences, lift (2 + product + two sums = 5), 2x2 (2), 3x3 (product + two sums = 3),
+///              product, three sums (3)                                              = 17 u -> 408 u X Y Z L.
+/// L is X^2 + Y^2 or X^2 + Y^2 + Z^2, which is at least the lift. The factors used are about a tenth larger, which
+/// covers terms of second order and the rounding of the bound.
 #pragma once
 
 #include <cmath>
@@ -28,8 +27,8 @@ inline constexpr double orient2d_factor = 10 * unit;
 inline constexpr double orient3d_factor = 54 * unit;
 inline constexpr double in_circle_factor = 74 * unit;
 inline constexpr double in_sphere_factor = 450 * unit;
-/// Factors for a bound relative to the sum of the magnitudes of the actual products, which is at most their number
-/// times X Y Z (L): slightly more than 8 u and 17 u.
+/// Factors of error bounds relative to the sum of the magnitudes of the actual products. This sum is at most the number
+/// of products times X Y Z (L). The factors are slightly more than 8 u and 17 u.
 inline constexpr double orient3d_permanent_factor = 10 * unit;
 inline constexpr double in_sphere_permanent_factor = 22 * unit;
 
@@ -50,7 +49,7 @@ inline Estimate orient2d(double ax, double ay, double bx, double by, double cx, 
   return {ux * vy - uy * vx, orient2d_factor * x * y};
 }
 
-/// Computes differences from d, so the point of a query is best passed last.
+/// Computes differences from d, so that d should be the point that changes from call to call.
 template <class P, class Q>
 inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   const double ax = a.x - d.x, ay = a.y - d.y, az = a.z - d.z;
@@ -63,8 +62,8 @@ inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   return {-det, orient3d_factor * x * y * z};
 }
 
-/// The part of orient3d(a, b, c, d) that is common to many points a: constructed from b - d and c - d, evaluated for
-/// each a - d.
+/// The part of orient3d(a, b, c, d) that is common to many points a. It is constructed from b - d and c - d, and
+/// evaluated for each a - d.
 class Orient3dOfMany {
  public:
   Orient3dOfMany(const Vec3& v, const Vec3& w)

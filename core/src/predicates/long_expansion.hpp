@@ -13,7 +13,7 @@
 
 namespace geomesh::exact {
 
-/// Terms do not overlap and increase in magnitude; zero is the empty sum.
+/// An expansion of any length. Terms do not overlap and increase in magnitude; zero is the empty sum.
 class LongExpansion {
  public:
   LongExpansion() = default;
@@ -25,7 +25,7 @@ class LongExpansion {
     if (terms_.empty()) return Sign::zero;
     return terms_.back() > 0 ? Sign::positive : Sign::negative;
   }
-  /// Returns the nearest double up to an ulp.
+  /// Returns the nearest double, with an error of up to one ulp.
   double estimate() const {
     double sum = 0;
     for (const double t : terms_) sum += t;
@@ -34,7 +34,7 @@ class LongExpansion {
   /// Returns the magnitude of the smallest nonzero term; 0 if there is none.
   double least_term() const { return terms_.empty() ? 0 : std::fabs(terms_.front()); }
 
-  /// Returns an approximation without the terms below `least`.
+  /// Returns an approximation of this number without the terms below `least`.
   LongExpansion without_below(double least) const {
     LongExpansion out;
     for (const double t : terms_)
@@ -61,8 +61,7 @@ class LongExpansion {
   }
 
  private:
-  /// Reduces the sum to as few terms as possible, with the greatest within an ulp of the whole (Shewchuk 1997, figure
-  /// 15).
+  /// Reduces the sum to the fewest terms, with the greatest within an ulp of the whole (Shewchuk 1997, figure 15).
   void compress() {
     if (terms_.size() < 2) return;
     std::vector<double> g;
@@ -105,8 +104,8 @@ class LongExpansion {
   std::vector<double> terms_;
 };
 
-/// Returns n / d as a sum of doubles, with an error of less than `part` of itself and of its distance from 1. d is not
-/// zero.
+/// Returns n / d as a sum of doubles. Its error is less than `part` times the quotient and less than `part` times the
+/// quotient's distance from 1. d is not zero.
 LongExpansion quotient(const LongExpansion& n, const LongExpansion& d, double part);
 
 }  // namespace geomesh::exact

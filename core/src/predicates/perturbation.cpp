@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i is increased
-// by e_i, with e_i much larger than e_j if i is lexicographically greater than j. The sign of the perturbed determinant
-// is then determined by the greatest point whose cofactor does not vanish. That cofactor is the orientation of the
-// others.
+// Breaks ties of in_circle and in_sphere (Devillers and Teillaud 2011, section 4). The lifted height of point i is
+// increased by e_i, where e_i is much larger than e_j if i is lexicographically greater than j. The sign of the
+// perturbed determinant is then determined by the greatest point whose cofactor does not vanish. That cofactor is the
+// orientation of the other points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 namespace geomesh {
 namespace {
 
-/// Positions 0..N-1 of the points, greatest first.
+/// Returns the positions 0..N-1 of the points, lexicographically greatest first.
 template <std::size_t N>
 std::array<std::size_t, N> greatest_first(const std::array<const Vec3*, N>& points) {
   std::array<std::size_t, N> order;
@@ -28,8 +28,8 @@ Vec2 drop_axis(const Vec3& p, int axis) {
   return axis == 0 ? Vec2{p.y, p.z} : axis == 1 ? Vec2{p.z, p.x} : Vec2{p.x, p.y};
 }
 
-/// Decides the tie of four cocircular points for any planar orientation function; `orientation` is that of a, b, c, and
-/// not zero.
+/// Decides the tie of four cocircular points a, b, c and d for any planar orientation function. `orientation` is the
+/// orientation of a, b and c, which is not zero.
 template <class Point, class Orient>
 Sign in_circle_tie(const std::array<std::size_t, 4>& order, const std::array<const Point*, 4>& points, Orient orient,
                    Sign orientation) {
@@ -82,9 +82,9 @@ Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, c
     if (orientation != Sign::zero) break;
   }
   GEOMESH_CHECK(orientation != Sign::zero);
-  // Any sphere through a, b, c and a point q off their plane intersects the plane in their circumcircle. q is a moved
-  // along the dropped axis, which is not parallel to the plane, by about the triangle's size so that the filters
-  // succeed.
+  // Any sphere through a, b, c and a point q off their plane intersects the plane in the circumcircle of a, b and c. As
+  // q serves the point a moved along the dropped axis, which is not parallel to the plane. It is moved by about the
+  // size of the triangle so that the filters succeed.
   Vec3 q = a;
   const auto k = static_cast<std::size_t>(axis);
   const double size = std::max({std::fabs(b.x - a.x), std::fabs(b.y - a.y), std::fabs(b.z - a.z)});

@@ -44,10 +44,11 @@ int compare_lexicographic(const Vec3& a, const Vec3& b) {
   return 0;
 }
 
-// The longest products are those of in_sphere: five differences. Let every nonzero coordinate lie in [2^-148, 2^148).
-// Then each is a multiple of 2^-200, so are all differences, and each product of five is a multiple of 2^-1000. Nothing
-// underflows: the least double is 2^-1074, and the factor of the error bounds is above 2^-50. And no sum exceeds 2^8 *
-// (2^149)^5 < 2^1000, Veltkamp's splitting (times 2^27) included: nothing overflows.
+// Range of coordinates for which the predicates are exact. The longest products are those of in_sphere, with five
+// differences. Let every nonzero coordinate lie in [2^-148, 2^148). Then each is a multiple of 2^-200, so are all
+// differences, and each product of five is a multiple of 2^-1000. Therefore nothing underflows, because the least
+// double is 2^-1074 and the factor of the error bounds is above 2^-50. Nothing overflows either, because no sum exceeds
+// 2^8 * (2^149)^5 < 2^1000, including Veltkamp's splitting (times 2^27).
 bool exponents_are_safe(std::span<const Vec3> points) {
   constexpr double smallest = 0x1p-148, limit = 0x1p148;
   auto safe = [](double x) { return x == 0 || (std::fabs(x) >= smallest && std::fabs(x) < limit); };

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Numbers with twice the precision of a double, computed with doubles only, and therefore, unlike long double, the
-/// same on every processor.
+/// Numbers with twice the precision of a double. They are computed with doubles only and are therefore the same on
+/// every processor, unlike long double.
 #pragma once
 
 #include "predicates/expansion.hpp"
 
 namespace geomesh::exact {
 
-/// About 106 bits: hi + lo, lo at most half an ulp of hi. Sums and products have errors below 6 u^2 of the sum of the
-/// magnitudes (of the product); differences of doubles are exact.
+/// A number of about 106 bits: hi + lo, where lo is at most half an ulp of hi. Sums and products have errors below 6
+/// u^2 of the sum of the magnitudes (of the product); differences of doubles are exact.
 struct TwoDouble {
   double hi = 0, lo = 0;
   static TwoDouble difference(double a, double b) {
@@ -32,7 +32,7 @@ struct TwoDouble {
     fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
     return r;
   }
-  /// Accurate to about 100 bits; b is not zero.
+  /// Quotient, accurate to about 100 bits; b is not zero.
   friend TwoDouble operator/(const TwoDouble& a, const TwoDouble& b) {
     const double quotient = a.hi / b.hi;
     const TwoDouble rest = a - TwoDouble{quotient} * b;

@@ -12,8 +12,8 @@ namespace geomesh {
 
 namespace {
 
-constexpr double share_of_size = 0.25;      // a gap below this share of the target size imposes bad elements
-constexpr double angle_at_short_edge = 20;  // angle in degrees; a smaller one imposes bad elements
+constexpr double share_of_size = 0.25;      // gaps narrower than this share of the target size impose bad elements
+constexpr double angle_at_short_edge = 20;  // input angles below this many degrees impose short edges
 
 }  // namespace
 
@@ -86,7 +86,7 @@ bool CauseFinder::is_between_bends(const ShortEdge& e) const {
 }
 
 void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double share) {
-  std::vector<VertexIndex> about{e.a, e.b};  // and where curves from both ends meet
+  std::vector<VertexIndex> about{e.a, e.b};  // the ends of the edge, and vertices where curves from both ends meet
   for (const SoupEdge& x : stars_.edges(e.a))
     for (const SoupEdge& y : stars_.edges(e.b))
       if (x.other == y.other) about.push_back(x.other);
@@ -111,7 +111,7 @@ void CauseFinder::explain(ShortEdge& e, std::span<const Index> cells, double sha
 }
 
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle) {
-  // The quality measure is never above the least sine.
+  // Skips most cells by the dihedral measure, which is never above the sine of the least dihedral angle.
   if (remesh::shape_of_cell<remesh::DihedralMeasure>(a, b, c, d) > remesh::DihedralMeasure::of_angle(bad_angle))
     return std::nullopt;
   const double least = tetrahedron_shape(a, b, c, d).min_dihedral;

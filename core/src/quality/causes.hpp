@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Why an element is bad, or an edge short: an input angle or a thin gap that only a change of the input could widen.
+/// Finds the cause of a bad element or a short edge: an input angle or thin gap, which only another input could widen.
 #pragma once
 
 #include <optional>
@@ -14,25 +14,24 @@
 
 namespace geomesh {
 
-/// The feature edges that count as sides of facets. There are none if surfaces are kept, because facets that are kept
-/// as one are coplanar.
+/// Returns the feature edges that count as sides of facets. There are none if surfaces are kept exactly, because facets
+/// that are merged are then coplanar.
 InputCreases find_creases(const PiecewiseLinearComplex& plc, const QualityOptions& options);
 
 class CauseFinder {
  public:
   /// All arguments must outlive this object.
   CauseFinder(const ConstrainedTetrahedralization& mesh, const QualityOptions& options, const InputCreases& creases);
-  /// Sets the cause of an element and the data that belong to it. Results at a vertex are kept for the next element
-  /// there.
+  /// Sets the cause of an element and the data that belong to it. Angles at a vertex are kept for its other elements.
   void explain(WorstElement& w);
-  /// Sets the cause of an edge that is shorter than `share` of its size, with the cells at it.
+  /// Sets the cause of an edge that is shorter than `share` of its target size. `cells` are the cells around the edge.
   void explain(ShortEdge& e, std::span<const Index> cells, double share);
 
  private:
   const MeetingAngle& angle_at(VertexIndex v);
-  bool explain_by_angle(WorstElement& w);  ///< whether that is its cause
+  bool explain_by_angle(WorstElement& w);  ///< returns whether an input angle is the cause
   void explain_by_gap(WorstElement& w) const;
-  /// Returns whether the curve along the edge would leave the tolerance without either end.
+  /// Returns whether a curve runs along the edge and would leave the tolerance if either end of the edge were removed.
   bool is_between_bends(const ShortEdge& e) const;
   bool is_needed_on_curve(VertexIndex v, double tolerance) const;
   bool are_ends_of_near_curves(const ShortEdge& e, bool have_common_neighbour) const;
@@ -45,13 +44,13 @@ class CauseFinder {
   const QualityOptions& options_;
   SoupStars stars_;
   GapFinder gaps_;
-  std::vector<MeetingAngle> angles_;  // by vertex; negative: not computed yet
+  std::vector<MeetingAngle> angles_;  // least angle at each vertex; negative if not computed yet
 };
 
-/// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`. Fast otherwise.
+/// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`, otherwise nothing.
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
-/// Returns those of the given rows whose elements are below the bad angle and not imposed by the input, the worst
+/// Returns the rows among `judged` of elements that are below the bad angle and not imposed by the input, the worst
 /// first. O(n), plus the cost of CauseFinder.
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases, std::span<const Index> judged);

@@ -17,7 +17,7 @@ namespace {
 struct Use {
   VertexIndex a, b;  ///< ascending
   Index patch, facet;
-  Vec3 inward;  ///< within the facet, off the edge
+  Vec3 inward;  ///< direction within the facet, away from the edge
 };
 
 std::vector<Use> uses_of_edges(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch) {

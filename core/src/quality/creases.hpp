@@ -15,12 +15,12 @@ class InputCreases {
  public:
   /// No feature edges.
   InputCreases() = default;
-  /// `facet_patch` is by facet. Two facets make a feature edge if they meet at less than `degrees`. `reach` is the
-  /// distance by which remeshing may have moved one. O(n log n).
+  /// `facet_patch` has the patch of each facet. Two facets of a patch make a feature edge if they meet at less than
+  /// `degrees`. `reach` is the distance by which remeshing may have moved a feature edge. O(n log n).
   InputCreases(const PiecewiseLinearComplex& plc, std::span<const Index> facet_patch, double degrees, double reach);
 
   /// Returns whether two mesh faces of the patch, along the edge (a, b) with third corners x and y, represent a feature
-  /// edge of the input: they meet at a small angle, and the edge is within reach of one. O(log n).
+  /// edge of the input: they meet at a small angle, and the edge is within reach of a feature edge. O(log n).
   bool has_fold(Index patch, const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const;
 
  private:

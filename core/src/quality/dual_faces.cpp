@@ -15,14 +15,15 @@ namespace geomesh {
 
 namespace {
 
-/// A part of the dual face of an edge, listed by the first vertex of the edge.
+/// The part of an edge's dual face inside one tetrahedron. It is listed under the first vertex of the edge.
 struct Part {
   VertexIndex second;
   double area;
 };
 
-/// The part of the dual face of edge a-b in a cell, next to face a,b,c: a right triangle from the edge's middle over
-/// the face's circumcentre to the cell's. Each leg has a sign: towards c in the face, towards the apex off it.
+/// Returns the signed area of the part of the dual face of edge a-b that is in a cell, next to face a,b,c. The part is
+/// a right triangle between the edge's midpoint, the face's circumcentre and the cell's circumcentre. Each leg has a
+/// sign: positive towards c in the face, and towards the apex off the face.
 double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex, const Vec3& cell_centre) {
   const auto face_centre = circumcentre(a, b, c);
   const Vec3 u = b - a, n = cross(u, c - a);
@@ -33,18 +34,18 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-/// Vertices from `from` up to but excluding `to`, and the parts of edges whose first vertex is one of them.
+/// Vertices in [from, to), and the parts of dual faces of edges whose first vertex is one of them.
 struct Window {
   std::size_t from, to;
-  std::vector<std::size_t>& end_of;  ///< by vertex, from `from` on: the end of its parts in `parts`
+  std::vector<std::size_t>& end_of;  ///< for each vertex of the window, the end of its parts in `parts`
   std::vector<Part>& parts;
-  // In unsigned arithmetic, which wraps around below `from`.
+  // Uses unsigned arithmetic, in which vertices below `from` wrap around to large numbers.
   bool has(VertexIndex v) const { return v - from < to - from; }
 };
 
-/// Adds the parts of the edges whose first vertex is in the window.
+/// Adds the parts in tetrahedron t of dual faces of edges whose first vertex is in the window.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
-  // One branch instead of four.
+  // Combines the four tests so that there is one branch instead of four.
   if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
@@ -61,7 +62,7 @@ void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& windo
   }
 }
 
-/// Edges of faces that belong to one tetrahedron only, sorted.
+/// Returns the sorted edges of boundary faces, which are the faces of one tetrahedron only.
 std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron> tetrahedra) {
   std::vector<Triangle> faces;
   for (const Tetrahedron& t : tetrahedra)
@@ -87,12 +88,12 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use) {
-  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // by the first vertex of the edge
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // number of parts, by the first vertex of the edge
   for (const Tetrahedron& t : tetrahedra)
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;
   const std::size_t at_once = std::max(least_at_once, 6 * tetrahedra.size() / n_windows);
-  // Reserves memory for the largest of all windows, so that it never grows.
+  // Reserves memory for the largest window, so that it is never reallocated.
   std::vector<Part> parts(
       points.empty()
           ? 0

@@ -16,16 +16,16 @@ namespace geomesh {
 
 namespace {
 
-/// Number of blocks of vertices; a window in use takes its share of 48 bytes per tetrahedron.
+/// Number of blocks of vertices. A block in use takes 48 bytes per tetrahedron, divided by this number.
 constexpr std::size_t n_blocks = 8;
 
-/// A pair of group and component that some tetrahedron has.
+/// A combination of group and component that some tetrahedron has.
 struct Part {
   Index group, component;
   friend auto operator<=>(const Part&, const Part&) = default;
 };
 
-/// The pairs that occur, ascending, and the row of the pair of each tetrahedron.
+/// The combinations of group and component that occur, ascending, and the row of each tetrahedron's.
 struct PartTable {
   explicit PartTable(const CellParts& parts) : row(parts.group.size()), n_groups(parts.n_groups) {
     const auto at = [&](std::size_t t) { return Part{parts.group[t], parts.component[t]}; };
@@ -42,8 +42,8 @@ struct PartTable {
   std::size_t n_groups;
 };
 
-/// An edge's upper vertex, and in the lower bits the row of a pair that the edge is in. When sorted, the uses of an
-/// edge are adjacent, ordered by group.
+/// A use of an edge: its upper vertex in the high bits, and in the low bits the row of a combination of group and
+/// component that has the edge. In sorted order, the uses of an edge are adjacent and ordered by group.
 using Use = std::uint64_t;
 constexpr Use use_of(VertexIndex upper, Index part) { return Use{upper} << 32 | part; }
 constexpr VertexIndex upper_of(Use use) { return static_cast<VertexIndex>(use >> 32); }
@@ -54,7 +54,7 @@ std::uint8_t bin_of(double ratio) {
   return static_cast<std::uint8_t>(std::upper_bound(bounds.begin(), bounds.end(), ratio) - bounds.begin());
 }
 
-/// The target size at each vertex. Where sizes may jump between components, that of the component at hand is looked up.
+/// The target size at each vertex. If sizes may jump between components, that of a component is looked up.
 class SizesAtVertices {
  public:
   SizesAtVertices(std::span<const Vec3> points, const SizeField* size, unsigned threads)
@@ -79,8 +79,8 @@ class SizesAtVertices {
   std::vector<double> sizes_;
 };
 
-/// The edges whose lower vertex is in [begin, end). Their uses are sorted by that vertex (a counting sort), then within
-/// each vertex.
+/// The edges whose lower vertex is in [begin, end). Their uses are sorted by the lower vertex (a counting sort), then
+/// within each lower vertex.
 class EdgeBlock {
  public:
   EdgeBlock(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra, const PartTable& parts,
@@ -110,7 +110,7 @@ class EdgeBlock {
         [&](std::size_t row, VertexIndex upper, std::size_t t) { uses_[next[row]++] = use_of(upper, parts.row[t]); });
   }
 
-  /// Statistics of the whole, then of each group.
+  /// Returns the edge lengths of the whole mesh, followed by those of each group.
   std::vector<EdgeLengths> measure() && {
     for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
       const auto begin = uses_.begin() + static_cast<std::ptrdiff_t>(first_[row]);
@@ -148,7 +148,8 @@ class EdgeBlock {
     add(0, least);
   }
 
-  /// Returns the mean of the sizes at both ends, as in remeshing. All current edges share the lower vertex.
+  /// Returns the mean of the target sizes at both ends, as remeshing does. The size at the lower vertex is remembered,
+  /// because consecutive edges share this vertex.
   double size_of_edge(VertexIndex lower, VertexIndex upper, Index component) {
     if (size_here_.component != component || !(size_here_.size > 0))
       size_here_ = {component, sizes_.at(lower, component)};
@@ -163,7 +164,7 @@ class EdgeBlock {
     double size;  ///< 0: not known
   } size_here_{no_index, 0};
   std::size_t begin_;
-  std::vector<std::size_t> first_;  // by lower vertex, in uses_
+  std::vector<std::size_t> first_;  // first use in uses_ of each lower vertex
   std::vector<Use> uses_;
   std::vector<EdgeLengths> lengths_;
 };
@@ -175,7 +176,7 @@ std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<c
   const PartTable table(parts);
   std::array<std::vector<EdgeLengths>, n_blocks> blocks;
   const bool asks_caller =
-      size && size->limits().background;  // a size function of the caller, which is evaluated on one thread alone
+      size && size->limits().background;  // size functions of the caller are evaluated on one thread only
   const unsigned n_threads = asks_caller ? 1 : thread_count(threads);
   const SizesAtVertices sizes(points, size, n_threads);
   for_each_task(n_blocks, n_threads, [&](std::size_t k) {

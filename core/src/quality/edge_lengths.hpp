@@ -15,21 +15,21 @@ namespace geomesh {
 /// Lengths of the edges of a set of tetrahedra, each counted once, in ascending order of their vertices.
 struct EdgeLengths {
   std::vector<double> length;
-  /// Histogram of length divided by target size. The target is the mean of those at the edge's two ends; if the edge is
-  /// in several components, that of the component where it is smallest. Upper bounds of the bins: 1/4, 1/2, 1/sqrt 2,
-  /// 1, sqrt 2, 2, 4, none. All are zero without a size field.
+  /// Histogram of length divided by target size. The target size of an edge is the mean of the target sizes at its
+  /// ends; if the edge is in several components, the smallest of their means. Upper bounds of the bins: 1/4, 1/2,
+  /// 1/sqrt 2, 1, sqrt 2, 2, 4, none. All are zero without a size field.
   std::array<std::size_t, 8> by_size{};
 };
 
-/// How the tetrahedra are divided: a component (for the size field) and a group (for the statistics) of each. Without a
-/// component: no_index.
+/// The component (for the size field) and the group (for the statistics) of each tetrahedron. The component of a
+/// tetrahedron without one is no_index.
 struct CellParts {
   std::span<const Index> component, group;
   std::size_t n_groups = 0;
 };
 
-/// Returns the statistics of the whole, then of each group. O(n) plus size look-ups, on `threads` threads; the result
-/// does not depend on their number.
+/// Returns the edge lengths of the whole mesh, followed by those of each group. O(n) plus size look-ups, on `threads`
+/// threads; the result does not depend on their number.
 std::vector<EdgeLengths> measure_edges(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                                        const CellParts& parts, const SizeField* size, unsigned threads);
 

@@ -12,7 +12,7 @@ constexpr std::size_t n_steps = 65536;
 /// The greatest possible value of each measure. Larger ones, by rounding, are counted in the last bin of its histogram.
 constexpr std::array<double, n_shape_measures> top{180, 180, 1, 1, 1, 360};
 
-/// Returns the step of a value among N equal ones from 0 to `greatest`.
+/// Returns the bin that contains a value, among N equal bins from 0 to `greatest`.
 template <std::size_t N>
 std::size_t bin_of(double value, double greatest) {
   const double bin = value / greatest * static_cast<double>(N);
@@ -21,7 +21,7 @@ std::size_t bin_of(double value, double greatest) {
 
 constexpr std::size_t index_of(ShapeMeasure m) { return static_cast<std::size_t>(m); }
 
-/// The member that contains the result of each measure.
+/// The member of ShapeStatistics that contains the result of each measure.
 constexpr std::array<Distribution ShapeStatistics::*, n_shape_measures> results{
     &ShapeStatistics::min_dihedral, &ShapeStatistics::max_dihedral, &ShapeStatistics::radius_ratio,
     &ShapeStatistics::aspect,       &ShapeStatistics::mean_ratio,   &ShapeStatistics::solid_angle};

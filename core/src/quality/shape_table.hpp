@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Shapes of all tetrahedra of a mesh in 18 bytes each: enough to find any percentile exactly by measuring few of them
-/// again.
+/// Shapes of all tetrahedra in 18 bytes each: any percentile is found exactly by measuring few of them again.
 #pragma once
 
 #include <array>
@@ -29,11 +28,11 @@ struct ShapeSums {
   ShapeSums();
   void add(const TetrahedronShape& shape);
   void join(const ShapeSums& other);
-  /// Completes shares, means, least and greatest values.
+  /// Returns the statistics with shares, means, least and greatest values.
   ShapeStatistics statistics() const;
 };
 
-/// Stores values as steps on scales of 65,536. Steps preserve the order, so a percentile lies in the step of its rank.
+/// Stores each value as one of 65,536 steps of its scale, which preserve the order: a percentile is in its rank's step.
 class ShapeTable {
  public:
   ShapeTable(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra);
@@ -41,12 +40,12 @@ class ShapeTable {
   /// Measures the tetrahedra in `rows` and adds them to `sums`. Calls for disjoint rows may run concurrently.
   void measure(std::span<const Index> rows, ShapeSums& sums);
 
-  /// Returns the value below which a hundredth of the values of the tetrahedra in `rows` lie. Precondition: they were
-  /// measured. O(n); few tetrahedra are measured again.
+  /// Returns the value below which a hundredth of the values of the tetrahedra in `rows` lie. Precondition: measure()
+  /// was called for these rows. O(n); few tetrahedra are measured again.
   double first_percentile(ShapeMeasure which, std::span<const Index> rows) const;
 
-  /// Returns tetrahedra whose least dihedral angle is below `angle` (degrees), and in any case the `n_least` with the
-  /// least angles, with that angle; the least first, then by row. Precondition: all were measured.
+  /// Returns the tetrahedra whose least dihedral angle is below `angle` (degrees), and in any case the `n_least`
+  /// tetrahedra with the least angles. They are ordered by least angle, then by row. Precondition: all were measured.
   std::vector<std::pair<double, Index>> with_least_angles(double angle, std::size_t n_least) const;
 
   TetrahedronShape shape(Index row) const;
@@ -54,12 +53,12 @@ class ShapeTable {
  private:
   using Step = std::uint16_t;
   std::size_t values_a_row(ShapeMeasure which) const { return which == ShapeMeasure::solid_angle ? 4 : 1; }
-  /// The step at the rank among the values in `rows`, and the number of values below it.
+  /// Returns the step of the value with a given rank among those in `rows`, and the number of values in lower steps.
   std::pair<Step, std::size_t> step_at(std::size_t rank, ShapeMeasure which, std::span<const Index> rows) const;
 
   std::span<const Vec3> points_;
   std::span<const Tetrahedron> tetrahedra_;
-  std::array<std::vector<Step>, n_shape_measures> steps_;  // by measure, row and corner
+  std::array<std::vector<Step>, n_shape_measures> steps_;  // steps by measure, then by row and corner of the tetrahedra
 };
 
 }  // namespace geomesh

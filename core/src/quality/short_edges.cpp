@@ -15,7 +15,7 @@ namespace geomesh {
 
 namespace {
 
-/// Lists each edge that may be short once, by its ends, with the cells at it.
+/// The edges that may be short, each identified by its ends, with the cells around it.
 using EdgeCells = std::map<std::array<VertexIndex, 2>, std::vector<Index>>;
 
 double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh, const Vec3& p,
@@ -25,8 +25,8 @@ double size_at(const SizeField& size, const ConstrainedTetrahedralization& mesh,
   return least;
 }
 
-/// Returns the candidates. No longer edge can be short, because no target size is above this. If sizes jump from one
-/// component to the next, an edge may be short for some of its cells only, so all of them are listed.
+/// Returns the edges that may be short: those below `share` of the largest target size. If sizes jump from one
+/// component to the next, an edge may be short for some of its cells only, so all its cells are listed.
 EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField& size, double share, unsigned threads) {
   constexpr std::size_t chunk = 16384;
   using Ends = std::array<VertexIndex, 2>;
@@ -43,7 +43,7 @@ EdgeCells candidates(const ConstrainedTetrahedralization& mesh, const SizeField&
   };
   std::vector<std::vector<std::pair<Ends, Index>>> found((mesh.tetrahedra.size() + chunk - 1) / chunk);
   const bool asks_caller =
-      size.limits().background != nullptr;  // a size function of the caller, which is evaluated on one thread alone
+      size.limits().background != nullptr;  // size functions of the caller are evaluated on one thread only
   for_each_task(found.size(), asks_caller ? 1 : thread_count(threads), [&](std::size_t k) {
     for_each_edge(k, [&](const Ends& ends, double l, Index c) {
       const double enough = l / share;
@@ -71,10 +71,11 @@ SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField
   return {std::move(sources), {.gradation = size.limits().gradation}};
 }
 
-/// Share of the size grown from imposed edges that elements of good shape have. Shorter edges are not excused by it.
+/// Share of the size grown from imposed edges that the edges of well-shaped elements have. Shorter edges are not
+/// excused by an imposed edge nearby.
 constexpr double share_of_grown = 0.5;
 
-/// Edges that are long enough for their distance from an imposed edge are imposed too.
+/// Marks edges as imposed that are long enough for their distance from an edge that the input imposes.
 void excuse_near_forced(std::vector<ShortEdge>& edges, const SizeField& size) {
   const SizeField grown = grown_from_forced(edges, size);
   if (grown.n_sources() == 0) return;

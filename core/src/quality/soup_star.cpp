@@ -18,7 +18,7 @@ double angle_to_sector(const Vec3& d, const Vec3& a, const Vec3& b) {
   const Vec3 n = cross(a, b);
   const double nn = dot(n, n);
   if (!(nn > 0)) return at_sides;
-  const Vec3 foot = d - (dot(d, n) / nn) * n;  // within the sector if it turns from a towards b and not beyond
+  const Vec3 foot = d - (dot(d, n) / nn) * n;  // projection of d; it is in the sector if it lies between a and b
   if (dot(cross(a, foot), n) < 0 || dot(cross(foot, b), n) < 0) return at_sides;
   const double height = std::abs(dot(d, n)) / std::sqrt(nn);  // a direction along the normal has no reliable projection
   return std::min(at_sides, std::atan2(height, length(foot)) * degrees_per_radian);
@@ -134,7 +134,7 @@ void SoupStars::compare_edges(VertexIndex v, MeetingAngle& least) const {
 void SoupStars::compare_edge_with_fan(VertexIndex v, const SoupEdge& edge, const Fan& fan, MeetingAngle& least) const {
   for (const Index f : fan.faces)
     if (const auto s = sides(v, f); s[0] == edge.other || s[1] == edge.other)
-      return;  // a side of the facet, or within it
+      return;  // the edge is a side of the facet or within it
   const Vec3 d = direction(v, edge.other);
   for (const Index f : fan.faces) {
     const auto s = sides(v, f);

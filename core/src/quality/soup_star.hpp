@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The facets and segments of the input at each vertex of a mesh, as the user drew them, however they were meshed.
+/// Finds the facets and segments of the input at each vertex of a mesh, regardless of how they were meshed.
 #pragma once
 
 #include <span>
@@ -11,33 +11,34 @@
 
 namespace geomesh {
 
-/// A mesh edge on a segment of the input: the side of a facet (or of a patch, if facets were remeshed together, or a
-/// sharp feature edge of it), or a listed one.
+/// A mesh edge on a segment of the input: on the side of a facet or on a listed segment. If facets were remeshed
+/// together as a patch, on the side of the patch or on a sharp feature edge of it.
 struct SoupEdge {
   VertexIndex other;
-  Index segment;  ///< where listed
-  Index face;     ///< a mesh face at it, or no_index if it runs through the interior of a region
-  Index n_faces;  ///< number of constrained faces at it
+  Index segment;  ///< the segment, if it is a listed one
+  Index face;     ///< a mesh face at the edge, or no_index if the edge runs through the interior of a region
+  Index n_faces;  ///< number of constrained faces at the edge
 };
 
-/// Two parts of the input that meet at a vertex, by their facets or (where listed) segments.
+/// The angle between two parts of the input that meet at a vertex, and the facet or listed segment of each part.
 struct MeetingAngle {
   double degrees = 180;
   Index facet_a = no_index, facet_b = no_index, segment_a = no_index, segment_b = no_index;
 };
 
-/// Returns an angle in degrees, from 0 to 180.
+/// Returns the angle between two vectors in degrees, from 0 to 180.
 double angle_between(const Vec3& a, const Vec3& b);
 
 class SoupStars {
  public:
-  /// `facet_patch` is the patch with which each facet of the input was meshed; empty if each was meshed alone. O(n log
-  /// n) in the faces of the mesh, which must outlive this object, as must the feature edges.
+  /// `facet_patch` is the patch with which each facet of the input was meshed; empty if each facet was meshed alone.
+  /// The mesh and `creases` must outlive this object. O(n log n) in the faces of the mesh.
   SoupStars(const ConstrainedTetrahedralization& mesh, std::span<const Index> facet_patch,
             const InputCreases* creases = nullptr);
 
-  /// Returns the least angle at which two facets or segments of the input meet at v: two sides; a side and a facet to
-  /// which it does not belong; two facets along a common side. 180 if no two meet. O(k^2) in the faces at v.
+  /// Returns the least angle at which two parts of the input meet at v: two sides of facets or listed segments, a side
+  /// and a facet to which it does not belong, or two facets along a common side. Returns 180 if no two parts meet.
+  /// O(k^2) in the faces at v.
   MeetingAngle least_angle(VertexIndex v) const;
   std::span<const Index> faces(VertexIndex v) const { return faces_at_[v]; }
   std::span<const SoupEdge> edges(VertexIndex v) const { return edges_at_[v]; }
@@ -66,8 +67,8 @@ class SoupStars {
   const ConstrainedTetrahedralization& mesh_;
   std::span<const Index> facet_patch_;
   const InputCreases* creases_;
-  std::vector<std::vector<Index>> faces_at_;     // by vertex
-  std::vector<std::vector<SoupEdge>> edges_at_;  // for each vertex, by ascending other end
+  std::vector<std::vector<Index>> faces_at_;     // faces at each vertex
+  std::vector<std::vector<SoupEdge>> edges_at_;  // edges at each vertex, sorted by their other end
 };
 
 }  // namespace geomesh

@@ -28,7 +28,7 @@ Distribution distribution(std::vector<double>& values) {
   return d;
 }
 
-/// Rows of tetrahedra by group, each in ascending order.
+/// Returns the rows of the tetrahedra of each group, in ascending order.
 std::vector<std::vector<Index>> rows_by_group(std::span<const Index> group, std::size_t n_groups) {
   std::vector<std::size_t> count(n_groups, 0);
   for (const Index g : group) ++count[g];
@@ -53,7 +53,7 @@ std::vector<Block> blocks_of(const std::vector<std::vector<Index>>& rows) {
   return blocks;
 }
 
-/// Statistics of the whole, then of each group.
+/// Returns the shape statistics of the whole mesh, followed by those of each group.
 std::vector<ShapeStatistics> summarize_shapes(ShapeTable& table, const CellParts& parts, unsigned threads) {
   std::vector<std::vector<Index>> rows = rows_by_group(parts.group, parts.n_groups);
   const std::vector<Block> blocks = blocks_of(rows);
@@ -75,8 +75,8 @@ std::vector<ShapeStatistics> summarize_shapes(ShapeTable& table, const CellParts
   return out;
 }
 
-/// Statistics of the whole, then of each group. Edges come first, so that their tables are freed before those of shapes
-/// are made.
+/// Returns the statistics of the whole mesh, followed by those of each group. Edges are measured first, so that their
+/// tables are freed before the tables of shapes are allocated.
 std::vector<ShapeStatistics> summarize_all(std::optional<ShapeTable>& table, std::span<const Vec3> points,
                                            std::span<const Tetrahedron> tetrahedra, const CellParts& parts,
                                            const SizeField* size, unsigned threads) {
@@ -97,6 +97,14 @@ std::vector<ShapeStatistics> summarize_all(std::optional<ShapeTable>& table, std
 
 }  // namespace
 
+double ShapeStatistics::share_within_size() const {
+  const auto n =
+      static_cast<double>(std::accumulate(edge_size_histogram.begin(), edge_size_histogram.end(), std::size_t{0}));
+  const auto n_within = static_cast<double>(
+      std::accumulate(edge_size_histogram.begin() + 2, edge_size_histogram.begin() + 6, std::size_t{0}));
+  return n == 0 ? 1 : n_within / n;
+}
+
 ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra) {
   const unsigned threads = thread_count(0);
   const std::vector<Index> component(tetrahedra.size(), no_index), group(tetrahedra.size(), 0);
@@ -106,7 +114,7 @@ ShapeStatistics measure_shapes(std::span<const Vec3> points, std::span<const Tet
 
 namespace {
 
-/// Elements below the bad angle, and in any case the worst up to the number to be listed; the worst first.
+/// Returns the elements below the bad angle, and in any case the worst `min_worst` elements; the worst first.
 std::vector<WorstElement> worst_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const ShapeTable& shapes) {
   std::vector<WorstElement> worst;
@@ -144,8 +152,8 @@ MeshQuality measure_quality(const PiecewiseLinearComplex& plc, const Constrained
     q.n_bad += w.min_dihedral < options.bad_angle;
     q.n_bad_forced += w.min_dihedral < options.bad_angle && w.cause != ShapeCause::free;
   }
-  // Elements that the input does not impose are those that a user should look at. They lead the list, each kind with
-  // the worst first.
+  // Elements that the input does not impose are those that a user should look at. They come first in the list, followed
+  // by the other elements; both are sorted with the worst first.
   std::stable_partition(q.worst.begin(), q.worst.end(),
                         [](const WorstElement& w) { return w.cause == ShapeCause::free; });
   if (q.worst.size() > options.max_worst) q.worst.resize(options.max_worst);

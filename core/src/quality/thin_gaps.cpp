@@ -59,8 +59,8 @@ bool GapFinder::is_fixed(VertexIndex v) const {
          (!stars_.edges(v).empty() || !stars_.faces(v).empty());
 }
 
-/// Finds a facet at the start of the path that faces the one with `opposite_normal`. `step` is the unit direction of
-/// the path.
+/// Finds a facet at the start of the path that faces the facet with `opposite_normal` across the gap. `step` is the
+/// unit direction of the path.
 bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& opposite_normal, Gap& found) const {
   for (const Index f : stars_.faces(way.from)) {
     if (is_on(way.to, stars_.patch_of(f))) continue;
@@ -72,7 +72,8 @@ bool GapFinder::leaves_facet(const Way& way, const Vec3& step, const Vec3& oppos
   return false;
 }
 
-/// Finds a segment at v that the path leaves, along the facet with the normal or parallel to the direction, if given.
+/// Finds a segment at v from which the path leads away at a large angle. The segment must be parallel to the facet with
+/// `normal` if that is given, and to the direction `parallel` if that is given.
 bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* normal, const Vec3* parallel,
                                Gap& found) const {
   for (const SoupEdge& e : stars_.edges(v)) {
@@ -86,8 +87,8 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
-/// Returns the end of the segment that leaves the end of the path along an edge. Points added to the segment do not end
-/// it; a corner, a turn, or the start of the path does.
+/// Follows the segment that begins at the end of the path with the edge `first`, and returns its other end. Points
+/// added to the segment do not end it; a corner, a turn, or the start of the path does.
 VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
   VertexIndex before = way.to, at = first.other;
   while (at != way.from && mesh_.input_vertex[at] == no_vertex) {

@@ -13,28 +13,26 @@ namespace geomesh {
 
 struct Gap {
   double width = std::numeric_limits<double>::infinity();
-  Index facet_a = no_index, facet_b = no_index;      ///< on either side,
-  Index segment_a = no_index, segment_b = no_index;  ///< or listed segments
+  Index facet_a = no_index, facet_b = no_index;      ///< facets on the two sides of the gap
+  Index segment_a = no_index, segment_b = no_index;  ///< listed segments on the two sides of the gap
 };
 
-/// An element spans a gap between two parts of the input if it has a vertex on each and they face each other across it
-/// (their local feature size). Parts are facets, segments (sides of facets and listed ones) and vertices of the input.
-/// Two parts face each other if
-///   - the shortest path from the vertex on one to the other is within 60 degrees of the normals of facets, on the side
-///     of
-///     each on which the element lies, and at 60 degrees at least to segments;
+/// An element spans a gap between two parts of the input if it has a vertex on each part and the parts face each other
+/// across the element. The width of the gap is the local feature size. Parts are facets, segments (sides of facets and
+/// listed ones) and vertices of the input. Two parts face each other if
+///   - the shortest path from the vertex on one part to the other part is within 60 degrees of the normals of facets,
+///     on the side where the element lies, and at an angle of 60 degrees or more to segments;
 ///   - facets and segments are parallel up to 16 degrees. Parts that converge faster meet at an angle, which is a cause
-///     of
-///     its own.
+///     of its own.
 /// An element over the hollow of one curved surface spans no gap.
 class GapFinder {
  public:
-  /// `angle` in degrees: parts at this angle or more are not parallel. `fixed_vertices`: whether vertices of the input
-  /// are parts themselves, as they are if no surface may move. O(n log n) in the faces of the mesh.
+  /// Parts of the input at `angle` degrees or more to each other are not parallel. `fixed_vertices` is true if vertices
+  /// of the input are parts, too, because no surface may move. O(n log n) in the faces of the mesh.
   GapFinder(const SoupStars& stars, double angle, bool fixed_vertices);
 
-  /// Returns the narrowest gap wider than `above` that the element spans; of infinite width if it spans none. O(k^2 log
-  /// n) in the faces at its vertices.
+  /// Returns the narrowest gap wider than `above` that the element spans; its width is infinite if the element spans
+  /// none. O(k^2 log n) for k faces at the element's vertices.
   Gap narrowest(Index tetrahedron, double above) const;
 
  private:

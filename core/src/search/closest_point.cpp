@@ -17,8 +17,8 @@ Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = d - c, w = a - c;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), uw = dot(u, w), vw = dot(v, w), det = uu * vv - uv * uv;
-  // Starts at the point of the first line that is nearest to the second (at any point if they are parallel), then
-  // alternates between both within their ends.
+  // Starts at the point of the first line that is nearest to the second line (at any point if they are parallel), then
+  // projects alternately onto both segments.
   const double s = det > 0 ? std::clamp((uv * vw - vv * uw) / det, 0.0, 1.0) : 0.0;
   const Vec3 q = closest_on_segment(a + s * u, c, d), p = closest_on_segment(q, a, b);
   return {p, closest_on_segment(p, c, d)};
@@ -57,7 +57,8 @@ Vec3 PreparedTriangle::closest_in_needle(const Vec3& p) const {
     const Vec3& from = corners_[i];
     if (!(dot(cross(corners_[(i + 1) % 3] - from, p - from), normal_) > 0)) return on_side;
   }
-  // A rotated normal gives a wrong place if p is far away. The true place is at most the needle's width from the side.
+  // A normal that rounding has rotated gives a wrong point if p is far away. The true nearest point is at most the
+  // width of the needle away from the side.
   const Vec3 foot = p - dot(normal_, p - on_side) * normal_;
   return dot(foot - on_side, foot - on_side) <= square_of_width_ ? foot : on_side;
 }

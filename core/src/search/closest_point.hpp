@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Distance from points to groups of triangles or line pieces: the input surfaces and curves near which the remeshed
-/// ones must stay.
+/// Distance from points to groups of triangles or line segments. The groups are the surfaces and curves of the input
+/// near which the remeshed surfaces and curves must remain.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,6 @@ inline double squared_distance_to(const Box3& b, const Vec3& p) {
   return s;
 }
 
-/// Returns a box around all places within reach of a triangle, slightly enlarged.
 inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
   Box3 box;
   for (const Vec3& p : corners) {
@@ -35,19 +34,19 @@ inline Box3 box_about(const std::array<Vec3, 3>& corners, double reach) {
 }
 
 /// Returns the point of the triangle nearest to p (Ericson 2005, Real-Time Collision Detection, section 5.1.5),
-/// accurate up to rounding of the coordinates even for needles. Corners may be equal in pairs.
+/// accurate up to rounding of the coordinates even for needles. Two corners may be equal.
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 closest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 /// Returns the nearest points of the segments ab and cd, which may be points (Ericson 2005, section 5.1.9).
 std::array<Vec3, 2> closest_on_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// A triangle with the values that its nearest points need, computed once. Line pieces have their last two corners
-/// equal, points all three.
+/// A triangle with precomputed values for finding its point nearest to other points. For a line segment the last two
+/// corners are equal, for a point all three.
 class PreparedTriangle {
  public:
   /// In a triangle narrower than `width_of_needle` times its length, the nearest point is accurate up to rounding of
-  /// the coordinates, at four times the cost. In others it is accurate to 1e-16 times the length over the square of
-  /// that share: 1e-6 of the length at worst.
+  /// the coordinates, at four times the cost. In other triangles it is accurate to 1e-16 times the length, divided by
+  /// the square of the ratio of width to length: 1e-6 of the length at worst.
   explicit PreparedTriangle(const std::array<Vec3, 3>& corners, double width_of_needle = 1e-5);
   const std::array<Vec3, 3>& corners() const { return corners_; }
   Vec3 closest_to(const Vec3& p) const;
@@ -69,11 +68,11 @@ class PreparedTriangle {
 struct ClosestPoint {
   double distance = std::numeric_limits<double>::infinity();
   Vec3 point;
-  Index item = no_index;  ///< the caller's id of the triangle or piece
+  Index item = no_index;  ///< the caller's id of the triangle or line segment
 };
 
-/// Bounding-box trees, one for each group (a patch, or a curve class). A line piece is a triangle with its last two
-/// corners equal.
+/// Bounding-box trees, one for each group (the triangles of a patch, or the line segments of a class of curves). A line
+/// segment is a triangle with its last two corners equal.
 class ClosestPointTrees {
  public:
   struct Item {
@@ -88,12 +87,12 @@ class ClosestPointTrees {
   /// Returns the nearest item of the group within `limit`; the distance is infinite if there is none. O(log n) for
   /// limits of the size of an item.
   ClosestPoint closest(const Vec3& p, Index group, double limit = std::numeric_limits<double>::infinity()) const;
-  /// Calls visit(item) for the items of a group whose boxes meet the box.
+  /// Calls visit(item) for the items of a group whose bounding boxes overlap the box, and for some more near it.
   template <class Visit>
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit with the rows of these items in items(), which are also those of prepared().
+  /// Calls visit(row) for the same items as for_each_in(). The row refers to items() and to prepared().
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

@@ -13,12 +13,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;      ///< number of items near a piece up to which it is cut without being halved first
-constexpr std::size_t most_cut = 4;  ///< number of nearest items whose sides are tried
-constexpr std::size_t pieces_per_item = 8;  ///< number of pieces allowed for each item near a piece, plus some more
+constexpr std::size_t few = 24;      ///< a piece with at most this many items near it is cut without being halved first
+constexpr std::size_t most_cut = 4;  ///< number of nearest items along whose sides cuts are tried
+/// number of pieces allowed for each item near a piece, in addition to pieces_besides
+constexpr std::size_t pieces_per_item = 8;
 constexpr std::size_t pieces_besides = 200;
 constexpr double least_piece = 1.0 / 64;  ///< least radius of a piece, as a share of the limit
-constexpr double on_plane = 1e-9;  ///< share of the piece's radius within which a point is on a plane and not cut off
+/// points within this share of the piece's radius from a plane count as on the plane
+constexpr double on_plane = 1e-9;
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }
 
@@ -39,11 +41,11 @@ double radius_about(const Vec3& centre, const Points& points) {
 }
 
 struct Plane {
-  Vec3 point, normal;  ///< point and unit normal, to the side that is above the item
+  Vec3 point, normal;  ///< a point, and the unit normal to the side on which the item lies
 };
 
-/// Directions at right angles to the sides of the triangle (at the ends of the line piece), in its plane. None for a
-/// triangle without height.
+/// Returns planes perpendicular to a triangle through its sides (perpendicular to a line segment through its ends).
+/// Returns none for a triangle without height.
 std::vector<Plane> planes_on_sides(const Corners& t) {
   std::vector<Plane> planes;
   if (is_line(t)) {
@@ -63,7 +65,7 @@ struct Cut {
 };
 
 /// Divides a convex polygon (or a line, given by two points) into its parts on both sides of the plane. Points within
-/// `tiny` of the plane belong to both. A part of such points alone is empty.
+/// `tiny` of the plane belong to both parts. A part that consists of such points only is empty.
 Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   Cut parts;
   bool is_over = false, is_beyond = false;
@@ -86,7 +88,7 @@ Cut cut(const Polygon& polygon, const Plane& plane, double tiny) {
   return parts;
 }
 
-/// Halves the piece across its longest side.
+/// Divides a triangle or line segment into two halves at the midpoint of its longest side.
 std::array<Corners, 2> halves(const Corners& t) {
   std::size_t a = 0;
   for (std::size_t i = 1; i < 3; ++i)
@@ -155,7 +157,7 @@ bool CoverProver::covers_large(const Corners& item) {
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
-    // If there are many items near a small piece, one that has all of it above itself is searched too.
+    // Even if many items are near the piece, one of them may be within the limit of all corners of the piece.
     const bool is_small = r <= least_piece * limit_;
     const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });

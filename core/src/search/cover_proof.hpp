@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proof that triangles, or line pieces, lie within a distance of many others. It works for whole surfaces, even if one
-/// has large triangles and the other small ones.
+/// Proof that triangles or line segments lie within a given distance of a set of many others. It works for whole
+/// surfaces, even if one surface has large triangles and the other small ones.
 ///
 /// The distance to one triangle is a convex function, so a convex piece whose corners are within the limit of one
-/// triangle is within it as a whole. If there is no such triangle, the piece is cut by planes perpendicular to the
-/// triangle nearest to its centre, through the sides of that triangle. The part between the planes lies over that
+/// triangle is within the limit as a whole. If there is no such triangle, the piece is cut by planes perpendicular to
+/// the triangle nearest to its centre, through the sides of that triangle. The part between the planes lies over that
 /// triangle, the rest over others. The piece is thereby cut exactly at sides between two triangles, and need not become
 /// small relative to the limit. If no plane cuts the piece, it is halved.
 #pragma once
@@ -19,37 +19,38 @@
 namespace geomesh::search {
 
 struct Cover {
-  /// True if all of it is within the limit; else one of its points, `place`, is not, or was not decided.
+  /// True if the whole item is within the limit. Otherwise its point `place` is not, or the proof failed there.
   bool is_proven = false;
-  /// Largest distance of an examined point: corners, midpoints of sides, centroid, corners and centroids of pieces.
+  /// Largest distance of the points examined: corners, midpoints of sides, centroid, corners and centroids of pieces.
   double farthest = 0;
   Vec3 place;  ///< place of the largest distance; if not proven, the point in question
 };
 
-/// Must be used by one thread only. The rounding of cuts and distances (some ulps of the coordinates) is not accounted
-/// for, so callers must reserve a share of the limit for it.
+/// Proves that items lie within a limit of a set. An object must be used by one thread only. The rounding of cuts and
+/// distances (some ulps of the coordinates) is not accounted for, so callers must reserve a share of the limit for it.
 class CoverProver {
  public:
-  /// `open_edges` are those of the items of the set (find_open_edges): with them, pieces over a smooth surface need no
+  /// `open_edges` are those of the items of `set` (find_open_edges). With them, pieces over smooth surfaces need no
   /// cuts.
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// Sets the limit for all proofs from now on.
+  /// Sets the distance limit of the following proofs.
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Proves `item` (a line piece has its last two corners equal) against a group of the set. A piece whose distance
-  /// nearly equals the limit may remain undecided, and is then not proven. O(log n + k log k) for k items of the group
-  /// near the item, apart from feature edges and folds within the limit.
+  /// Tries to prove that `item` lies within the limit of a group of the set. A line segment has its last two corners
+  /// equal. A piece whose distance nearly equals the limit may remain undecided, and is then not proven. O(log n + k
+  /// log k) for k items of the group near the item, apart from feature edges and folds within the limit.
   Cover judge(const Corners& item, Index group);
 
  private:
   using Polygon = std::vector<Vec3>;
   bool is_over_sheet(const Corners& item) const;
   bool covers_all(const Corners& item);
-  /// Searches the set again for each half, until few of its items are near. Undecided if that takes too many halves.
+  /// Halves a large item and searches the set again for each half, until few items of the set are near. The proof fails
+  /// if this takes too many halves.
   bool covers_large(const Corners& item);
-  /// `rows` are rows of near_.
+  /// Tries to prove that a convex piece lies within the limit of the items of near_ in `rows`.
   bool covers(const Polygon& piece, std::vector<Index> rows);
   bool covers_by_cuts(const Polygon& piece, const std::vector<Index>& rows);
   bool covers_halves(const Polygon& piece, const std::vector<Index>& rows);

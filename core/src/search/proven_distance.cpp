@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_pieces = 100;
 constexpr double least_piece = 1.0 / 16;  ///< of the limit
 
-/// Returns the edge that both triangles share, found by equal corners; the common end for line pieces.
+/// Returns the edge that two triangles share, found by equal corners; for line segments, their common end twice.
 std::optional<std::array<Vec3, 2>> common_edge(const Corners& x, const Corners& y) {
   std::array<Vec3, 2> edge;
   std::size_t n = 0;

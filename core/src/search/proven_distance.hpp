@@ -2,16 +2,16 @@
 /// @file
 /// Proof that a whole triangle, not only samples of it, lies within a distance of a set of triangles.
 ///
-/// The distance to one triangle is a convex function, and the distance to any set changes by no more than the way one
-/// moves. So a triangle is within the limit in each of these cases:
+/// The distance to one triangle is a convex function, and the distance of a point to any set changes by no more than
+/// the point moves. A triangle is therefore within the limit in each of these cases:
 ///   (a) its corners are within the limit of one triangle of the set;
 ///   (b) a ball around one of its points contains it, and that point is nearer than the limit by the radius of the
 ///     ball;
-///   (c) two corners lie by X and the third by Y, which share an edge, and the chords between their nearest points pass
-///     near that edge. The edge cuts the triangle of the three nearest points up to that distance into parts on X and
-///     Y;
-///   (d) the set is a smooth surface without a border over all of it (sheet_proof.hpp).
-/// If none of these applies, the triangle is halved across its longest edge.
+///   (c) two corners are near triangle X and the third is near triangle Y, which share an edge, and the chords between
+///     the nearest points on X and on Y pass near that edge. Up to that distance, the edge divides the triangle of the
+///     three nearest points into parts on X and on Y;
+///   (d) the set is a smooth surface without a border over all of it (sheet_proof.hpp). If none of these applies, the
+///   triangle is halved across its longest edge.
 #pragma once
 
 #include <array>
@@ -26,20 +26,21 @@ namespace geomesh::search {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Line pieces are triangles with their last two corners equal. Keeps its memory between calls; for one thread.
+/// Proves that triangles or line segments (triangles with their last two corners equal) lie within a limit of a set. An
+/// object keeps its memory between calls and must be used by one thread only.
 class DistanceProver {
  public:
   explicit DistanceProver(double limit) : limit_(limit) {}
 
   void set_limit(double limit) { limit_ = limit; }
 
-  /// Returns whether all of `triangle` is proven to be within the limit of the set. False if a point of it is not, or
-  /// if halves down to a 16th of the limit, or a hundred of them, do not decide. O(pieces * set).
+  /// Returns whether all of `triangle` is proven to be within the limit of the set. Returns false if a point is not, or
+  /// if the proof fails after halving down to a 16th of the limit or into a hundred pieces. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
-  /// Returns a triangle of the sheet if the last triangle was proven at once because the set is a sheet over all of it
-  /// (test d); otherwise no_index. The normals of the set's triangles over the proven one all differ by less than 53
-  /// degrees from its normal, or all from its reversed normal.
+  /// Returns a triangle of the set if the last proof succeeded at once because the set is one smooth surface over all
+  /// of the proven triangle (test d); otherwise no_index. The normals of the set's triangles over the proven one then
+  /// all differ by less than 53 degrees from its normal, or all from its reversed normal.
   Index sheet_row() const { return sheet_row_; }
 
  private:
@@ -52,7 +53,7 @@ class DistanceProver {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// The candidates_ of one piece; they are followed by those of the half that is examined.
+  /// The range in candidates_ of the candidates of one piece. Those of the half that is being examined follow it.
   struct Range {
     std::size_t first, last;
   };
@@ -60,7 +61,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// Returns a triangle of the sheet that is over all of the piece, or no_index.
+  /// Returns a triangle of the set if the set is one smooth surface over all of the piece (test d); otherwise no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;

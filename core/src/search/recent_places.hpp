@@ -14,17 +14,17 @@
 
 namespace geomesh::search {
 
-/// One memory serves one function, whose values are not negative, and one thread: neighbours share their corners. No
-/// result depends on what is remembered.
+/// A cache of the values of one function that is never negative, for one thread. It helps because neighbouring
+/// triangles share their corners. No result depends on what is remembered.
 class RecentPlaces {
  public:
-  /// Remembers at most so many places, above 0.
+  /// Remembers at most `n_places` places; this number is above 0.
   explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
   struct Known {
     Vec3 place;
-    double value = -1;  ///< negative: nothing is known
+    double value = -1;  ///< negative if no value is known
   };
-  /// Returns the value at p; `value_at(last)` computes it if it is not known, with the place of the last evaluation.
+  /// Returns the value at p. If it is unknown, value_at(last) computes it; `last` is the previous place with its value.
   template <class ValueAt>
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),

@@ -12,11 +12,13 @@ namespace geomesh::search {
 
 namespace {
 
-constexpr double smooth_cosine = 0.82;  ///< cosine of the angle between two triangles at an edge
-/// Limit on the angle between the surface and F. If two triangles turned to opposite sides of F's plane, they would be
-/// inclined to each other by more than edges that are not open allow.
+/// cosine of the largest angle between two triangles that continue each other smoothly at an edge
+constexpr double smooth_cosine = 0.82;
+/// Cosine of the largest angle between the surface and the triangle F, 53 degrees. Two adjacent triangles near opposite
+/// normals of F would be inclined to each other by so much that their common edge would be open.
 constexpr double steep_cosine = 0.6;
-constexpr double on_side = 1e-9;  ///< share of F's longest edge
+/// points within this share of F's longest edge from a side of F count as on the side
+constexpr double on_side = 1e-9;
 
 struct EdgeUse {
   Index group;
@@ -30,7 +32,7 @@ bool go_on_smoothly(const EdgeUse& x, const EdgeUse& y, std::span<const ClosestP
   const auto normal = [&](const EdgeUse& e) {
     return unit(cross(e.b - e.a, items[e.item].corners[(e.k + 2) % 3] - e.a));
   };
-  return dot(normal(x), normal(y)) <= -smooth_cosine;  // on opposite sides of the edge
+  return dot(normal(x), normal(y)) <= -smooth_cosine;  // the triangles lie on opposite sides of the edge
 }
 
 }  // namespace
@@ -91,7 +93,8 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  std::array<std::array<Point, most_corners>, 2> parts;  // alternately the part before a side and the part after it
+  // alternately the polygon before and after it is cut at a side of F
+  std::array<std::array<Point, most_corners>, 2> parts;
   if (is_beside(corners, parts[0])) return Over::nothing;
   for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);
   for (unsigned k = 0; k < 3; ++k)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proof that a triangle lies within a distance of a surface that continues under all of it, without cutting it up.
+/// Proof that a triangle lies within a given distance of a surface that continues under all of the triangle. The
+/// triangle need not be cut up.
 ///
 /// Consider the part of the surface over triangle F, as seen along the normal of F. Suppose that it is nowhere farther
-/// from F's plane than the limit, nowhere steep, and without border or feature edge there. Then the set of F's points
-/// that have the surface over them is closed. It is open in F too, because around a point of the surface it continues
-/// to all sides, to places within the limit. So if it is not empty, it is all of F, which is connected.
+/// from F's plane than the limit, nowhere steep, and without border or feature edge there. Then the set of points of F
+/// that have the surface over them is closed. The set is also open in F, because around each point the surface
+/// continues to all sides and remains within the limit. Unless it is empty, it is therefore all of F, which is
+/// connected.
 #pragma once
 
 #include <cstdint>
@@ -16,45 +18,43 @@
 
 namespace geomesh::search {
 
-/// A triangle of a surface, and the edges over which the surface does not continue smoothly. Bit k is the edge from
-/// corner k to the next.
+/// A triangle of a surface. Bit k is set if the surface does not continue smoothly across the edge from corner k.
 struct SheetTriangle {
   const PreparedTriangle* triangle;
   std::uint8_t open_edges;
 };
 
-/// For each item: bit k is set if its edge from corner k to the next is open. An edge is not open if exactly two items
-/// of its group share it and are inclined to each other by less than 35 degrees. O(n log n).
+/// Returns for each item a mask in which bit k is set if the edge from corner k to the next is open. An edge is not
+/// open if exactly two items of a group share it and are inclined to each other by less than 35 degrees. O(n log n).
 std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Item> items);
 
 /// The result of the proof for one triangle of the surface.
 enum class Over : std::uint8_t {
   nothing,  ///< the projection of the triangle does not meet F
   part,     ///< the part over F satisfies all conditions
-  border,   ///< it has an open edge, is too steep, or is farther than the limit
+  border,   ///< the part over F has an open edge, is too steep, or is farther than the limit
 };
 
-/// The proof for one triangle F.
+/// Proof that a triangle F is within a limit of a surface.
 class SheetProof {
  public:
-  /// Triangles of the surface must be within `limit` of the triangle's plane.
+  /// The parts of the surface over `triangle` must be within `limit` of its plane.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
   /// Returns whether the triangle has an area.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Returns whether all of F is within the limit, provided that no triangle of the surface that may be over F was
-  /// found to be `border`.
+  /// Returns whether all of F is within the limit, provided that no triangle of the surface over F is `border`.
   bool is_proven() const { return has_seed_; }
 
  private:
-  /// A place by its distances inwards from the three sides of F, and its distance from F's plane.
+  /// A point, given by its distances inwards from the three sides of F and by its distance from F's plane.
   struct Point {
     std::array<double, 3> inside;
     double height;
   };
-  static constexpr std::size_t most_corners = 8;  ///< number of corners of the rest of a triangle between three sides
-  /// Returns whether all of the triangle is beyond one side of F. Otherwise also returns the distances of its corners
-  /// from all sides.
+  static constexpr std::size_t most_corners = 8;  ///< capacity for the corners of a triangle that is cut at three sides
+  /// Returns whether all of the triangle t is beyond one side of F. Otherwise `part` receives the distances of its
+  /// corners from all sides of F.
   bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;
   bool has_within(const Point& p, const Point& q) const;
 

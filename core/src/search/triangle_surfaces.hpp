@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Reference surfaces that consist of triangles, or curves that consist of line pieces.
+/// Reference surfaces that consist of triangles, or curves that consist of line segments.
 #pragma once
 
 #include <tbb/enumerable_thread_specific.h>
@@ -16,8 +16,7 @@ namespace geomesh::search {
 class TriangleSurfaces final : public ReferenceSurfaces {
  public:
   TriangleSurfaces() = default;
-  /// The pieces are all triangles, or all line pieces. `normals` are the unit normals by item, which normal() and
-  /// is_even() need.
+  /// The pieces are all triangles, or all line segments. `normals` (unit length) are only for normal() and is_even().
   TriangleSurfaces(std::vector<Piece> pieces, std::size_t n_groups, std::vector<Vec3> normals = {});
 
   ClosestPoint closest(const Vec3& p, Index group,
@@ -25,7 +24,7 @@ class TriangleSurfaces final : public ReferenceSurfaces {
     return trees_.closest(p, group, limit);
   }
   Vec3 normal(Index item, const Vec3&) const override { return item < normals_.size() ? normals_[item] : Vec3{}; }
-  /// O(log n + pieces near the triangle).
+  /// Takes O(log n + number of pieces near the triangle).
   bool within(const Corners& triangle, Index group, double limit, Index& over) const override;
   void within(std::span<DistanceQuestion> questions) const override;
   const std::vector<Piece>& pieces() const override { return trees_.items(); }
@@ -38,10 +37,10 @@ class TriangleSurfaces final : public ReferenceSurfaces {
   struct Scratch {
     DistanceProver prover{0};
     std::vector<SheetTriangle> nearby;
-    std::vector<Index> rows;  // rows of `nearby` in the trees
+    std::vector<Index> rows;  // row in the trees of each triangle in `nearby`
   };
   ClosestPointTrees trees_;
-  std::vector<std::uint8_t> open_edges_;  // of the pieces (find_open_edges); empty for line pieces
+  std::vector<std::uint8_t> open_edges_;  // open edges of the pieces (find_open_edges); empty for line segments
   std::vector<Vec3> normals_;
   mutable tbb::enumerable_thread_specific<Scratch> scratch_;
 };

@@ -51,10 +51,10 @@ bool begin_at_least(std::span<VertexIndex> loop) {
   return is_reversed;
 }
 
-/// The loops of a complex over other vertices, each starting at its smallest, and the order of facets by them.
+/// The loops of a complex with renumbered vertices, each from its smallest vertex, and the order of facets by them.
 class TurnedLoops {
  public:
-  /// `local` contains the other vertices by the complex' rows.
+  /// `local` contains the new number of each vertex of the complex.
   TurnedLoops(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& local) : plc_(plc) {
     turned_.reserve(plc.loop_vertices.size());
     for (const VertexIndex v : plc.loop_vertices) turned_.push_back(local[v]);
@@ -79,7 +79,7 @@ class TurnedLoops {
     std::sort(loops.begin() + 1, loops.end(), is_less);
     return loops;
   }
-  /// Orders by outer loop, then by holes, then by the caller's number.
+  /// Returns whether facet f comes before g. Facets are ordered by outer loop, holes, and the caller's number.
   bool is_before(Index f, Index g) const {
     const auto a = outer(f), b = outer(g);
     if (is_less(a, b)) return true;
@@ -107,7 +107,7 @@ class TurnedLoops {
   std::vector<std::uint8_t> is_reversed_;  ///< per facet
 };
 
-/// The complex with vertices, facets and segments in the canonical order.
+/// Builds the complex with vertices, facets and segments in the canonical order.
 class Builder {
  public:
   explicit Builder(const PiecewiseLinearComplex& plc) : plc_(plc) {}
@@ -143,7 +143,7 @@ class Builder {
     }
   }
 
-  /// Sorts by the first vertex in one pass, then the few that share it.
+  /// Sorts the facets by their first vertex in one pass, then the few facets with the same first vertex.
   void number_facets(const TurnedLoops& loops) {
     std::vector<Index> begin(out_.plc.points.size() + 1, 0);
     for (Index f = 0; f < plc_.n_facets(); ++f) ++begin[loops.first(f) + 1];
@@ -213,8 +213,8 @@ class Builder {
 
   const PiecewiseLinearComplex& plc_;
   CanonicalForm out_;
-  std::vector<VertexIndex> local_;   ///< for each row of the caller's points
-  std::vector<Index> row_of_facet_;  ///< for each of the caller's facets
+  std::vector<VertexIndex> local_;   ///< new number of each of the caller's points
+  std::vector<Index> row_of_facet_;  ///< new row of each of the caller's facets
 };
 
 }  // namespace

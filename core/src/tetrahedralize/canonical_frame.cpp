@@ -15,7 +15,7 @@ namespace {
 
 using Hash = std::uint64_t;
 
-/// Kinds of items are distinguished by a factor each.
+/// Factors that distinguish the hashes of different kinds of items.
 constexpr Hash facet_factor = 0x9E3779B97F4A7C15ull, segment_factor = 0xD1B54A32D192ED03ull,
                inner_segment_factor = 0x8CB92BA72F3D8DD7ull, inner_point_factor = 0xA24BAED4963EE407ull,
                isolated_factor = 0x9FB21C651E98DF25ull;
@@ -38,7 +38,7 @@ class FrameChoice {
   }
 
  private:
-  /// Returns a hash of the distance from the low or the high end of an axis' box, +0 if on it.
+  /// Returns a hash of the distance (+0, never -0) of p from the low or the high end of the box along an axis.
   Hash hash_from_end(const Vec3& p, std::size_t axis, bool from_high) const {
     const double distance = from_high ? box_.max[axis] - p[axis] : p[axis] - box_.min[axis];
     return mixed(std::bit_cast<Hash>(distance * scale_ + 0.0));
@@ -49,8 +49,7 @@ class FrameChoice {
         for (std::size_t end = 0; end < 2; ++end) ends_[axis][end] += hash_from_end(plc_.points[v], axis, end == 1);
   }
 
-  /// Returns the frames in which axes and their directions ascend by signature: only one if no two signatures are
-  /// equal.
+  /// Returns the frames in which axes and their directions ascend by signature: only one if all signatures differ.
   std::vector<AxisFrame> frames_by_ends() const {
     const auto key = [&](std::size_t axis) { return std::minmax(ends_[axis][0], ends_[axis][1]); };
     std::vector<AxisFrame> frames;

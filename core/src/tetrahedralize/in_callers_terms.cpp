@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Converts the canonical form back to the model as it was given.
+/// Converts a mesh of the canonical form to a mesh of the model as the caller gave it.
 #include <algorithm>
 #include <memory>
 #include <numeric>
@@ -31,7 +31,7 @@ class Translator {
   }
 
  private:
-  /// Numbers the input's vertices in its order, followed by the added points.
+  /// Numbers the vertices of the input in the order of the input, followed by the added points.
   void number_points() {
     const auto n = static_cast<VertexIndex>(mesh_.points.size());
     row_of_input_.assign(plc_.points.size(), no_vertex);
@@ -77,7 +77,8 @@ class Translator {
     mesh_.faces = std::move(faces);
   }
 
-  /// Numbers components in the order of the first facet that touches them, its lower side first.
+  /// Numbers components in the order of the first facet that touches them. The component on the lower side of a facet
+  /// comes before the one on its upper side.
   void number_components() {
     std::vector<Index> number(mesh_.n_components, no_index);
     Index next = 0;
@@ -108,8 +109,8 @@ class Translator {
   ConstrainedTetrahedralization& mesh_;
   const ModelNames& names_;
   const PiecewiseLinearComplex& plc_;
-  std::vector<VertexIndex> row_;           ///< for each point of the canonical form's mesh
-  std::vector<VertexIndex> row_of_input_;  ///< for each row of plc_.points
+  std::vector<VertexIndex> row_;           ///< new row of each point of the canonical form's mesh
+  std::vector<VertexIndex> row_of_input_;  ///< row in the mesh of each point of plc_
 };
 
 std::shared_ptr<const MeshExcerpt> excerpt_in_callers_terms(const std::shared_ptr<const MeshExcerpt>& excerpt,

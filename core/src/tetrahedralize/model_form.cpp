@@ -22,7 +22,7 @@ AxisFrame compose(const AxisFrame& outer, const AxisFrame& inner) {
   return out;
 }
 
-/// Returns the names of `inner`, a form of the merged complex, in the terms of `outer`.
+/// Returns the names that `outer` gives to the items of `inner`, which is a form of the merged complex.
 ModelNames compose(const ModelNames& outer, const ModelNames& inner, const MergedFacets& merged) {
   ModelNames out;
   out.frame = compose(outer.frame, inner.frame);
@@ -39,7 +39,7 @@ ModelNames compose(const ModelNames& outer, const ModelNames& inner, const Merge
   return out;
 }
 
-/// Determines to which of the merged triangles faces of merged facets belong.
+/// Determines for each mesh face of a merged facet to which of the merged triangles it belongs.
 class MemberNaming {
  public:
   MemberNaming(const PiecewiseLinearComplex& plc, const MergedFacets& merged, ConstrainedTetrahedralization& mesh)
@@ -65,7 +65,7 @@ class MemberNaming {
       triangles.push_back({loop[0], loop[1], loop[2]});
     }
     const std::optional<FlatPatch> patch = FlatPatch::of(plc_.points, std::move(triangles));
-    GEOMESH_CHECK(patch);  // it was a valid patch when it was merged
+    GEOMESH_CHECK(patch);  // the patch was valid when it was merged
     for (Face& face : faces) {
       const Index t = triangle_of(face, *patch);
       face.facet = members[t];

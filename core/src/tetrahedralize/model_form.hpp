@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// The model as it is meshed: in canonical form, with coplanar triangles merged into polygons if their own
-/// triangulation would be expensive to keep (plc/coplanar_facets.hpp). Results are translated back to the caller's
-/// items.
+/// triangulation would be expensive to keep (plc/coplanar_facets.hpp). Results are translated back.
 #pragma once
 
 #include <optional>
@@ -18,17 +17,18 @@ class ModelForm {
   ModelForm(const PiecewiseLinearComplex& plc, const RecoverOptions& options, const RunContext& context);
 
   const PiecewiseLinearComplex& plc() const { return form_.plc; }
-  /// Returns the caller's rows; a merged facet has that of its first triangle.
+  /// Returns the caller's rows of the items; a merged facet has the row of its first triangle.
   const ModelNames& names() const { return merged_ ? names_ : form_.names; }
 
-  /// Each face of a merged facet is assigned to the triangle that contains its centroid (rounded to doubles).
+  /// Converts a mesh of plc() to a mesh of the caller's model. Each face of a merged facet is assigned to the triangle
+  /// that contains its centroid (rounded to doubles).
   ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mesh) const;
 
  private:
   void merge(const RunContext& context);
 
   const PiecewiseLinearComplex& given_;
-  CanonicalForm form_;  ///< that of the merged complex if something is merged
+  CanonicalForm form_;  ///< form of the merged complex if something is merged
   std::optional<CanonicalForm> before_merging_;
   std::optional<MergedFacets> merged_;  ///< of before_merging_
   ModelNames names_;

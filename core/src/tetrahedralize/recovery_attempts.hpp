@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Attempts at recovery, and how each differs from those before it. Nearly all models need only the first; in others it
-/// reaches a dead end, where a Steiner point has no double near it that leaves all cells positive.
+/// Attempts at recovery, and how each differs from those before it. Nearly all models need only the first attempt. In
+/// other models it reaches a dead end: a Steiner point near which no double leaves all cells positive.
 #pragma once
 
 #include <optional>
@@ -12,9 +12,10 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  rounded,  ///< points are doubles from the start, which may lead to a dead end: conforming mode, or a single attempt
-  /// Points are exactly on their segments and facets until everything is recovered, and are rounded at the end:
-  /// recovery always terminates.
+  /// Steiner points are doubles from the start, which may lead to a dead end. For conforming mode and single attempts.
+  rounded,
+  /// Steiner points are exactly on their segments and facets until everything is recovered, and are rounded at the end,
+  /// so that recovery always terminates.
   exact,
 };
 
@@ -25,15 +26,15 @@ enum class InsertionOrder {
 };
 
 struct Attempt {
-  unsigned number = 0;  ///< from 0; also the seed of random choices
+  unsigned number = 0;  ///< number of the attempt, from 0; also the seed of random choices
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
 
-  /// Returns in a few words how it differs from those before it.
+  /// Returns in a few words how the attempt differs from those before it.
   const char* difference() const;
 };
 
-/// Returns the attempt with that number, given what those before it have learned.
+/// Returns attempt `number`. `hard_parts` contains what earlier attempts have learned.
 Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
 /// Returns the next attempt; nothing after the last.

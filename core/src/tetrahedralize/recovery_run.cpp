@@ -30,8 +30,8 @@ double ulp_of_largest(const std::vector<Vec3>& points) {
 }
 
 /// Rounds the remaining Steiner points to doubles. Points without a suitable double nearby are first moved off segments
-/// and facets, because stars are larger there; then all doubles of their stars are tried. Ends the attempt only if that
-/// does not help, because another attempt repeats all of the work. Returns how many points have no double then.
+/// and facets, because stars are larger inside regions; then all doubles of their stars are tried. Ends the attempt
+/// only if that does not help, because another attempt repeats all work. Returns the number of points without a double.
 std::size_t round_steiner_points(Recovery& recovery) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned run = 0; run < recover::recovery_budget.rounding_runs; ++run) {
@@ -91,7 +91,7 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
   Attempt attempt = attempt_of(0, options_.recover, hard_parts_);
-  std::optional<Error> refusal;  // the last dead end whose place can be viewed, else the last one
+  std::optional<Error> refusal;  // the last dead end with an excerpt of the mesh, or else the last one
   for (unsigned n_made = 1;; ++n_made) {
     StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
     ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());
@@ -117,8 +117,8 @@ RecoveryOutcome RecoveryRun::recover() {
   }
 }
 
-/// Recovers segments (3.1) and facets (3.2), handles what is still missing (3.3), and removes Steiner points. Ends with
-/// the first stage that sets recovery.dead_end.
+/// Runs the stages of one attempt: recovers segments and facets, removes Steiner points, rounds the remaining ones, and
+/// checks the boundary. Ends with the first stage that sets recovery.dead_end.
 void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
   const RecoverOptions& options = options_.recover;
   const BoundaryPoints boundary = options.preserve_boundary ? BoundaryPoints::must_go : BoundaryPoints::may_stay;
@@ -135,7 +135,8 @@ void RecoveryRun::recover_stages(const Attempt& attempt, Recovery& recovery) {
     if (!recovery.has_exact_points) return;
     n_without_double_ += round_steiner_points(recovery);
     if (recovery.has_ended()) return;
-    recover::remove_added_points(recovery, boundary);  // at positions that rounding has moved
+    // Points that could not be removed before may be removable at the positions to which rounding has moved them.
+    recover::remove_added_points(recovery, boundary);
     GEOMESH_CHECK(recover::round_exact_points(recovery).empty());
   };
   const auto check_boundary = [&] {
@@ -166,9 +167,9 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
                dead_end.context());
 }
 
-/// Errors of the model that recovery finds are accepted if the exact search for crossings agrees, or after the last
-/// attempt. Many points without a double make the current attempt the last one, since another would hardly succeed; so
-/// do many decided orientations, since another would take too long.
+/// Returns the next attempt after a dead end, if there is one. Errors of the model that recovery finds are accepted
+/// without another attempt if the exact search for crossings agrees. Many points without a double make the current
+/// attempt the last one, because another would hardly succeed; many decided orientations do, as it would take long.
 std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
                                                   const Recovery& recovery) const {
   if (n_without_double_ >= recover::recovery_budget.points_without_double ||

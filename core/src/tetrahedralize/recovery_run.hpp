@@ -24,9 +24,9 @@ class RecoveryRun {
   RecoveryRun(const PiecewiseLinearComplex& plc, const ModelNames& names, const TetrahedralizeOptions& options,
               const RunContext& context, const ConformingStep& conform);
 
-  /// Section 2 of the paper: makes the first triangulation. Throws Error{invalid_input} if the model is not valid.
+  /// Makes the first triangulation (Cavalcanti and Mello 1999, section 2). May throw Error{invalid_input}.
   void triangulate();
-  /// Section 3: makes attempts until one succeeds.
+  /// Makes attempts at recovery (section 3) until one succeeds.
   RecoveryOutcome recover();
 
   recover::DeclaredModel& model() { return model_; }
@@ -52,7 +52,7 @@ class RecoveryRun {
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
   std::size_t n_without_double_ = 0;  ///< number of points without a double in their stars, over all attempts
-  std::size_t n_decided_ = 0;         ///< number of orientations of exact places
+  std::size_t n_decided_ = 0;         ///< number of orientations decided with exact places
 };
 
 }  // namespace geomesh

@@ -17,23 +17,23 @@ using Mesh = ConstrainedTetrahedralization;
 
 enum class RoofSide { above, below };
 
-/// One side of a part. Triangles of the part and of the roof are seen from that side.
+/// The space between a plane part and its roof, on one side of the part. Triangles of the part and of the roof are
+/// oriented as seen from that side.
 class RoofOnSide {
  public:
-  /// `star` contains the cells on this side that have a point of the roof, `flat` the positions of these points in the
-  /// plane.
+  /// `star` contains the cells on this side that have a point of the roof, `flat` the points' positions in the plane.
   RoofOnSide(Mesh& mesh, const RoofedPart& part, RoofSide side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
-  /// Replaces points that the other side uses by new ones.
+  /// Replaces the roof's points, which the other side uses, by new points on this side.
   void take_own_points() {
     for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] = add_point(flat_[i]);
     for (const Index t : star_)
       for (VertexIndex& v : mesh_.tetrahedra[t]) v = on_this_side(v);
   }
 
-  /// Lifts the deepest point of the roof by half of the height that the cells at the roof reach, or by half of that,
-  /// and so on. Returns false if no step is small enough.
+  /// Lifts the roof: its highest point by half of the height that the cells at the roof reach, or by half of that, and
+  /// so on. Returns false if there is no height at which all cells are positive.
   bool lift() {
     const Vec3 up = (side_ == RoofSide::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());
@@ -52,7 +52,7 @@ class RoofOnSide {
     }
   }
 
-  /// Returns the rows of the new cells at the part's triangles.
+  /// Fills the space under the roof, and returns the rows of the new cells at the part's triangles.
   std::vector<Index> fill() {
     std::vector<Index> rows;
     for (const Triangle& t : part_.triangles) {
@@ -64,7 +64,7 @@ class RoofOnSide {
   }
 
  private:
-  static constexpr double least_part = 1e-3;  ///< share of the roof's height: a lower centre sees no more
+  static constexpr double least_part = 1e-3;  ///< least height of the centre, as a share of the roof's height
 
   VertexIndex add_point(const Vec3& p) {
     mesh_.points.push_back(p);
@@ -120,7 +120,7 @@ class RoofOnSide {
   VertexIndex centre_ = no_vertex;  ///< a point under the roof, connected with all of it
 };
 
-/// Cells that have a point of the roof, connected through faces that have one and do not belong to the roof.
+/// Cells that have a point of the roof, connected by the faces that have such a point but are not part of the roof.
 class RoofStar {
  public:
   RoofStar(const Mesh& mesh, const RoofedPart& part, const std::vector<Index>& cells) {
@@ -140,7 +140,7 @@ class RoofStar {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  /// Returns cells on one side, starting from the cells at the roof there.
+  /// Returns the cells on one side of the roof, found from `out`, the cells with a face of the roof on that side.
   std::vector<Index> from(std::vector<Index> out) const {
     std::set<Index> found(out.begin(), out.end());
     for (std::size_t i = 0; i < out.size(); ++i)

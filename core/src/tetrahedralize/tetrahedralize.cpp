@@ -53,10 +53,11 @@ ConstrainedTetrahedralization classify_regions(RecoveryRun& run, ConstrainedMesh
 struct MeshingOutcome {
   std::optional<ConstrainedTetrahedralization> mesh;
   std::optional<Error> refusal;
-  std::vector<Index> given_up;  ///< conforming: facets that are not Delaunay, if there is no mesh
+  std::vector<Index> given_up;  ///< conforming mode: facets that were given up, if there is no mesh
 };
 
-/// Runs the paper's stages in its order: triangulation (section 2), recovery (section 3), classification (section 4).
+/// Runs the stages of Cavalcanti and Mello 1999 in their order: triangulation (section 2), recovery (section 3),
+/// classification (section 4).
 MeshingOutcome mesh_in_mode(const PiecewiseLinearComplex& plc, const TetrahedralizeOptions& options,
                             const RunContext& context, const ConformingStep& conform) {
   const ModelForm form(plc, options.recover, context);
@@ -150,13 +151,13 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   }
   context.note(LogLevel::warning,
                "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
-  // Points crowded by small angles can leave no room for what is still missing; without them there is room.
+  // There is room for the missing facets without the points that conforming mode has crowded near small angles.
   TetrahedralizeOptions constrained = options;
   constrained.recover.mode = MeshMode::constrained;
   ConstrainedTetrahedralization out = mesh_or_throw(mesh_in_mode(plc, constrained, context, recover_conforming));
   out.recovery.facets_not_recovered = outcome.given_up;
   list_facets_off_delaunay(out);
-  if (out.recovery.facets_not_recovered.empty())  // the cells between them may not be Delaunay
+  if (out.recovery.facets_not_recovered.empty())  // the cells between facets may not be Delaunay
     for (Index f = 0; f < plc.n_facets(); ++f) out.recovery.facets_not_recovered.push_back(f);
   return out;
 }

@@ -32,8 +32,9 @@ void check_box(const Box3& box) {
       throw Error(ErrorKind::invalid_input, "the box is empty: each of its minima must be less than the maximum");
 }
 
-/// Snapping distance of a mending round. Overlaps that remain are a few ulps thin, so new points snap to old ones
-/// nearby, from farther away in each round. Surfaces that nearly coincide are merged within the distance of the first.
+/// Snapping distance of a round of mending. Overlaps that remain after rounding are a few ulps thin, so new points snap
+/// to old ones nearby, from farther away in each round. Surfaces that nearly coincide are merged within the distance of
+/// the first round.
 double mending_distance(double ulp, unsigned round) {
   return ulp * std::ldexp(1.0, std::min(1 + 3 * static_cast<int>(round), 9));
 }
@@ -47,12 +48,11 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
   merging.facets_merged += closed.n_facets_removed;
 }
 
-/// Repairs the cracks and dangling faces that vanished needles have left in surfaces. `rounding` is a distance that
-/// rounding leaves.
+/// Repairs cracks and dangling faces that vanished needles have left. Rounding moves a point by at most `rounding`.
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
-  // Factor on the tolerance: a corner has moved by one tolerance more than its neighbours.
+  // Factor on the tolerance, because merging may have moved a corner one tolerance farther than its neighbours.
   constexpr double dangling_of_tolerance = 2;
   const CutDanglingFaces cut = cut_dangling_faces(complex, std::max(dangling_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
@@ -69,7 +69,7 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
                                     std::to_string(contacts.overlaps.size()) + " overlaps");
 }
 
-/// Ends the run if rounding does not converge.
+/// Throws a ModelError that names the surfaces at which rounding does not converge.
 [[noreturn]] void refuse(const SurfaceList& surfaces, const Complex& complex, const Contacts& contacts) {
   ErrorContext context;
   ModelItems items;
@@ -92,7 +92,7 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
   throw ModelError(ErrorKind::cannot_mesh, message, std::move(items), std::move(context));
 }
 
-/// A point that is not from the input is a triple point where three surfaces meet.
+/// A point that is not from the input and lies on three surfaces is a triple point.
 void fill_kinds(PolygonSoup& soup) {
   std::vector<std::array<Index, 3>> at(soup.points.size(), {no_index, no_index, no_index});
   for (Index f = 0; f < soup.facets.size(); ++f)
@@ -143,8 +143,8 @@ std::optional<Box3> bounds_of(const ArrangementOptions& options) {
   return bounds;
 }
 
-/// Returns the planes of the bounds in which triangles of sides lie; others are infinitely far away. The edges of a
-/// rotated box touch its bounds.
+/// Returns those planes of the bounding box in which triangles of the volume's sides lie; the others are set to
+/// infinity because a rotated box touches its bounding box only at its edges.
 std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, const std::optional<Box3>& bounds) {
   if (!bounds) return std::nullopt;
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -161,7 +161,7 @@ std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, con
   return planes;
 }
 
-/// Marks the facets that meet others.
+/// Marks the facets that take part in a contact or an overlap.
 std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
   std::vector<std::uint8_t> marks(complex.facets.size(), 0);
   for (const FacetContact& c : contacts.facets) {
@@ -174,7 +174,7 @@ std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& comp
 
 constexpr unsigned most_snaps = 6;  // in one round
 
-/// Merges everything within the mending distance among the facets that still meet.
+/// Merges everything within the mending distance among the facets that still cross, touch or overlap others.
 SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned round,
                             const std::optional<Box3>& bounds) {
   if (contacts.empty()) return {};
@@ -182,7 +182,7 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
                    {mending_distance(unit_in_the_last_place(complex), round), bounds});
 }
 
-/// Bounds the number of contacts: if it grows while they are mended, mending will not terminate.
+/// Limits on the numbers of rounds and contacts. If mending makes more contacts, it will not terminate.
 class MendingBounds {
  public:
   MendingBounds(const Contacts& contacts, unsigned most_rounds)
@@ -287,7 +287,7 @@ class Arrangement {
       book_.take(snap_near(complex, all_facets(complex), {options_.tolerance, planes_, MoveToBox::none, join_rule_}));
   }
 
-  /// Records the movement of parts that have vanished since the last call.
+  /// Records the movement of facets that have vanished since the last call.
   void book_lost_parts(const Complex& complex) {
     if (!(options_.tolerance > 0)) return;
     add(lost_with(std::span(book_.vanished).subspan(n_booked_), complex, options_.tolerance),
@@ -309,13 +309,13 @@ class Arrangement {
   MergingBook book_{result_.merging};
   SurfaceList surfaces_;
   Ingested ingested_;
-  std::optional<Box3> bounds_;  ///< bounding box of the box or the volume
-  std::optional<Box3> planes_;  ///< those bounds that are planes of sides
+  std::optional<Box3> bounds_;
+  std::optional<Box3> planes_;  ///< those planes of the bounding box that contain triangles of sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
-  std::size_t n_booked_ = 0;  ///< number of vanished facets whose losses were recorded
-  /// Unit in the last place of the input. With the finer one of a model close to zero, points would stay off the sides
-  /// of the box.
+  std::size_t n_booked_ = 0;  ///< number of vanished facets whose movement was recorded
+  /// Unit in the last place of the coordinates of the whole input. That of a clipped model close to zero would be
+  /// finer, and constructed points would then not snap onto the sides of the box.
   double first_rounding_ = 0;
 };
 

@@ -12,10 +12,12 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-// Share of the tolerance within which surfaces that follow each other are duplicates.
+// Fraction of the tolerance within which two surfaces that run along each other are duplicates.
 constexpr double duplicate_share = 0.01;
-constexpr unsigned most_passes = 8;  // an edge that one pass splits may be near others; three passes are usually enough
-constexpr double least_ulps = 1024;  // least tolerance, since rounding might undo a smaller one
+// Most passes of merging: an edge that one pass splits may be near others; three passes are usually enough.
+constexpr unsigned most_passes = 8;
+// Smallest tolerance, in ulps, since rounding might undo the merging within a smaller one.
+constexpr double least_ulps = 1024;
 
 std::vector<std::uint8_t> are_faults(const std::vector<TriangulatedSurface>& surfaces) {
   std::vector<std::uint8_t> are;
@@ -62,8 +64,8 @@ InputJoiner::PairsToJoin InputJoiner::find_pairs(std::vector<std::string>& warni
   return {{near.duplicates.begin(), near.duplicates.end()}, {near.ending.begin(), near.ending.end()}};
 }
 
-/// Surfaces from this row on are not merged: points keep to the sides of a box by its planes, and the sides of another
-/// volume are fixed.
+/// Surfaces from this index on are not merged: points stay on the sides of a box because its planes hold them, and the
+/// sides of any other volume are fixed.
 Index InputJoiner::first_fixed() const { return options_.box ? no_index : static_cast<Index>(surfaces_.given.size()); }
 
 JoinRule InputJoiner::join_rule(const Contacts& contacts) const {
@@ -74,8 +76,8 @@ JoinRule InputJoiner::join_rule(const Contacts& contacts) const {
   return rule;
 }
 
-/// Merges bodies with the faults that cut them, which coincide up to the digits in their files. Neither ends where they
-/// do, so the rule for surfaces that meet would leave a gap of this width between them.
+/// Merges bodies with the faults that cut them where the two coincide up to the digits in their files. Neither surface
+/// ends there, so the rule for surfaces that meet would leave a gap of this width between them.
 void InputJoiner::merge_bodies_with_faults(MergingBook& book) {
   std::set<SurfacePair> pairs;
   const std::vector<TriangulatedSurface>& surfaces = surfaces_.given;
@@ -122,7 +124,7 @@ void InputJoiner::apply_tolerance(MergingBook& book, std::vector<std::string>& w
   take(book, joined, now);
 }
 
-/// Repeats each of the steps until nothing changes.
+/// Repeats each step of merging until nothing changes.
 void InputJoiner::join_ends_and_sides(MergingBook& book) {
   std::vector<VertexIndex> now;
   const auto repeat = [&](auto join) {
@@ -136,7 +138,7 @@ void InputJoiner::join_ends_and_sides(MergingBook& book) {
   repeat(join_to_sides);
 }
 
-/// `now` gives for each vertex the one that replaced it.
+/// `now` maps each vertex to the one that replaced it.
 void InputJoiner::take(MergingBook& book, const SnapOutcome& outcome, const std::vector<VertexIndex>& now) {
   book.take(outcome);
   for (auto& vertices : ingested_.vertex_of_point)

@@ -13,32 +13,32 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The merging of a result, and the facets that vanished.
+/// Displacement and counts of merging, as they enter the result, and the facets that vanished.
 struct MergingBook {
   ArrangementResult::Merging& merging;
   std::vector<VanishedFacet> vanished{};
   void take(const SnapOutcome& outcome);
 };
 
-/// The input of one arrangement. References must outlive it.
+/// The input of one arrangement. Holds references, which must stay valid.
 class InputJoiner {
  public:
   InputJoiner(Ingested& ingested, const SurfaceList& surfaces, const ArrangementOptions& options,
               const Joining& joining, const RunContext& context)
       : ingested_(ingested), surfaces_(surfaces), options_(options), joining_(joining), context_(context) {}
 
-  /// Merges, within the tolerance if there is one: patches of faults, bodies with the faults that cut them, ends,
-  /// duplicates. Without a tolerance, merges ends within rounding of other surfaces. Then moves everything near sides
-  /// onto them, up to rounding. Throws Error{usage} if the tolerance is not greater than rounding. Cost: that of
-  /// snap_near, a few times.
+  /// Merges within the tolerance, if there is one: patches of faults, bodies with the faults that cut them, free edges
+  /// beside other surfaces, duplicates. Without a tolerance, merges free edges within rounding of other surfaces. Then
+  /// moves everything near sides of the volume onto them, up to rounding. Throws Error{usage} if the tolerance is not
+  /// greater than rounding. Cost: that of snap_near(), a few times.
   void join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
 
-  /// Returns the rule for merging within the tolerance from now on. `contacts` are those of the input in its current
+  /// Returns the rule for merging within the tolerance in later steps. `contacts` are those of the input in its current
   /// state.
   JoinRule rule(const Contacts& contacts) const;
 
  private:
-  /// Pairs that are merged besides surfaces that meet where one of them ends.
+  /// Pairs of surfaces to merge in addition to surfaces that meet where one of them ends.
   struct PairsToJoin {
     std::set<SurfacePair> wherever_near;  ///< duplicates
     std::set<SurfacePair> where_they_end;

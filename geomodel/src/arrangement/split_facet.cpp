@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Thrown from the triangulation if two constraints cross.
+/// Thrown by the triangulation of a facet if two constraints cross.
 struct ConstraintsCross {};
 
 class FacetSplitter {
@@ -21,12 +21,12 @@ class FacetSplitter {
         frame_(frame),
         mesh_(no_exact_points_, frame.i, frame.j, [](int, int) -> PlanarPoint { throw ConstraintsCross{}; }) {}
 
-  /// Returns false if two vertices coincide in the projection.
+  /// Inserts the vertices in the triangulation. Returns false if two border vertices coincide in the projection.
   bool add_vertices(const std::vector<VertexIndex>& border, const std::vector<VertexIndex>& inside) {
     for (const VertexIndex v : border)
       if (!rows_.contains(v) && !add(v)) return false;
     for (const VertexIndex v : inside)
-      if (!rows_.contains(v)) add(v);  // a vertex that coincides with another in the projection is left out
+      if (!rows_.contains(v)) add(v);  // an inner vertex that coincides with another in the projection is left out
     start_with_a_frame();
     for (int p = 0; p < n_vertices(); ++p) mesh_.insert_point(p);
     return true;
@@ -39,7 +39,7 @@ class FacetSplitter {
   }
 
   /// Returns whether each edge of the closed walk exists as a whole. In projection along an axis, vertices can be
-  /// collinear in another order than on their edge; the walk then runs back and forth, and the space between its edges
+  /// collinear in another order than on their edge. The walk then runs back and forth, and the space between its edges
   /// would be lost.
   bool has_edges_of(const std::vector<VertexIndex>& walk) const {
     for (std::size_t k = 0; k < walk.size(); ++k) {
@@ -52,7 +52,7 @@ class FacetSplitter {
 
   /// Returns the triangles on the left of the closed walk along `border`.
   std::vector<Triangle> inside_of(const std::vector<VertexIndex>& border) const {
-    std::map<std::pair<int, int>, int> walls;  // number of times that each directed edge is walked
+    std::map<std::pair<int, int>, int> walls;  // number of times that the walk traverses each directed edge
     for (std::size_t k = 0; k < border.size(); ++k) {
       const std::vector<int> chain = mesh_.chain(rows_.at(border[k]), rows_.at(border[(k + 1) % border.size()]));
       for (std::size_t s = 0; s + 1 < chain.size(); ++s) ++walls[{chain[s], chain[s + 1]}];
@@ -104,7 +104,8 @@ class FacetSplitter {
     mesh_.start(n_vertices(), n_vertices() + 1, n_vertices() + 2);
   }
 
-  /// Returns nothing if the left side of the walk reaches the frame, because it winds the wrong way somewhere.
+  /// Returns the marked triangles. Throws ConstraintsCross if one touches the frame, since the walk winds the wrong
+  /// way.
   std::vector<Triangle> collect(const std::vector<std::uint8_t>& in) const {
     std::vector<Triangle> triangles;
     for (std::size_t f = 0; f < in.size(); ++f) {
@@ -148,7 +149,7 @@ void remove_spikes(std::vector<VertexIndex>& walk) {
   }
 }
 
-/// Returns nothing if the walk crosses itself in the projection, or winds the wrong way.
+/// Splits a facet in one projection; nothing if its border crosses itself in the projection, or winds the wrong way.
 std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, const Projection& frame,
                                                std::vector<VertexIndex> walk, const std::vector<VertexIndex>& inside,
                                                const std::vector<EdgeKey>& wanted) {
@@ -169,8 +170,7 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
   }
 }
 
-/// Returns projections along each axis, the one in which the walk has the largest area first; others have at least half
-/// of it.
+/// Returns projections along the axes in which the walk has at least half of its largest area, largest area first.
 std::vector<Projection> frames_of_walk(const std::vector<Vec3>& points, const std::vector<VertexIndex>& walk) {
   constexpr double least_share = 0.5;
   Vec3 area;

@@ -2,7 +2,7 @@
 // Proves that no tetrahedra overlap anywhere. Let tetrahedra be positive and their faces pair up from opposite sides.
 // Then the number of tetrahedra over a point equals the winding number of the boundary about it. So it is enough that
 // the boundary is closed and embedded (its faces meet in shared vertices and edges only: a hanging face is caught here,
-// as two boundary faces that overlap) and that the winding number outside each sheet of it is zero.
+// as two boundary faces that overlap) and that the winding number just outside each connected sheet is zero.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,8 +24,7 @@ std::vector<Triangle> outward_boundary(const CheckedMesh& mesh) {
   return faces;
 }
 
-/// An edge as one boundary face has it: its ends in order, and whether the face traverses it from the lower to the
-/// higher vertex.
+/// A directed edge of a boundary face: its sorted ends, and whether the face traverses it from the lower to the higher.
 struct HalfEdge {
   VertexIndex a, b;
   Index face;
@@ -46,7 +45,8 @@ std::vector<HalfEdge> sorted_half_edges(const std::vector<Triangle>& faces) {
   return edges;
 }
 
-/// Groups faces into sheets, joined across edges with exactly two faces; reports edges whose faces do not cancel.
+/// Groups boundary faces into connected sheets: faces are joined across edges with exactly two faces. Reports edges
+/// whose faces do not cancel in orientation.
 std::vector<Index> sheets_of(const CheckedMesh& mesh, const std::vector<Triangle>& faces, CheckResult& result) {
   std::vector<Index> root(faces.size());
   std::iota(root.begin(), root.end(), Index{0});
@@ -76,7 +76,7 @@ BoxTree tree_over(const CheckedMesh& mesh, const std::vector<Triangle>& faces) {
   return BoxTree(std::move(boxes));
 }
 
-/// Returns false if faces meet outside shared vertices and edges.
+/// Returns false if boundary faces meet anywhere but in shared vertices and edges.
 bool check_embedded(const CheckedMesh& mesh, const std::vector<Triangle>& faces, const BoxTree& tree,
                     CheckResult& result) {
   FaultCollector hanging("hanging_faces"), crossing("boundary_crossings");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks cells and arrays of points, declared in `check/mesh/checked_mesh.hpp`.
+// Checks the tetrahedra and the point arrays of a mesh, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

@@ -29,13 +29,13 @@ namespace {
 
 using namespace checking;
 
-/// Returns NAME<suffix> for NAME.ext, or an empty path if there is no such file.
+/// Returns the path NAME<suffix> for a mesh file NAME.ext, or an empty path if there is no such file.
 std::filesystem::path beside(const std::filesystem::path& mesh, const std::string& suffix) {
   std::filesystem::path file = mesh.parent_path() / (mesh.stem().string() + suffix);
   return std::filesystem::exists(file) ? file : std::filesystem::path{};
 }
 
-/// Returns the report beside the mesh; nothing if there is none or it is not JSON.
+/// Returns the JSON report beside the mesh file; nothing if it is missing or is not JSON.
 std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   const std::filesystem::path file = beside(mesh, ".report.json");
   if (file.empty()) return std::nullopt;
@@ -45,7 +45,6 @@ std::optional<nlohmann::json> report_beside(const std::filesystem::path& mesh) {
   return report;
 }
 
-/// Reads `open_borders` of the report.
 std::vector<ReportedGap> gaps_reported_beside(const std::filesystem::path& mesh) {
   std::vector<ReportedGap> told;
   const auto report = report_beside(mesh);
@@ -60,7 +59,7 @@ std::vector<ReportedGap> gaps_reported_beside(const std::filesystem::path& mesh)
   return told;
 }
 
-/// Returns the distance between neighbouring numbers at the mesh's largest coordinate.
+/// Returns the distance between neighbouring floating-point numbers at the mesh's largest coordinate.
 double unit_in_last_place(const MeshFile& mesh) {
   double largest = 0;
   for (const Vec3& p : mesh.points) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -69,8 +68,8 @@ double unit_in_last_place(const MeshFile& mesh) {
   return std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
 }
 
-/// Returns how far rounding may have moved anything: the requested value, else what the rounding of crossings may
-/// merge, plus the project's own `tolerance`. Reports of the run are not used.
+/// Returns the largest distance by which rounding may have moved a point: the requested value, else the distance within
+/// which rounding of intersections may merge points plus twice the project's own `tolerance`.
 double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Specification& specification) {
   constexpr double ulps_of_crossings = 1024, ulps_of_other_tools = 8;
   if (request.tolerance >= 0) return request.tolerance;
@@ -78,8 +77,8 @@ double tolerance_of(const CheckRequest& request, const MeshFile& mesh, const Spe
   return ulps * unit_in_last_place(mesh) + 2 * specification.merging;
 }
 
-/// Returns how far surfaces may be from their input beyond rounding: the requested value, else that of the project; 0
-/// if not at all.
+/// Returns the largest allowed distance between surfaces and their input, beyond rounding: the requested value, else
+/// that of the project; 0 if surfaces must not move.
 double surfaces_may_be_off(const CheckRequest& request, const Specification& specification) {
   return request.within >= 0 ? request.within : specification.within;
 }
@@ -89,7 +88,7 @@ bool all_known(const std::vector<Triangle>& faces) {
                      [](const Triangle& t) { return std::find(t.begin(), t.end(), no_vertex) == t.end(); });
 }
 
-/// Checks that the surfaces of the specification are covered, or followed within a tolerance.
+/// Checks that the mesh covers the specified surfaces exactly, or follows them within a tolerance.
 void check_surfaces(const CheckRequest& request, const CheckedMesh& mesh, const Specification& specification,
                     const FacesFile* faces, const std::vector<Triangle>& set_faces, CheckResult& result) {
   const double rounding = tolerance_of(request, mesh.file, specification),
@@ -110,19 +109,19 @@ void check_surfaces(const CheckRequest& request, const CheckedMesh& mesh, const 
   check_volumes_within(checked, allowed, report_beside(request.mesh), result);
 }
 
-/// The mesh, its face set and its curves, either as in the files or with fault zones closed.
+/// The mesh, its face set and its curves, either as in the files or with fault zones closed (collapsed to surfaces).
 struct CheckedFiles {
   const CheckedMesh& mesh;
   const FacesFile& faces;
   const std::vector<Triangle>& set_faces;
-  const CurvesFile* curves;  ///< null if there are none
+  const CurvesFile* curves;
 };
 
 bool can_check_contract(const CheckedFiles& files) {
   return !files.mesh.file.region.empty() && all_known(files.set_faces);
 }
 
-/// Checks the files against each other.
+/// Checks the mesh, faces and curves files against each other.
 void check_files(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
                  CheckResult& result) {
   const CheckedFaces checked(files.mesh, specification, &files.faces, files.set_faces);
@@ -140,7 +139,7 @@ void check_files(const CheckRequest& request, const CheckedFiles& files, const S
                  result);
 }
 
-/// Checks names, curves and arrays of the files against the project and docs/output-files.md.
+/// Checks names, curves and arrays of the output files against the project and docs/output-files.md.
 void check_contract(const CheckRequest& request, const CheckedFiles& files, const Specification& specification,
                     CheckResult& result) {
   const CheckedFaces checked(files.mesh, specification, &files.faces, files.set_faces);
@@ -163,8 +162,8 @@ void check_contract(const CheckRequest& request, const CheckedFiles& files, cons
   if (const auto report = report_beside(request.mesh)) check_report_quality(files.mesh, *report, ulp, result);
 }
 
-/// Returns the length below which the longest edges of tetrahedra lie that fill nine tenths of the model's volume. If
-/// sizes are graded, few elements are as large as the target size, but they fill most of the model. `mesh` has cells.
+/// Returns a length for which tetrahedra without longer edges fill nine tenths of the model's volume. If sizes are
+/// graded, few elements are as large as the target size, but they fill most of the model.
 double long_edge_by_volume(const CheckedMesh& mesh) {
   std::vector<std::pair<double, double>> edge_and_volume;
   edge_and_volume.reserve(mesh.cells.size());
@@ -188,8 +187,8 @@ double long_edge_by_volume(const CheckedMesh& mesh) {
   return edge_and_volume.back().first;
 }
 
-/// If the project only gives a number of elements, the tolerance follows the derived sizes and is taken from the
-/// report. A value above a twentieth of the mesh's long edges is rejected.
+/// Takes the tolerance of surfaces from the report if the project only gives a number of elements, because the
+/// tolerance then follows the derived sizes. Rejects a value above a twentieth of the mesh's long edges.
 void adopt_told_tolerance(const CheckRequest& request, const CheckedMesh& mesh, Specification& specification,
                           CheckResult& result) {
   const auto report = report_beside(request.mesh);
@@ -206,7 +205,7 @@ void adopt_told_tolerance(const CheckRequest& request, const CheckedMesh& mesh, 
   result.checks_done.emplace_back(text);
 }
 
-/// Checks the mesh as it would be without fault zones against the project.
+/// Checks the mesh against the project after closing its fault zones.
 void check_closed(const CheckRequest& request, const ClosedFiles& closed, const Specification& specification,
                   CheckResult& result) {
   CheckedMesh mesh{closed.mesh, closed.mesh.tetrahedra, {}, true};
@@ -235,12 +234,12 @@ void check_with_zones(const CheckRequest& request, const CheckedFiles& files, co
   for (const std::string& text : rest.checks_done) result.checks_done.push_back("with zones closed: " + text);
 }
 
-/// The files of a mesh. Surfaces and curves are in files beside it, or in its own grid.
+/// The contents of the files of a mesh. Surfaces and curves are in separate files beside it, or cells of its own grid.
 struct GivenFiles {
   MeshFile mesh;
   std::optional<FacesFile> faces;
   std::optional<CurvesFile> curves;
-  /// Returns null if there are no faces, or if one of their arrays is missing.
+  /// Returns null if the mesh has no faces, or if one of the face arrays is missing.
   const FacesFile* complete_faces() const { return faces && faces->missing_arrays.empty() ? &*faces : nullptr; }
 };
 
@@ -261,7 +260,7 @@ GivenFiles read_files(const std::filesystem::path& mesh) {
   return given;
 }
 
-/// Joins both sides of split surfaces, if the files distinguish them.
+/// Merges both sides of split surfaces, if the files distinguish these sides.
 void join_sides(const Specification& specification, GivenFiles& given, CheckResult& result) {
   const std::vector<Vec3>& points = given.mesh.points;
   if (specification.output.split.empty() || !std::all_of(points.begin(), points.end(), is_finite)) return;
@@ -296,7 +295,7 @@ void check_specification(const CheckRequest& request, const CheckedMesh& mesh, c
   if (!specification.output.fault_zones.empty()) check_with_zones(request, files, specification, result);
 }
 
-/// Returns the velocities that the project's attributes give.
+/// Returns the wave velocities that the project's attributes give to regions.
 Velocities velocities_of(const CheckRequest& request) {
   Velocities velocities;
   if (request.project.empty()) return velocities;
@@ -305,7 +304,7 @@ Velocities velocities_of(const CheckRequest& request) {
   return velocities;
 }
 
-/// Checks the files as given, against each other and against the specification if there is one.
+/// Checks the files of a mesh against each other, and against the specification if there is one.
 void check_as_given(const CheckRequest& request, GivenFiles given, std::optional<Specification> specification,
                     CheckResult& result) {
   if (specification) join_sides(*specification, given, result);
@@ -328,8 +327,7 @@ void check_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
-/// Checks the elements of a solver's file itself, and everything else through the .vtu beside it, which must have the
-/// same contents.
+/// Checks the elements of a solver's file itself, and all else through the .vtu beside it, which must be equal.
 void check_by_vtu(const CheckRequest& request, const MeshFile& file, Specification specification, CheckResult& result) {
   CheckResult own;
   CheckedMesh mesh{file, file.tetrahedra, {}, true};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks that mesh faces cover the input surfaces. A mesh face represents a part of an input triangle where all its
-// points lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
+// Checks that mesh faces cover the input surfaces. A mesh face represents a part of an input triangle if all its
+// corners lie within the tolerance of the triangle's plane. Mesh faces of a sound mesh never overlap. So a triangle is
 // covered if the areas that such faces share with it add up to the required area: all of it, or its part inside the
 // box. Any missing area must be inside a body that cuts: there the faces' open edges must run along that body (or the
-// box or the triangle's sides). Points of the triangle that no face covers must lie in the body, which is decided
-// exactly.
+// box or the triangle's sides). Whether uncovered points lie in the body is decided exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +28,7 @@ namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the ends of the edges that have only one triangle.
+/// Returns the ends of the border edges of a surface, which have only one triangle.
 std::vector<std::array<Vec3, 2>> border_edges(const TriangulatedSurface& surface) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (const Triangle& t : surface.triangles)
@@ -67,7 +66,7 @@ class CoverageChecker : public CheckedFaces {
   bool runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const;
   double height_of(const Triangle& t) const;
   bool open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface, const std::vector<Index>& pieces) const;
-  /// A triangle of the input: the row of its surface, and its own row there.
+  /// An input triangle: the index of its surface, and its index within that surface.
   struct Source {
     Index surface, triangle;
   };
@@ -80,10 +79,10 @@ class CoverageChecker : public CheckedFaces {
   double tolerance_;
   TakenByRules rules_;
   BoxTree tree_;
-  std::map<Index, BoxTree> surface_trees_;                 ///< trees over surfaces, made when first needed
-  std::vector<std::vector<std::array<Vec3, 2>>> borders_;  ///< border edges of each surface of the input
+  std::map<Index, BoxTree> surface_trees_;
+  std::vector<std::vector<std::array<Vec3, 2>>> borders_;
   std::vector<std::pair<VertexIndex, VertexIndex>>
-      clip_edges_;  ///< edges of the faces of box sides and of bodies that cut, sorted
+      clip_edges_;  ///< Edges of the faces of box sides and of bodies that cut, sorted.
 };
 
 void CoverageChecker::collect_clip_edges() {
@@ -100,7 +99,7 @@ void CoverageChecker::collect_clip_edges() {
   std::sort(clip_edges_.begin(), clip_edges_.end());
 }
 
-/// Checks that each face lies on the triangle that it names as its source.
+/// Checks that each mesh face lies on the input triangle that it names as its source.
 void CoverageChecker::check_sources(CheckResult& result) {
   FaultCollector no_source("wrong_source_triangles"), off("faces_off_their_triangle");
   double largest = 0;
@@ -136,9 +135,9 @@ void CoverageChecker::check_sources(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Returns whether the face's centroid is in the triangle that it names, and the rest of it on neighbouring triangles
-/// in the same plane: coplanar triangles of one surface may be meshed as one polygon. Corners and midpoints of edges
-/// are tested.
+/// Returns whether the face's centroid is in the input triangle that the face names, and the rest of the face lies on
+/// coplanar neighbours of that triangle: coplanar triangles of one surface may be meshed as one polygon. Corners and
+/// midpoints of edges are tested.
 bool CoverageChecker::spreads_from(const PlaneTriangle& named, Index surface, const Triangle& face) {
   if (named.outside(centroid(mesh_, face)) > tolerance_) return false;
   const TriangulatedSurface& s = specification_.surfaces[surface];
@@ -183,7 +182,8 @@ void CoverageChecker::check_bodies(CheckResult& result) {
       const auto winding = winding_about_centroid(body.surface->points, body.surface->triangles, body.tree,
                                                   corner(t, 0), corner(t, 1), corner(t, 2));
       if (winding && *winding != 0 &&
-          !is_near(body, centroid(mesh_, t), tolerance_)) {  // by rounding the centroid may be on either side
+          // If the centroid is near the body, rounding may have put it on either side.
+          !is_near(body, centroid(mesh_, t), tolerance_)) {
         inside.add(f, centroid(mesh_, t));
         break;
       }
@@ -207,8 +207,8 @@ std::vector<Index> CoverageChecker::faces_on(const PlaneTriangle& triangle, Inde
   return found;
 }
 
-/// Returns whether both ends lie on one border edge of the input, where the surface ends anyway. If its parts overlap
-/// by rounding, a neighbour's border lies in the triangle.
+/// Returns whether a and b lie on one border edge of the input surface, where the surface ends anyway. Such a border
+/// may lie inside an input triangle if parts of the surface overlap by rounding.
 bool CoverageChecker::runs_along_border(Index surface, const Vec3& a, const Vec3& b, double tolerance) const {
   return std::ranges::any_of(borders_[surface], [&](const std::array<Vec3, 2>& border) {
     const Corners line{border[0], border[1], border[1]};
@@ -217,13 +217,14 @@ bool CoverageChecker::runs_along_border(Index surface, const Vec3& a, const Vec3
   });
 }
 
-/// Height of a needle; for a regular triangle, two thirds of its height.
+/// Height of a very thin triangle, as four areas over the perimeter. For a regular triangle, two thirds of its height.
 double CoverageChecker::height_of(const Triangle& t) const {
   const PlaneTriangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
   return 4 * triangle.area() / triangle.perimeter();
 }
 
-/// A needle between two borders that are a rounding error apart has its ends on either of them.
+/// Returns whether the mesh faces on an input triangle end only along box sides, bodies that cut, or the surface's
+/// border. A needle between two such borders that are a rounding error apart may have its ends on either of them.
 bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, Index surface,
                                                  const std::vector<Index>& pieces) const {
   constexpr double thin = 2;  // tolerances
@@ -251,7 +252,7 @@ bool CoverageChecker::open_edges_run_along_clips(const PlaneTriangle& triangle, 
   return true;
 }
 
-/// Tests a lattice of points of the triangle: those in the box that no piece covers must have been removed by a rule.
+/// Tests a lattice of points of the input triangle: points in the box without a mesh face must be removed by a rule.
 bool CoverageChecker::uncovered_is_removed(const PlaneTriangle& triangle, Source source,
                                            const std::vector<Index>& pieces, Vec3& place) const {
   bool removed = true;
@@ -271,7 +272,7 @@ std::function<bool(VertexIndex, VertexIndex)> CoverageChecker::runs_along_clip_o
   };
 }
 
-/// Returns whether the uncovered part may be what rules remove; if not, `place` is a point of it.
+/// Returns whether rules may have removed the uncovered part of an input triangle; if not, sets `place` in that part.
 bool CoverageChecker::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                      Vec3& place) const {
   if (specification_.may_be_trimmed(source.surface) || (specification_.volume && !specification_.volume->box))
@@ -288,7 +289,7 @@ void CoverageChecker::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < specification_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = specification_.surfaces[s];
-    // Set if pieces may be removed as a whole, once there is an uncovered part.
+    // The uncovered triangles of this surface, if rules may remove pieces of it as a whole.
     std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];

@@ -17,7 +17,7 @@ bool less(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::
 
 std::int32_t region_of(const CheckedMesh& mesh, Index cell) { return cell == no_index ? 0 : mesh.file.region[cell]; }
 
-/// Checks that each triangle is a mesh face and occurs once. Returns the mesh face of each triangle (nullptr: none).
+/// Checks that each triangle of the face set is a mesh face and occurs once. Returns these faces, nullptr for none.
 std::vector<const FacePair*> check_triangles(const CheckedMesh& mesh, const FacesFile& faces,
                                              const std::vector<Triangle>& triangles, CheckResult& result) {
   FaultCollector unknown_point("face_points_not_in_mesh"), no_face("faces_not_in_mesh"), repeated("repeated_faces");
@@ -44,8 +44,7 @@ std::vector<const FacePair*> check_triangles(const CheckedMesh& mesh, const Face
   return found;
 }
 
-/// Checks that region_minus and region_plus are those of the tetrahedra at the face, and that the normal points from
-/// minus to plus.
+/// Checks that region_minus and region_plus are the regions at the face, and that its normal points from minus to plus.
 void check_sides(const CheckedMesh& mesh, const FacesFile& faces, const std::vector<Triangle>& triangles,
                  const std::vector<const FacePair*>& found, CheckResult& result) {
   FaultCollector wrong("wrong_face_regions"), inward("boundary_faces_turned");
@@ -61,13 +60,13 @@ void check_sides(const CheckedMesh& mesh, const FacesFile& faces, const std::vec
   inward.report(result, "boundary faces have their normal pointing inwards");
 }
 
-/// Returns whether a region reaches the convex hull (`--hull`), where its border belongs to no surface.
+/// Returns whether the region is the hull that `--hull` adds around the model. Its outer border belongs to no surface.
 bool is_hull(const CheckedMesh& mesh, std::int32_t region) {
   const auto name = mesh.file.region_names.find(region);
   return name != mesh.file.region_names.end() && (name->second == "hull" || name->second.starts_with("hull__"));
 }
 
-/// Checks that every face between two regions, or to the outside, is in the set.
+/// Checks that every mesh face between two regions, or between a region and the outside, is in the face set.
 void check_all_listed(const CheckedMesh& mesh, const std::vector<const FacePair*>& found, CheckResult& result) {
   std::vector<bool> listed(mesh.faces.size(), false);
   for (const FacePair* face : found)

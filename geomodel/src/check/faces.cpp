@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs faces between cells, declared in `check/mesh/checked_mesh.hpp`.
+// Pairs the faces of neighbouring tetrahedra, declared in `check/mesh/checked_mesh.hpp`.
 #include <algorithm>
 #include <tuple>
 #include <utility>

@@ -22,7 +22,7 @@ constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 
 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the midpoint of each edge; reports edges with several midpoints.
+/// Returns the midpoint node of each edge; reports edges with several midpoint nodes.
 std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckResult& result) {
   std::map<Edge, VertexIndex> of_edge;
   std::map<VertexIndex, Edge> edge_of_node;
@@ -43,7 +43,7 @@ std::map<Edge, VertexIndex> midpoints_of_edges(const CheckedMesh& mesh, CheckRes
   return of_edge;
 }
 
-/// Bezier points of the map, multiplied by two so that no division is needed: at corners, and between corners.
+/// Bezier control points of a second-order tetrahedron's map, multiplied by two so that no division is needed.
 template <class Number>
 struct Controls {
   std::array<std::array<std::array<Number, 3>, 4>, 4> at;
@@ -59,7 +59,7 @@ struct Controls {
     }
   }
 
-  /// Returns the Bezier coefficient of the Jacobian's determinant for the corners i, j, l, multiplied by 6 and 8.
+  /// Returns one Bezier coefficient of the Jacobian determinant, for the corners i, j and l, multiplied by 6 and 8.
   Number coefficient(std::size_t i, std::size_t j, std::size_t l) const {
     const std::size_t corner[3] = {i, j, l};
     static constexpr std::size_t orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -75,8 +75,8 @@ struct Controls {
   }
 };
 
-/// Decides in floating point if the values exceed their error; sums and products of 36 terms each round less than this
-/// many units.
+/// Decides in floating point whether all Bezier coefficients of the Jacobian exceed their rounding error. Sums and
+/// products of 36 terms each round by less than `units_of_determinants` units.
 bool all_positive(const std::array<Vec3, 10>& nodes) {
   constexpr double unit = 1.2e-16, units_of_difference = 32, units_of_determinants = 512;
   const Controls<double> rough(nodes);
@@ -134,7 +134,7 @@ void check_midpoints_within(const CheckedFaces& checked, const Allowed& allowed,
   for (Index f = 0; f < checked.candidates().size(); ++f)
     for (const std::int32_t id : checked.set_of(f)) {
       const Index row = checked.surface_of(id);
-      if (row == no_index) continue;  // a side of the model
+      if (row == no_index) continue;  // the surface is a side of the model, which has no specification
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
       const Triangle& t = checked.candidates()[f];

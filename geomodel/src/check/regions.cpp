@@ -65,7 +65,7 @@ void check_regions(const CheckedMesh& mesh, bool contract, CheckResult& result) 
 
 namespace {
 
-/// Uses long doubles, since rounding here must be smaller than the rounding of points.
+/// Distance in long doubles, because its rounding error must be smaller than that of the points' coordinates.
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   using Real = long double;
   const Real dx = Real{b.x} - a.x, dy = Real{b.y} - a.y, px = Real{p.x} - a.x, py = Real{p.y} - a.y;
@@ -73,10 +73,10 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return static_cast<double>(std::hypot(px - t * dx, py - t * dy));
 }
 
-/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to one of
-/// them.
+/// Returns whether p is, in the map, inside the polygon of the volume's vertical sides, or closer than `room` to a
+/// side.
 bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
-  const std::size_t n = volume.sides.size() - 2;  // zmin and zmax are the last two sides
+  const std::size_t n = volume.sides.size() - 2;  // the last two sides of a volume are zmin and zmax
   bool inside = false, near = false;
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 &a = volume.sides[i].points[0], &b = volume.sides[i].points[1];
@@ -91,8 +91,9 @@ bool is_within(const ModelVolume& volume, const Vec3& p, double room) {
 void check_volume(const CheckedMesh& mesh, const Specification& specification, CheckResult& result) {
   const ModelVolume& volume = *specification.volume;
   const Box3& box = volume.bounds;
-  // Largest distance of points from a side, in ulps. Sides that are not along the axes are rounded, and surfaces that
-  // lie on them up to rounding are joined to them, within 32 ulps. Points between joined surfaces are rounded again.
+  // Largest distance in ulps of mesh points from a side of the volume. Sides that are not along the axes are rounded,
+  // and surfaces that lie on them up to rounding are joined to them, within 32 ulps. Points in between are rounded
+  // again.
   constexpr double ulps_off_a_side = 40;
   double ulp = 0, side_area = 0;  // of such sides
   for (const TriangulatedSurface& side : volume.sides)

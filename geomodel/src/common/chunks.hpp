@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Divides rows into chunks of fixed length, for loops on several threads whose results are joined in the order of
-/// rows.
+/// Divides a range of indices into chunks of fixed length, for parallel loops whose results are joined in order.
 #pragma once
 
 #include <tbb/task_arena.h>
@@ -21,13 +20,13 @@ void in_arena(unsigned threads, const Work& work) {
   arena.execute(work);
 }
 
-/// Calls task(k) for k in [0, n). Tasks must not modify each other's data.
+/// Calls task(k) for k in [0, n) on several threads. Tasks must not modify each other's data.
 template <class Task>
 void for_each_task(std::size_t n, unsigned threads, const Task& task) {
   in_arena(threads, [&] { parallel_for(n, [&](std::size_t k) { task(k); }); });
 }
 
-/// The rows [0, n) in chunks that do not depend on the number of threads.
+/// Divides the indices [0, n) into chunks that do not depend on the number of threads.
 class Chunks {
  public:
   explicit Chunks(std::size_t n) : n_(n) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The edges of a set of triangles, with the triangles that meet there.
+/// Lists the edges of a set of triangles, with the triangles that meet at each edge.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,15 @@
 
 namespace geomesh::geomodel {
 
-/// One facet at one edge, a < b.
+/// One triangle at an edge with the ends a < b.
 struct EdgeUse {
   VertexIndex a, b;
-  Index facet;  ///< row of the triangle
+  Index facet;
   friend auto operator<=>(const EdgeUse&, const EdgeUse&) = default;
 };
 
-/// Returns all uses, sorted by (a, b, facet); `triangle_of` returns the triangle of each row below n. O(n log n).
+/// Returns one entry for each triangle at each edge, sorted by (a, b, facet). `triangle_of` returns the triangle with a
+/// given index below n. O(n log n).
 template <class TriangleOf>
 std::vector<EdgeUse> sorted_edge_uses(std::size_t n, const TriangleOf& triangle_of) {
   std::vector<EdgeUse> uses;
@@ -41,7 +42,7 @@ inline std::vector<EdgeUse> sorted_edge_uses(const std::vector<ModelMesh::Face>&
   return sorted_edge_uses(faces.size(), [&](Index f) -> const Triangle& { return faces[f].vertices; });
 }
 
-/// Calls visit(span of uses) once for each edge, in the order of sorted_edge_uses.
+/// Calls visit(entries) once for each edge with its entries, in the order of sorted_edge_uses.
 template <class F>
 void for_each_edge(const std::vector<EdgeUse>& uses, F&& visit) {
   for (std::size_t begin = 0; begin < uses.size();) {

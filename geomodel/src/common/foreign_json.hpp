@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns a discarded value if the text is not JSON. Values nested deeper than any file here needs are dropped,
-/// because recursive functions copy and print values, and deep nesting overflows the stack.
+/// Parses JSON text; returns a discarded value if the text is not JSON. Values that are nested deeper than any file for
+/// this program are dropped, because recursion over deep nesting would overflow the stack.
 template <class Input>
 nlohmann::json parse_foreign_json(Input&& input) {
   constexpr int most_depth = 64;

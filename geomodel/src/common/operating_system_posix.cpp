@@ -22,7 +22,8 @@ std::size_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   std::size_t bytes = pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : 0;
   std::size_t of_container = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)  // "max" is not a number
+  // Without a limit the file has the text "max", which is not a number.
+  if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)
     bytes = bytes == 0 ? of_container : std::min(bytes, of_container);
   return bytes;
 }
@@ -52,12 +53,12 @@ std::string why_not_writable(const fs::path& folder) {
 }
 
 bool make_file_of(const fs::path& file, std::size_t bytes) {
-  constexpr mode_t readable_by_all = 0666;  // without the bits that the user's mask removes
+  constexpr mode_t readable_by_all = 0666;  // read and write permissions for all, reduced by the user's umask
   const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, readable_by_all);
   if (descriptor < 0) return false;
 #if defined(_POSIX_ADVISORY_INFO) && _POSIX_ADVISORY_INFO > 0
   const int status = posix_fallocate(descriptor, 0, static_cast<off_t>(bytes));
-#else  // posix_fallocate is not available, as on macOS: the length is set without reserving space
+#else  // Without posix_fallocate, as on macOS, the length is set without reserving space.
   const int status = ftruncate(descriptor, static_cast<off_t>(bytes));
 #endif
   return close(descriptor) == 0 && status == 0;
@@ -86,7 +87,7 @@ fs::path file_of_code(void (*code)()) {
   const fs::path named = fs::weakly_canonical(info.dli_fname, error);
   if (fs::exists(named, error) && named.has_parent_path()) return named;
   return fs::read_symlink("/proc/self/exe",
-                          error);  // the main program is named as it was called, which need not be a path
+                          error);  // The main program is named as it was called, which need not be a path.
 }
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Loops and sorting with oneTBB. The thread sanitizer does not see into that library and would miss the order of
-/// events: with it, loops run on separate threads, and sorting on one.
+/// events. If it is active, loops run on separate threads instead, and sorting on one thread.
 #pragma once
 
 #include <cstddef>
@@ -55,13 +55,13 @@ void parallel_sort(Iterator begin, Iterator end, const Less&... less) {
 
 #else
 
-/// Calls task(k) for k in [0, n) on the threads of the arena. The first exception is passed to the caller.
+/// Calls task(k) for k in [0, n) on the threads of the arena. The first exception of a task is passed to the caller.
 template <class Task>
 void parallel_for(std::size_t n, const Task& task) {
   tbb::parallel_for(std::size_t{0}, n, task);
 }
 
-/// Sorts like std::sort, for random-access iterators.
+/// Sorts like std::sort, in parallel, for random-access iterators.
 template <class Iterator, class... Less>
 void parallel_sort(Iterator begin, Iterator end, const Less&... less) {
   tbb::parallel_sort(begin, end, less...);

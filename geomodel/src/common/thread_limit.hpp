@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// While it exists, loops use at most this many threads; 0 means all cores.
+/// While an object of this class exists, oneTBB loops use at most the given number of threads; 0 means all cores.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned threads) {

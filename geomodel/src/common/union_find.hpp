@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Disjoint sets of rows.
+/// Disjoint sets of indices.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Uses path halving; the representative is always the smallest member.
+/// Disjoint sets of indices, with path halving. The representative of a set is always its smallest member.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), Index{0}); }

@@ -15,12 +15,12 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A polar stereographic system: latitude of true scale (or the scale at the pole), central meridian, false easting and
-/// northing.
+/// A polar stereographic coordinate system: latitude of true scale (or the scale at the pole), central meridian, false
+/// easting and northing.
 struct PolarSystem {
   int epsg;
   bool north;
-  double true_latitude;  ///< 90: the scale at the pole is 0.994 (UPS)
+  double true_latitude;  ///< latitude of true scale in degrees; 90 means UPS, whose scale at the pole is 0.994
   double meridian, false_origin;
 };
 constexpr PolarSystem polar_systems[] = {
@@ -72,7 +72,7 @@ std::optional<HorizontalCrs> by_code(int code) {
   return crs;
 }
 
-/// Parses what follows "utm": nothing, or a zone from 1 to 60 with N or S.
+/// Parses what follows "utm" in the name of a coordinate system: nothing, or a zone from 1 to 60 with N or S.
 std::optional<HorizontalCrs> utm_of(std::string_view rest) {
   HorizontalCrs crs;
   crs.kind = HorizontalCrs::Kind::utm;
@@ -172,7 +172,7 @@ Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& p) {
     bool north = true;
     GeographicLib::UTMUPS::Forward(p.y, p.x, zone, north, q.x, q.y, crs.zone);
     if (north != crs.north)
-      q.y += north ? 1e7 : -1e7;  // across the equator, the false northing of the other hemisphere continues
+      q.y += north ? 1e7 : -1e7;  // a point across the equator keeps the false northing of its system's hemisphere
   } catch (const std::exception& e) {
     out_of_range(crs, p, e.what());
   }

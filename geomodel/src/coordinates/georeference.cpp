@@ -41,13 +41,13 @@ bool is_named(const std::string& unit) {
 }
 double metres_of(const std::string& unit) { return is_named(unit) ? length_unit_in_metres(unit).value_or(1) : 1; }
 
-/// Returns the file's own unit along an axis; empty if it names none.
+/// Returns the unit that a file names for z, or for x and y; empty if it names none.
 std::string own_unit(const SourceFrame& frame, bool z) {
   const std::string& unit = z && is_named(frame.z_unit) ? frame.z_unit : frame.unit;
   return is_named(unit) ? unit : std::string();
 }
 
-/// Returns whether coordinates can only be degrees, because no projected system has places so near its origin.
+/// Returns whether coordinates can only be degrees, because projected systems have no places so near their origin.
 bool looks_like_degrees(const Box3& b) { return b.min.x >= -360 && b.max.x <= 360 && b.min.y >= -90 && b.max.y <= 90; }
 
 }  // namespace
@@ -101,7 +101,7 @@ Vec2 ModelFrame::to_system(const HorizontalCrs& from, const Vec2& p) const {
 void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty()) return;
-  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports positions outside the system
+  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports positions outside the range of a system
   const bool projected =
       from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
   if (projected && looks_like_degrees(bounds)) {
@@ -124,8 +124,9 @@ void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from
 void ModelFrame::refuse_exchanged_degrees(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty() || from.kind != Kind::geographic || system_.kind != Kind::utm || system_.zone == 0) return;
-  constexpr double far = 40;  // degrees of longitude from the centre of the zone beyond which the projection is useless
-  constexpr double near = 15;  // a zone is 6 degrees wide, and models lie in it or beside it
+  // Degrees of longitude from the middle of a UTM zone beyond which the projection is useless.
+  constexpr double far = 40;
+  constexpr double near = 15;  // models lie in their UTM zone, which is 6 degrees wide, or beside it
   const double middle = 6.0 * system_.zone - 183;
   const auto off = [&](double longitude) { return std::abs(std::remainder(longitude - middle, 360)); };
   const double centre_x = 0.5 * (bounds.min.x + bounds.max.x), centre_y = 0.5 * (bounds.min.y + bounds.max.y);
@@ -141,7 +142,8 @@ void ModelFrame::refuse_exchanged_degrees(const SourceInput& input, const Horizo
                      : "; is the zone right (crs: {horizontal: ...}), and are these degrees?"));
 }
 
-/// Returns the conversion that GeographicLib does not support; nothing if it does, or if there is nothing to convert.
+/// Returns the conversion from an input's coordinate system to the model's if it needs PROJ; nothing if GeographicLib
+/// supports it, or if there is nothing to convert.
 std::optional<ProjConversion> ModelFrame::proj_between(const SourceInput& input, const HorizontalCrs& from) const {
   if (same_system(from, system_) || (from.converts() && system_.converts())) return std::nullopt;
   const HorizontalCrs& stranger = from.converts() ? system_ : from;
@@ -180,7 +182,7 @@ void ModelFrame::place(const SourceInput& input, std::vector<std::string>& notes
     warnings.push_back(input.name + ": the file says z is " + (contents.frame.depth ? "depth" : "elevation") +
                        "; taken as " + (depth ? "depth" : "elevation") + " as the project says");
   }
-  // The reader has converted according to the file; this adds what is still needed for metres with elevation up.
+  // The reader has applied the file's own units; `scale` completes the conversion to metres with elevation up.
   AxisScale scale{metres_of(xy_unit) / metres_of(own_xy), metres_of(z_unit) / metres_of(own_z)};
   if (is_geographic(from)) scale.xy = 1;
   if (depth != contents.frame.depth) scale.z = -scale.z;
@@ -221,7 +223,7 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
   Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
-    constexpr int n_samples = 64;  // sides are curved on the map
+    constexpr int n_samples = 64;  // sides of a geographic box are curved on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);

@@ -27,7 +27,8 @@ bool is_geographic(const HorizontalCrs& crs) {
   if (crs.kind != HorizontalCrs::Kind::other || crs.epsg == 0) return false;
   try {
     return proj().is_geographic(crs);
-    // Without the module, inputs that need a conversion are refused elsewhere, and a name alone converts nothing.
+    // If the PROJ module is missing, the system counts as not geographic. This is safe, because inputs that need a
+    // conversion are refused elsewhere, and a name alone converts nothing.
   } catch (const Error&) {
     return false;
   }

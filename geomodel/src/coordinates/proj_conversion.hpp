@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Conversion between any two systems of the EPSG register with PROJ, which is in a module: used for systems that
-/// GeographicLib does not support, and for all changes of the datum.
+/// Conversion between any two coordinate systems of the EPSG register by PROJ, which is in a module. It is used for
+/// systems that GeographicLib does not support, and for all changes of the datum.
 #pragma once
 
 #include <memory>
@@ -11,28 +11,28 @@
 
 namespace geomesh::geomodel {
 
-/// Returns whether the register has the system as one of longitude and latitude. False if it does not contain it, or is
-/// not available.
+/// Returns whether a coordinate system has longitude and latitude according to the EPSG register. False if the register
+/// does not contain the system, or is not available.
 bool is_geographic(const HorizontalCrs& crs);
 
 class ProjConversion {
  public:
-  /// Throws Error{usage} with PROJ's reason if it does not know a system, or has no transformation between their
-  /// datums.
+  /// Prepares the conversion between two coordinate systems. Throws Error{usage} with PROJ's reason if PROJ does not
+  /// know a system, or has no transformation between their datums.
   ProjConversion(const HorizontalCrs& from, const HorizontalCrs& to);
   ~ProjConversion();
   ProjConversion(ProjConversion&&) noexcept;
 
-  /// Converts metres, or degrees of longitude and latitude, in both directions; x is east and y north whatever the
-  /// register says. Throws Error{invalid_input} if PROJ cannot convert the point.
+  /// Converts a point from the first system to the second. Coordinates are in metres or degrees, with x east and y
+  /// north whatever the register says. Throws Error{invalid_input} if PROJ cannot convert the point.
   Vec2 convert(const Vec2& p) const;
-  /// Returns "; datum shift from A to B by PROJ", empty if the datum is the same.
+  /// Returns the text "; datum shift from A to B by PROJ", or an empty text if both systems have the same datum.
   const std::string& datum_shift() const { return datum_shift_; }
 
  private:
   struct Operation;
   std::unique_ptr<Operation> operation_;
-  double from_metres_ = 1, to_metres_ = 1;  ///< metres per unit of the systems; 1 for degrees
+  double from_metres_ = 1, to_metres_ = 1;  ///< metres per unit of each system; 1 for degrees
   std::string names_, datum_shift_;
 };
 

@@ -11,25 +11,24 @@
 
 namespace geomesh::geomodel {
 
-/// A transformation from one system to another.
 class ProjOperation {
  public:
   virtual ~ProjOperation() = default;
-  /// Transforms a point in the systems' own units, x east and y north. The result is not finite if PROJ cannot convert
-  /// the point.
+  /// Transforms a point, in the units of the two systems, with x east and y north. The result is not finite if PROJ
+  /// cannot convert the point.
   virtual Vec2 transform(const Vec2& p) const = 0;
-  /// Returns why the last point could not be converted.
+  /// Returns the reason why the last point could not be converted.
   virtual std::string reason() const = 0;
 
-  double from_metres = 1, to_metres = 1;  ///< metres per unit of the systems; 1 for degrees
+  double from_metres = 1, to_metres = 1;  ///< metres per unit of each system; 1 for degrees
   std::string datum_shift;                ///< as ProjConversion::datum_shift()
 };
 
 struct ProjModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Returns whether a system of the register is geographic.
+  /// Returns whether a coordinate system of the EPSG register has longitude and latitude.
   bool (*is_geographic)(const HorizontalCrs& crs);
-  /// Throws as the constructor of ProjConversion.
+  /// Prepares a transformation between two systems. Throws Error{usage} with PROJ's reason if there is none.
   std::unique_ptr<ProjOperation> (*make)(const HorizontalCrs& from, const HorizontalCrs& to);
 };
 

@@ -19,8 +19,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the object that the entry refers to: the one with the requested name, the one with the name of the entry, or
-/// the only one; else nullptr.
+/// Returns the object of a file that a surface uses: the one with the requested name, the one named like the surface,
+/// or the only one; else nullptr.
 template <class Object>
 Object* object_of(std::vector<Object>& objects, const SurfaceSpec& spec, bool only_one) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
@@ -62,8 +62,8 @@ std::string gridding_note(const SurfaceSpec& spec, const GriddedSurface& g) {
          length_text(g.largest_residual);
 }
 
-/// Records how far making a surface from its data moved it. This takes nothing from the tolerance, which counts from
-/// the resulting surface.
+/// Records how far a surface is from the data from which it was made. This uses up nothing of the tolerance, which
+/// counts from the resulting surface.
 void book(ProjectInputs& inputs, const SurfaceSpec& spec, const char* stage, double moved,
           std::optional<Vec3> place = std::nullopt) {
   ToleranceUse use{stage};
@@ -114,8 +114,8 @@ void remake(TriangulatedSurface& surface, const SurfaceSpec& spec, ProjectInputs
   }
 }
 
-/// Returns the lines that the entry refers to: those of the requested object, of the entry's name, or all if they
-/// belong to one object.
+/// Returns the lines of a file that a surface uses: those of the requested object, those named like the surface, or all
+/// if they belong to one object.
 std::vector<Polyline> lines_of(const FileContents& contents, const SurfaceSpec& spec, bool only_lines) {
   const std::string& wanted = spec.source.object.empty() ? spec.name : spec.source.object;
   std::vector<Polyline> lines;
@@ -128,7 +128,7 @@ std::vector<Polyline> lines_of(const FileContents& contents, const SurfaceSpec& 
   return is_one_object ? contents.polylines : lines;
 }
 
-/// Traces on a map, and contours of one height, are not sticks.
+/// Throws if lines are no fault sticks because each has a single height: traces on a map, or contours.
 void refuse_one_height(const std::vector<Polyline>& lines, const SurfaceSpec& spec) {
   const double height = lines.front().points.front().z;
   for (const Polyline& line : lines)
@@ -140,8 +140,8 @@ void refuse_one_height(const std::vector<Polyline>& lines, const SurfaceSpec& sp
           ", as traces on a map do; lines that go down the surface (sticks), or at several heights, were expected");
 }
 
-/// Uses the sticks of a fault unchanged, unless `gridding` gives a length or triangulation; the points of other lines,
-/// such as contours, are gridded.
+/// Makes a surface from lines. The sticks of a fault are joined unchanged, unless `gridding` requests a grid spacing or
+/// a triangulation; the points of other lines, such as contours, are gridded.
 TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const SurfaceSpec& spec,
                                      const std::optional<Box3>& box, ProjectInputs& inputs) {
   const GriddingSpec& gridding = spec.gridding;
@@ -173,7 +173,7 @@ TriangulatedSurface surface_of_lines(const std::vector<Polyline>& lines, const S
   return std::move(made.surface);
 }
 
-/// Returns the surface that the entry refers to, or that is made from its points or lines.
+/// Returns the surface that an input contains, or makes a surface from its points or lines.
 TriangulatedSurface raw_surface(FileContents& contents, const SurfaceSpec& spec, const std::optional<Box3>& box,
                                 ProjectInputs& inputs) {
   const bool one_object = contents.surfaces.size() + contents.point_sets.size() == 1;
@@ -213,13 +213,13 @@ void finish_surface(TriangulatedSurface& surface, const SurfaceSpec& spec, const
   surface.ends_model = spec.name == project.rules.topography || spec.name == project.rules.floor;
 }
 
-/// Makes the horizons that are given by their thickness below another one, each after the one above it.
+/// Makes the horizons that are defined by their thickness below another horizon, each after the one above it.
 void make_below(const Project& project, std::vector<FileContents>& contents, const std::optional<Box3>& box,
                 ProjectInputs& inputs) {
   std::vector<std::size_t> waiting;
   for (std::size_t s = 0; s < project.surfaces.size(); ++s)
     if (!project.surfaces[s].below.empty()) waiting.push_back(s);
-  while (!waiting.empty()) {  // the project was checked for cycles
+  while (!waiting.empty()) {  // the loop ends because the project was checked for cycles
     const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](std::size_t s) {
       return std::none_of(waiting.begin(), waiting.end(),
                           [&](std::size_t other) { return project.surfaces[other].name == project.surfaces[s].below; });
@@ -234,7 +234,8 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
       below = surface_below(*above, *spec.below_by);
     } else {
       TriangulatedSurface thickness = raw_surface(contents[s], spec, box, inputs);
-      for (Vec3& p : thickness.points) p.z += project.output.origin.z;  // a thickness does not depend on the origin
+      // A thickness is not a position, so the subtraction of the origin is undone.
+      for (Vec3& p : thickness.points) p.z += project.output.origin.z;
       below = surface_below(*above, thickness);
     }
     if (below.surface.triangles.empty())
@@ -255,7 +256,7 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
   }
 }
 
-/// Takes the lines of the requested object, else of the one with the entry's name, else all.
+/// Adds the paths of a well: the lines of the requested object, else those named like the well, else all lines.
 void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyline>& wells) {
   const bool all = spec.source.object == "*";
   std::string wanted = all ? "" : spec.source.object;
@@ -281,7 +282,7 @@ void take_wells(FileContents& contents, const WellSpec& spec, std::vector<Polyli
   }
 }
 
-/// Returns the tops of the table that are on a well and belong to a horizon of the project, in its order.
+/// Returns the well tops of the table, in its order, that are on a well and belong to a horizon of the project.
 std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs) {
   std::vector<FittedTop> tops;
   std::map<std::string, std::size_t> unknown;
@@ -310,8 +311,8 @@ std::vector<FittedTop> place_tops(const Project& project, ProjectInputs& inputs)
   return tops;
 }
 
-/// Moves the horizons to their tops and reports how far: either those made by a thickness below another one, or all
-/// others.
+/// Moves horizons to their well tops and reports how far: if `of_below` is set, the horizons made from a thickness
+/// below another horizon, else all other horizons.
 void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool of_below, ProjectInputs& inputs) {
   for (std::size_t s = 0; s < inputs.surfaces.size(); ++s) {
     if (project.surfaces[s].below.empty() == of_below) continue;
@@ -342,7 +343,7 @@ void fit_tops(const Project& project, const std::vector<FittedTop>& placed, bool
   }
 }
 
-/// Removes from the horizons the parts in their fault polygons, which `read` reads and places.
+/// Removes from each horizon the parts inside its fault polygons. `read` reads and converts the polygons.
 template <class Read>
 void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   inputs.faults_of_polygons.resize(project.surfaces.size());
@@ -367,7 +368,7 @@ void cut_polygons(const Project& project, Read&& read, ProjectInputs& inputs) {
   }
 }
 
-/// Keeps those horizons that are used as they were made from their points.
+/// Keeps in `gridded` only those horizons that are used as they were interpolated from their points.
 void keep_unchanged(const Project& project, ProjectInputs& inputs) {
   const auto is_changed = [&](const SurfaceSpec& spec) {
     return spec.smooth > 0 || spec.resample > 0 || !spec.below.empty() || !spec.fault_polygons.file.empty() ||

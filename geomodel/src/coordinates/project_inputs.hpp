@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads the files of a project and converts them to the frame of the model.
+/// Reads the files of a project and converts their coordinates to the frame of the model.
 #pragma once
 
 #include <map>
@@ -18,33 +18,33 @@
 
 namespace geomesh::geomodel {
 
-/// All coordinates are in the frame, minus the origin.
+/// Everything that a project reads from files. Coordinates are in the frame of the model, minus its origin.
 struct ProjectInputs {
   ModelFrame frame;
   std::vector<TriangulatedSurface>
-      /// Surfaces in the project's order; points have become surfaces, `smooth` and `resample` were applied.
+      /// Surfaces in the project's order. Surfaces were made from points, and `smooth` and `resample` were applied.
       surfaces{};
   std::vector<Polyline> wells{};
-  std::vector<FittedTop> tops{};  ///< tops to which horizons have been moved
+  std::vector<FittedTop> tops{};  ///< well tops to which horizons have been moved
   std::vector<NamedPoint> points{};
-  std::optional<VolumeSpec> volume{};  ///< argument of make_volume, with the origin (0, 0, 0)
-  /// For each surface: the faults that its fault polygons indicate.
+  std::optional<VolumeSpec> volume{};  ///< model volume, for a call of make_volume with the origin (0, 0, 0)
+  /// For each surface: names of the faults that pass through its fault polygons.
   std::vector<std::vector<std::string>> faults_of_polygons{};
   std::map<std::size_t, std::vector<FieldPart>> field_parts{};  ///< LevelSurfaces::parts
   std::vector<std::string> notes{}, warnings{};
-  /// Horizons made from points, which grid_in_blocks may make anew. None that was changed afterwards, or at which the
-  /// model ends.
+  /// Horizons interpolated from points, which grid_in_blocks may interpolate again in each fault block. Horizons that
+  /// were changed afterwards, or at which the model ends, are not included.
   PointsOfHorizons gridded{};
-  std::vector<ToleranceUse> uses{};  ///< how far surfaces are from the data from which they were made
+  std::vector<ToleranceUse> uses{};  ///< distances of surfaces from the data from which they were made
 
-  /// Adds these faults to throw_at of horizons that have no list of their own.
+  /// Adds the faults that pass through a horizon's fault polygons to its throw_at, if the project gives no list.
   void add_throws(ModelRules& rules) const;
-  /// Completes SurfaceRules::field_parts: triangles and doubts, and places in the frame.
+  /// Completes SurfaceRules::field_parts with the triangles and doubts of each field, and converts its places.
   void complete_field_parts(ModelRules& rules) const;
 };
 
-/// Throws as the readers, ModelFrame and grid_points, and Error{invalid_input} if a file does not contain what its
-/// entry refers to.
+/// Reads all inputs of a project. Throws as the readers, ModelFrame and grid_points do, and Error{invalid_input} if a
+/// file does not contain the object that a surface or well uses.
 ProjectInputs read_project_inputs(const Project& project, const RunContext& context);
 
 }  // namespace geomesh::geomodel

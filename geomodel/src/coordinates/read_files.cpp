@@ -11,7 +11,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the project's settings that are needed to read a table of a well.
 WellReading reading_of(const WellSpec& spec, const Project& project) {
   WellReading reading;
   reading.options = spec.source.reading;
@@ -22,7 +21,7 @@ WellReading reading_of(const WellSpec& spec, const Project& project) {
   return reading;
 }
 
-/// Files that several entries name are read once; each entry gets its own object from them.
+/// Reads files. A file that several surfaces or wells name is read once; each of them gets its own object from it.
 class SharedFiles {
  public:
   explicit SharedFiles(const Project& project) {
@@ -37,7 +36,8 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    if (part.surfaces.empty() && part.point_sets.empty()) part = all;  // the only object, or rejected later
+    // A file with a single object needs no name; a wrong name is rejected later.
+    if (part.surfaces.empty() && part.point_sets.empty()) part = all;
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();
     return part;
@@ -54,14 +54,13 @@ class SharedFiles {
   std::map<std::string, FileContents> read_;
 };
 
-/// Returns the contents of a surface's file.
 FileContents contents_of(const SurfaceSpec& spec, SharedFiles& files) {
   if (spec.given) return *spec.given;
-  if (spec.below_by) return {};  // a thickness without a file
+  if (spec.below_by) return {};  // a constant thickness has no file
   return spec.extrude.axis < 0 ? files.contents_of(spec) : read_section(spec.file, spec.extrude);
 }
 
-/// Returns how to interpret the coordinates of a surface's file: thicknesses count upwards from zero.
+/// Returns the settings with which coordinates in a surface's file are interpreted. Thicknesses count up from zero.
 const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
   if (spec.below.empty()) return &spec.source;
   files.of_thicknesses.push_back(spec.source);
@@ -74,7 +73,8 @@ const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
 
 ReadFiles read_files(const Project& project, const RunContext& context) {
   ReadFiles files;
-  files.contents.reserve(project.surfaces.size() + project.wells.size());  // sources point to them
+  // Must not be reallocated, because `sources` has pointers to its elements.
+  files.contents.reserve(project.surfaces.size() + project.wells.size());
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);
   files.notes = std::move(level_sets.notes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads the files of a project's surfaces and wells, each once.
+/// Reads the files of the surfaces and wells of a project, each file once.
 #pragma once
 
 #include <deque>
@@ -12,16 +12,16 @@
 namespace geomesh::geomodel {
 
 struct ReadFiles {
-  /// Contents of the surfaces in the project's order, followed by those of the wells.
+  /// Contents of the files of all surfaces in the project's order, followed by those of the wells.
   std::vector<FileContents> contents;
-  std::vector<SourceInput> sources;                           ///< inputs whose coordinates must be converted
-  std::vector<std::string> notes;                             ///< of level sets
+  std::vector<SourceInput> sources;  ///< inputs whose coordinates must be converted to the frame of the model
+  std::vector<std::string> notes;    ///< of level sets
   std::map<std::size_t, std::vector<FieldPart>> field_parts;  ///< LevelSurfaces::parts
-  std::vector<std::string> warnings;      ///< warnings of the readers, preceded by the names of the entries
-  std::deque<SourceSpec> of_thicknesses;  ///< targets of the pointers in `sources` of thicknesses
+  std::vector<std::string> warnings;      ///< warnings of the readers, preceded by the name of the surface or well
+  std::deque<SourceSpec> of_thicknesses;  ///< coordinate settings for files of thicknesses; `sources` points to them
 };
 
-/// Throws as the readers.
+/// Reads the files of a project's surfaces and wells. Throws as the readers do.
 ReadFiles read_files(const Project& project, const RunContext& context);
 
 }  // namespace geomesh::geomodel

@@ -45,7 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // zones were opened earlier: take the points before those
+    if (!mesh.before_zones.empty())  // if zones were opened earlier, the points before that are used
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -71,8 +71,8 @@ class ZoneOpener {
   }
 
  private:
-  /// Straightens edges with both ends on walls, like those of the elements between the walls. The midpoint of another
-  /// curved edge moves by the mean of the movements of its ends.
+  /// Moves the midpoints of curved edges with the walls. Edges with both ends on walls become straight, like those of
+  /// the elements between the walls. The midpoint of any other curved edge moves by the mean of its ends' movements.
   void move_curved_edges(const std::vector<Vec3>& before) {
     const auto way = [&](VertexIndex v) { return mesh_.points[v] - before[v]; };
     std::erase_if(mesh_.curved_edges, [&](const CurvedEdge& edge) {
@@ -80,8 +80,8 @@ class ZoneOpener {
     });
     for (CurvedEdge& edge : mesh_.curved_edges) edge.middle = edge.middle + 0.5 * (way(edge.a) + way(edge.b));
   }
-  /// At an end of the fault all three nodes of a face may be the same on both sides. There is no zone then, and the
-  /// face exists once, on the minus wall.
+  /// Joins faces that were split but have the same three nodes on both sides, as at an end of the fault. There is no
+  /// zone between them, and the face exists once.
   void join_closed_faces() {
     std::map<Triangle, std::size_t> first;
     std::set<std::size_t> second;
@@ -100,7 +100,8 @@ class ZoneOpener {
     std::size_t row = 0;
     std::erase_if(mesh_.faces, [&](const ModelMesh::Face&) { return second.contains(row++); });
   }
-  /// Shifts the ids of surfaces, curves and points to free ids for regions; renumber_ids() follows.
+  /// Adds a region for each fault zone. The ids of surfaces, curves and points are shifted to make room for its id;
+  /// renumber_ids() follows.
   void add_regions() {
     const auto n = static_cast<std::int32_t>(zones_.size());
     for (NamedSurface& s : mesh_.surfaces) s.id += n;
@@ -135,8 +136,8 @@ class ZoneOpener {
     mesh_.tetrahedra.push_back(t);
     mesh_.tet_region.push_back(region_of(zone));
   }
-  /// Cuts a side of a prism from the lower end of the column that comes first to the upper end of the other, so that
-  /// neighbours agree.
+  /// Divides the prisms of fault zones into tetrahedra. Each side of a prism is cut along the diagonal from the lower
+  /// end of its column of nodes with the smaller row, so that neighbouring prisms agree.
   void add_elements() {
     for (const ZonePrism& prism : columns_.prisms) {
       std::array<std::size_t, 3> c = prism.columns;
@@ -179,10 +180,10 @@ class ZoneOpener {
                 {{}, {}, {}, {p}});
   }
 
-  /// If the fault ends at a side of the model, the zone appears there.
+  /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< columns in the order of their prism
+      std::size_t a, b;  ///< rows of the columns of nodes at both ends, in the order of their prism
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -193,7 +194,7 @@ class ZoneOpener {
         if (columns_.columns[a].is_closed() && columns_.columns[b].is_closed()) continue;
         ++sides.try_emplace({std::min(a, b), std::max(a, b)}, ColumnEdge{a, b, prism.zone}).first->second.uses;
       }
-    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;  // a face of the model's boundary at each edge
+    std::map<std::pair<VertexIndex, VertexIndex>, std::size_t> outer;  // for each edge: a face on the model's boundary
     for (const auto& [key, side] : sides)
       if (side.uses == 1) outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)] = no_face;
     for (std::size_t f = 0; f < mesh_.faces.size(); ++f)
@@ -206,7 +207,8 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      GEOMESH_CHECK(f != no_face);  // all tetrahedra around an inner edge form one sector: the columns are closed there
+      // Without a boundary face, all tetrahedra around the edge would be connected, and its nodes not doubled.
+      GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
   }
@@ -225,7 +227,7 @@ class ZoneOpener {
     }
   }
 
-  /// Normals of walls point into the zone, because it has the highest region id.
+  /// Sets the regions of wall faces. Their normals point into the zone, because it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;
@@ -236,7 +238,7 @@ class ZoneOpener {
   }
   bool is_wall(const ModelMesh::Face& face) const { return columns_.zone_of_wall.contains(in_order(face.vertices)); }
 
-  /// A well that meets the fault in a node continues along the column there.
+  /// Continues wells across zones: a well that meets the fault in a node follows the new nodes across the zone there.
   void carry_wells_across() {
     std::map<VertexIndex, std::set<std::int32_t>> wells_at;
     for (const NamedCurve& curve : mesh_.curves)
@@ -263,7 +265,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // edges of faces on walls, and of zones on sides of the model
+  EdgeSet edges_;  // edges of faces on walls, and of zone faces on sides of the model
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Fault zones of a project: the rules for their regions, and the mesh opened to them.
+/// Fault zones of a project: naming rules for the regions of zones, and the mesh with zones opened.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace geomesh::geomodel {
 
-/// Takes groups and attributes that name zones out of the rules, because there are no zones yet while the mesh is
-/// named.
+/// Removes groups and attributes of fault zones from the naming rules and returns them, because there are no zones yet
+/// when the mesh is named.
 NamingRules take_zone_rules(NamingRules& rules, const std::vector<FaultZone>& zones);
 
-/// Calls open_fault_zones(), and adds the groups and attributes that `zone_rules` give to zones.
+/// Calls open_fault_zones(), and adds the groups and attributes that `zone_rules` define for zones.
 ModelMesh open_project_zones(const ModelMesh& mesh, const std::vector<FaultZone>& zones, const NamingRules& zone_rules);
 
 }  // namespace geomesh::geomodel

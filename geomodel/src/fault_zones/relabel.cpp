@@ -14,7 +14,6 @@ namespace {
 
 std::pair<VertexIndex, VertexIndex> edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// Returns the rows of faces by edge.
 std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> faces_at(const ModelMesh& mesh,
                                                                            const EdgeSet* edges) {
   std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> at;
@@ -29,7 +28,7 @@ std::map<std::pair<VertexIndex, VertexIndex>, std::vector<Index>> faces_at(const
 }  // namespace
 
 void renumber_ids(ModelMesh& mesh) {
-  std::map<std::int32_t, std::int32_t> now;  // new ids of surfaces, curves, points and sets, by old id
+  std::map<std::int32_t, std::int32_t> now;  // new id of each surface, curve, point and set, by old id
   auto next = static_cast<std::int32_t>(mesh.regions.size());
   for (NamedSurface& s : mesh.surfaces) s.id = now[s.id] = ++next;
   for (NamedCurve& c : mesh.curves) c.id = now[c.id] = ++next;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names, numbers and measures of a mesh that has been changed.
+/// Assigns names, numbers and measures anew to a mesh that has been changed.
 #pragma once
 
 #include <set>
@@ -10,19 +10,19 @@
 
 namespace geomesh::geomodel {
 
-/// Assigns ids in the order of docs/output-files.md: regions keep theirs, from 1, followed by surfaces, curves, points
-/// and sets.
+/// Assigns ids in the order of docs/output-files.md: regions keep theirs, which begin with 1, followed by surfaces,
+/// curves, points and sets.
 void renumber_ids(ModelMesh& mesh);
 
-/// Numbers patches from 1 in the order of their first faces. A patch has faces joined across edges where exactly two
-/// faces of one set meet.
+/// Numbers patches from 1 in the order of their first faces. A patch consists of faces connected across edges at which
+/// exactly two faces with the same surfaces meet.
 void number_patches(ModelMesh& mesh);
 
-/// Edges by their ends, the smaller first.
+/// Set of edges by their two nodes, the smaller one first.
 using EdgeSet = std::set<std::pair<VertexIndex, VertexIndex>>;
 
-/// Renames the intersections among these edges by the faces around each. Wells and tips are kept, and curves left
-/// without an edge are removed.
+/// Renames those of the edges that are intersections, by the surfaces of the faces around each. Wells and fault tips
+/// are kept, and curves left without an edge are removed.
 void name_intersections(ModelMesh& mesh, const EdgeSet& edges);
 
 /// Computes the number of tetrahedra and the volume of each region, the area of each surface, and the length of each

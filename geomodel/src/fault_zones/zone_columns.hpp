@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The nodes across a fault zone: a column for each pair of nodes that face each other.
+/// The nodes across a fault zone, in columns: one column for each pair of nodes on the two sides of the fault.
 #pragma once
 
 #include <array>
@@ -13,16 +13,17 @@
 
 namespace geomesh::geomodel {
 
-/// A pair of nodes on the two sides of a fault; one node where the fault ends.
+/// A column of nodes across a fault zone, between two nodes on the sides of the fault; one node where the fault ends.
 struct ZoneColumn {
   VertexIndex minus, plus;
-  std::size_t zone;  ///< row of the first zone that contains it
-  /// From minus to plus, one more than there are layers; only the minus node if both are the same.
+  std::size_t zone;  ///< row of the first fault zone that contains the column of nodes
+  /// Nodes of the column from the minus to the plus side, one more than layers; only one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };
 
-/// A face of the fault with its three columns; the normal of the columns' minus nodes points to the plus side.
+/// A prism of a fault zone: one face of the fault, with a column of nodes at each corner. The normal of the face on the
+/// minus side points to the plus side.
 struct ZonePrism {
   std::array<std::size_t, 3> columns;
   std::size_t zone;
@@ -31,14 +32,17 @@ struct ZonePrism {
 struct ZoneColumns {
   std::vector<ZoneColumn> columns;
   std::vector<ZonePrism> prisms;
-  std::map<Triangle, std::size_t> zone_of_wall;  ///< the zone of each wall face, by the face's nodes in ascending order
+  /// Row of the zone at each wall face, by the nodes of the face in ascending order.
+  std::map<Triangle, std::size_t> zone_of_wall;
 };
 
-/// Finds columns from the prisms of a mesh split along the zones' faults. Throws Error{cannot_mesh} if more than two
-/// sides meet in a node, if zones of different thickness or layers share a node, or if a fault has one side alone.
+/// Finds the columns of fault zones in a mesh that was split along the faults. Throws Error{cannot_mesh} if more than
+/// two sides meet in a node, if zones of different thickness or number of layers share a node, or if a fault is
+/// one-sided.
 ZoneColumns columns_of(const SplitMesh& split, const std::vector<FaultZone>& zones);
 
-/// Adds the nodes between the sides of each column, evenly on the straight line. Call it once the sides have moved.
+/// Adds the nodes across a zone between the two ends of each column of nodes, evenly on a straight line. Precondition:
+/// the ends were moved to the walls before.
 void fill_columns(ModelMesh& mesh, ZoneColumns& zone, const std::vector<FaultZone>& zones);
 
 }  // namespace geomesh::geomodel

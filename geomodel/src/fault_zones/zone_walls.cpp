@@ -13,11 +13,13 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Longest movement divided by half of the thickness: along surfaces that may be ignored, and along sides of the model.
+/// Largest movement of a node, divided by half of the zone's thickness: along surfaces, which are otherwise not
+/// followed, and along sides of the model, which must be followed.
 constexpr double longest_along_surfaces = 2, longest_along_sides = 4;
-/// Limit on the inclination of a fault's faces at a node to their mean: 60 degrees.
+/// Limit on the bend of a fault at a node: the factor by which a node may move farther than the planes of its faces.
+/// With 2, faces may be inclined by 60 degrees to their mean plane.
 constexpr double longest_miter = 2;
-/// Sine of the largest angle between planes that count as one.
+/// Sine of the largest angle between planes that count as parallel.
 constexpr double nearly_parallel = 0.1;
 
 Vec3 area_vector(const ModelMesh& mesh, const Triangle& t) {
@@ -30,19 +32,20 @@ double angle_at(const ModelMesh& mesh, const Triangle& t, std::size_t i) {
   return std::atan2(norm(cross(u, v)), dot(u, v));
 }
 
-/// A unit vector; exact along an axis.
+/// Returns the unit vector of v; exact if v is along an axis.
 Vec3 unit(const Vec3& v) {
   const double length = norm(v);
   return {v.x / length, v.y / length, v.z / length};
 }
 
-/// The mean normal of the fault at a node, weighted by angles, and how much farther than the planes the node moves.
+/// The mean normal of a fault at a node, weighted by angles. `weight` divided by `cosine` is how much farther than the
+/// planes of the faces the node moves.
 struct WallNormal {
   Vec3 sum{0, 0, 0}, direction{0, 0, 0};
   double cosine = 0, weight = 0;
 };
 
-/// A surface that a node lies on beside the fault.
+/// A surface other than the fault on which a node of the fault lies.
 struct Guide {
   Vec3 area{0, 0, 0};
   bool is_side = false;
@@ -110,7 +113,7 @@ class WallMover {
     }
   }
 
-  /// Faces of other surfaces at the columns' nodes, summed by their set of surfaces; sides of the model first.
+  /// Finds the other surfaces on which nodes of faults lie, with the sums of their faces' area vectors at these nodes.
   void find_guides() {
     for (const ZoneColumn& column : zone_.columns)
       if (!column.is_closed()) guides_[column.minus], guides_[column.plus];
@@ -136,7 +139,7 @@ class WallMover {
 
   Vec3 place(const ZoneColumn& column, const WallNormal& normal, VertexIndex v, double sign) const {
     const double half = zones_[column.zone].thickness / 2 * normal.weight / normal.cosine;
-    Vec3 along = normal.direction;  // the normal minus its components across the guides
+    Vec3 along = normal.direction;  // the normal without its components across the surfaces that the node follows
     std::vector<Vec3> across;       // orthonormal
     for (const auto& [key, guide] : guides_.at(v)) {
       if (!(norm(guide.area) > 0)) continue;
@@ -152,7 +155,7 @@ class WallMover {
       along = tried;
       across.push_back(n);
     }
-    // the dot product of `along` with the unit normal is the square of its length
+    // The dot product of `along` with the unit normal equals the square of the length of `along`.
     return mesh_.points[v] + (sign * half / dot(along, normal.direction)) * along;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Computes the places of the walls of a fault zone.
+/// Moves the walls of fault zones apart.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,14 @@
 
 namespace geomesh::geomodel {
 
-/// Moves the nodes of each open column apart. `mesh` is split along the faults, with both nodes of a column in one
-/// place.
+/// Moves the nodes of each open column apart. Precondition: `mesh` is split along the faults, with both nodes of a
+/// column in one place.
 ///
-/// The planes of the fault's faces at a node move by half of the thickness in the mean, so a node moves further where
-/// they are inclined to each other. The shortest such movement is chosen that remains in the surfaces which meet the
-/// fault at the node, on that side of it: always in sides of the model, and in up to two others as long as the movement
-/// is not more than twice as long. Coordinates across a side along the axes do not change by a bit.
+/// The planes of the fault's faces at a node move by half of the thickness on average, so the node itself moves farther
+/// where these planes are inclined to each other. The node takes the shortest such movement that remains in the
+/// surfaces which meet the fault on this side: always in sides of the model, and in up to two other surfaces as long as
+/// this makes the movement at most twice as long. On a side along the axes, the fixed coordinate remains exactly the
+/// same.
 ///
 /// Throws Error{cannot_mesh} with fault and place if the fault bends by more than 120 degrees, or if it lies nearly in
 /// a side of the model and the movement would be four times as long.

@@ -10,16 +10,15 @@
 
 namespace geomesh::geomodel {
 
-/// Adds a cell or point array for each field. It is evaluated at the centroids of tetrahedra, or at points and
-/// midpoints, with the origin added again.
-///   - A grid of any format that is read as a surface (GeoTIFF, Esri, Surfer, ZMAP ...): its values as a function of
-///   the
-///     place on the map. Linear between the nodes of a grid along the axes; of others, and of grids with holes, the
-///     mean of the eight nearest, weighted by one over the squared distance. Beyond the grid: the value at its nearest
-/// place.
-///   - Values in space (.csv, .txt, .xyz: x y z value; .vti, .vtu, .vtp: the array of the field's name): likewise.
-/// A field whose name the mesh has already replaces it. Throws Error{usage} if a file cannot be opened,
-/// Error{invalid_input} if it holds no values.
+/// Adds a cell or point array to the mesh for each property. It is evaluated at the centroids of tetrahedra, or at
+/// points and midpoints, after the origin was added again. Files hold one of two kinds of values.
+///   - A grid of any format that is read as a surface (GeoTIFF, Esri, Surfer, ZMAP ...): its heights are the values, by
+///     place on the map. They are linear between the nodes of a complete grid along the axes. For other grids, the
+///     value is the mean of the eight nearest nodes, weighted by one over the squared distance. Beyond the grid it is
+///     the value at the nearest place of the grid.
+///   - Values in space (.csv, .txt, .xyz: x y z value; .vti, .vtu, .vtp with an array of the property's name):
+///     evaluated in the same way, in space. A property replaces an array of the mesh that has the same name. Throws
+///     Error{usage} if a file cannot be opened, Error{invalid_input} if it holds no values.
 void add_fields(ModelMesh& mesh, const std::vector<FieldSpec>& fields);
 
 }  // namespace geomesh::geomodel

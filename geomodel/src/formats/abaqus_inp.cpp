@@ -18,11 +18,11 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Side of a C3D4 by its opposite vertex: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
+/// Number of the side of an Abaqus C3D4 element opposite each vertex: S1 = 1-2-3, S2 = 1-4-2, S3 = 2-4-3, S4 = 3-4-1.
 constexpr int side_opposite[] = {3, 4, 2, 1};
 
-/// CalculiX reads only the first 20 characters of a number. 17 digits with sign and point fit; if an exponent is needed
-/// too, the last digits are dropped.
+/// Writes a number in at most 20 characters, because CalculiX reads only the first 20 characters of a number. 17 digits
+/// with sign and point fit; if an exponent is needed too, the last digits are dropped.
 std::string text_of_20(double value) {
   char buffer[400];
   std::string text(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
@@ -42,13 +42,13 @@ struct ElementSide {
   std::int32_t region;
 };
 
-/// Returns the node of a C3D10 or C3D4 in Abaqus' order, which equals VTK's for these elements and for the three
-/// midpoints of a triangle.
+/// Returns node `i` of an element in Abaqus' order, which equals VTK's for tetrahedra (C3D4, C3D10) and for the
+/// midpoints of triangles.
 std::size_t node_at(const CellBlock& block, std::size_t cell, std::size_t i) {
   return block.nodes[cell * block.nodes_per_cell + i] + std::size_t{1};
 }
 
-/// Element sets, node sets and surfaces have separate name spaces.
+/// Writes an Abaqus input file. Element sets, node sets and surfaces have separate name spaces.
 class InputDeck {
  public:
   InputDeck(OutputText& text, const SolverMesh& mesh, const WriteOptions& options)
@@ -115,8 +115,8 @@ class InputDeck {
     for (const ElementSide& s : sides) text_ << s.element << ", S" << s.side << "\n";
     sidecar_.push_back({"surface", 2, 0, name, full_name, members});
   }
-  /// Adds a surface for each region whose elements lie at it, if there are several: a side of the box by unit, a side
-  /// of a fault by block.
+  /// Divides a surface by the regions of the elements beside it, and adds a surface for each, if there are several: for
+  /// a side of the box by unit, for a side of a fault by block.
   void add_surface_by_region(const std::string& full_name, const std::vector<ElementSide>& sides,
                              const std::vector<std::int32_t>& members) {
     std::map<std::int32_t, std::vector<ElementSide>> of_region;

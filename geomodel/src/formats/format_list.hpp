@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The list of formats. Each format, or family of formats, has one file in this folder that says what it is, how it is
-/// written and how it is read. A new format consists of a file in this folder and two lines here.
+/// The list of mesh formats. Each format, or family of formats, has one file in this folder that says what it is, how
+/// it is written and how it is read. A new format needs a file in this folder and two lines here.
 #pragma once
 
 #include "geomesh/geomodel/formats.hpp"
@@ -15,9 +15,9 @@ Format gmsh41_binary_format();      // gmsh41.cpp
 Format gmsh22_format();             // gmsh22.cpp
 Format gmsh22_binary_format();      // gmsh22.cpp
 Format abaqus_format();             // abaqus_inp.cpp
-Format exodus_format();             // modules/at_need.cpp: exodus/, in a module with netCDF
-Format med_format();                // modules/at_need.cpp: modules/med.cpp, with libmedc
-Format xdmf_format();               // modules/at_need.cpp: modules/xdmf.cpp, with HDF5
+Format exodus_format();             // in modules/at_need.cpp: the code is in exodus/, in a module with netCDF
+Format med_format();                // in modules/at_need.cpp: the code is modules/med.cpp, in a module with libmedc
+Format xdmf_format();               // in modules/at_need.cpp: the code is modules/xdmf.cpp, in a module with HDF5
 Format ogs_format();                // opengeosys.cpp
 Format openfoam_format();           // openfoam.cpp
 Format mfem_format();               // mfem.cpp
@@ -39,7 +39,7 @@ Format stl_format();                // surfaces/stl.cpp
 Format seissol_format();            // modules/at_need.cpp
 Format vtkhdf_format();             // modules/at_need.cpp
 
-/// In the order of the documents. Formats in modules are listed whether or not the module is available.
+/// All mesh formats in the order of the documents. Formats in modules are listed even if the module is missing.
 inline constexpr Format (*listed_formats[])() = {
     vtu_format,      gmsh41_format, gmsh41_binary_format, gmsh22_format,       gmsh22_binary_format,
     abaqus_format,   exodus_format, med_format,           xdmf_format,         ogs_format,

@@ -43,12 +43,14 @@ class FractureMesh {
       made_.surface_sets.push_back(std::move(set));
     }
   }
-  /// There are no regions beside faces, so parts that differed only in their regions are combined.
+  /// Takes the faces on faults without the regions beside them.
   void take_faces() {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];
       if (set.empty()) continue;
-      if (std::find(set.begin(), set.end(), face.surface) == set.end()) {  // a side of the box comes first
+      // A face on a side of the box and on a fault belongs to the side, which comes first; here it becomes one of the
+      // fault.
+      if (std::find(set.begin(), set.end(), face.surface) == set.end()) {
         face.surface = set.front();
         face.source_triangle = -1;
       }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes files of one part if no process has the whole mesh.
+/// Writes the files of one part of a mesh when no process has the whole mesh.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace geomesh::geomodel {
 
-/// Writes the part's own files with the names and contents of write_format, and with the first part also the files that
-/// all parts share. Formats are vtu, exodus, msh and msh-binary; throws Error{usage} for others, and if numbers exceed
-/// what the format can store.
+/// Writes the files of one part with the names and contents that write_format would give them. With the first part, it
+/// also writes the files that all parts share. Formats are vtu, exodus, msh and msh-binary; throws Error{usage} for
+/// others, and if numbers exceed what the format can store.
 std::vector<std::filesystem::path> write_given_part(const ModelMesh& mesh, const MeshParts& parts, std::int32_t number,
                                                     const std::string& format, const std::filesystem::path& stem,
                                                     const WriteOptions& options);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes Gmsh MSH 4.1, text and binary: one entity per block, with its physical groups. Source: the reference manual of
-// Gmsh
-// 4.8, "MSH file format".
+// Writes Gmsh MSH 4.1, text and binary. Each block of cells is an entity with its physical groups. Source: the
+// reference manual of Gmsh 4.8, "MSH file format".
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -13,17 +12,16 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A block as an entity, with the nodes that it owns. A node belongs to the entity of lowest dimension that contains
-/// it.
+/// A block of cells as a Gmsh entity, with the nodes that it owns. A node belongs to the entity of lowest dimension
+/// that contains it.
 struct Entity {
   int dimension;
   std::size_t block;
-  /// For volumes: blocks of boundary faces, negative if their normal points inwards.
+  /// Numbers of the face blocks that bound a volume, negative if their normal points inwards.
   std::vector<std::int32_t> boundary;
   std::vector<VertexIndex> owned;
 };
 
-/// Returns the entities: points, edges, faces, solids.
 std::vector<Entity> make_entities(const SolverMesh& mesh) {
   std::vector<Entity> entities;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

@@ -11,14 +11,14 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// An entity of one part, with its dimension and number; its cells are rows of a block of the part.
+/// A Gmsh entity of one part of a mesh, with its dimension and number. Its cells are rows of a block of the part.
 struct PartEntity {
   int dimension;
   std::int32_t tag;
   std::size_t block = 0;
   bool is_ghost = false;
-  std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block, and row in it
-  std::vector<VertexIndex> owned;                          ///< owned nodes, numbered in the part
+  std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block of each cell, and row in that block
+  std::vector<VertexIndex> owned;                          ///< rows in the part of the nodes that the entity owns
 };
 
 class PartWriter {
@@ -61,8 +61,8 @@ class PartWriter {
   }
   std::int32_t ghost_tag() const { return tag_of(whole_.blocks.size(), own_); }
 
-  /// Sorts cells into points, edges, faces and solids, ghosts last. Cells that are not solids and belong to other parts
-  /// are only in those.
+  /// Sorts the cells of the part into entities: points, edges, faces and solids, then ghosts. Only solids of other
+  /// parts become ghosts.
   void sort_cells() {
     for (std::size_t b = 0; b < whole_.blocks.size(); ++b) {
       const int dimension = dimension_of(whole_.blocks[b].shape);
@@ -79,7 +79,7 @@ class PartWriter {
     ghost_.tag = ghost_tag();
     if (!ghost_.cells.empty()) entities_.push_back(ghost_);
   }
-  /// A node belongs to the first entity that contains it; nodes without cells in any entity are left out.
+  /// Assigns each node to the first entity that contains it; nodes that are in no entity are left out.
   void share_nodes() {
     std::vector<bool> taken(part_.mesh.n_nodes(), false);
     for (PartEntity& entity : entities_) {
@@ -95,7 +95,8 @@ class PartWriter {
     }
   }
 
-  /// Writes a bounding box; for a region of the whole mesh that of its faces, which every part has.
+  /// Writes the bounding box of an entity of the whole mesh. For a region it is that of its faces, which every part
+  /// has.
   void write_parent_box(GmshNumbers& numbers, const CellBlock& block) const {
     if (block.shape != CellShape::tetrahedron) return write_box(numbers, block, whole_);
     Box3 box;
@@ -115,7 +116,6 @@ class PartWriter {
     numbers.size(groups_.of_block[block].size());
     for (const std::int32_t tag : groups_.of_block[block]) numbers.integer(tag);
   }
-  /// Writes the entities of the whole mesh.
   void write_parents(GmshNumbers& numbers) const {
     std::array<std::vector<std::size_t>, 4> of_dimension;
     for (std::size_t b = 0; b < whole_.blocks.size(); ++b)
@@ -234,7 +234,7 @@ class PartWriter {
   const GmshGroups& groups_;
   std::int32_t own_, first_tag_ = 0;
   std::size_t last_element_ = 0;
-  std::vector<std::size_t> first_element_;  // for each block: the number of its first cell in the whole mesh
+  std::vector<std::size_t> first_element_;  // for each block: number in the whole mesh of its first cell
   std::vector<PartEntity> entities_;
   PartEntity ghost_{3, 0, 0, true, {}, {}};
 };

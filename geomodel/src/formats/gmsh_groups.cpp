@@ -48,7 +48,8 @@ std::size_t gmsh_node(const CellBlock& block, std::size_t i) {
 
 namespace {
 
-/// `give` calls the function that it receives with each value. Numbers of rows have 32 bits in every version.
+/// Writes the values of one array. `give` receives a function and calls it with each value. Row numbers have 32 bits in
+/// every version of the format.
 template <class Give>
 void write_data(OutputText& out, Encoding encoding, const char* section, const std::string& name, std::size_t n,
                 Give&& give) {

@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 enum class Encoding { text, binary };
 
-/// Writes numbers of a section: in text separated by blanks, otherwise as in memory (little endian).
+/// Writes the numbers of a section of a Gmsh file: in text separated by blanks, in binary as in memory (little endian).
 class GmshNumbers {
  public:
   GmshNumbers(OutputText& out, Encoding encoding) : out_(out), binary_(encoding == Encoding::binary) {}
@@ -26,7 +26,7 @@ class GmshNumbers {
     real(p.y);
     real(p.z);
   }
-  /// Ends a line, in text.
+  /// Ends a line in text files; writes nothing in binary files.
   void line() {
     if (!binary_) out_ << "\n";
     at_start_ = true;
@@ -53,8 +53,8 @@ struct GmshPhysical {
   std::string name;
 };
 
-/// Groups as Gmsh stores them. `of_block` contains the tags of each block's groups: one for each block unless both
-/// whole groups and pieces are requested.
+/// The physical groups of a Gmsh file. `of_block` lists the tags of the groups of each block of cells: one tag, unless
+/// both whole groups and pieces are requested.
 struct GmshGroups {
   std::vector<GmshPhysical> physicals;
   std::vector<std::vector<std::int32_t>> of_block;
@@ -63,16 +63,16 @@ struct GmshGroups {
 GmshGroups gmsh_groups(const SolverMesh& mesh, const WriteOptions& options);
 
 int gmsh_type(const SolverMesh& mesh, CellShape shape);
-/// Returns node `i` of a cell in Gmsh's order: the last two midpoints of a tetrahedron are exchanged.
+/// Returns node `i` of a cell in Gmsh's order: compared with VTK's, a tetrahedron's last two midpoints are exchanged.
 std::size_t gmsh_node(const CellBlock& block, std::size_t i);
 
-/// Writes cell arrays as $ElementData (with NaN for elements that are not tetrahedra, because a widely used reader
-/// expects a value for each) and point arrays as $NodeData. `blocks` are rows in the order of the file, repeated as
-/// often as their cells are written; elements are numbered from 1.
+/// Writes the arrays of a mesh: cell arrays as $ElementData (with NaN for elements that are not tetrahedra, because a
+/// widely used reader expects a value for each) and point arrays as $NodeData. `blocks` are rows in the order of the
+/// file, repeated as often as their cells are written; elements are numbered from 1.
 void write_gmsh_fields(OutputText& out, Encoding encoding, const SolverMesh& mesh,
                        const std::vector<std::size_t>& blocks);
 
-/// Writes the sections before the nodes, which are text in every version.
+/// Writes the sections of a Gmsh file before its nodes, which are text in every version.
 void write_gmsh_head(OutputText& out, const char* version, Encoding encoding, const GmshGroups& groups);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes an MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements the ids of faces
-// (inner ones too); names are in the JSON beside it. For fractures alone the elements are triangles in space, and the
-// boundary consists of the edges on curves. Source: "Mesh Formats" of MFEM 4.7.
+// Writes an MFEM mesh v1.0: attributes of elements are region ids, attributes of boundary elements are surface ids
+// (inner faces are boundary elements too); names are in a JSON file beside the mesh. If only fractures are written, the
+// elements are triangles in space, and edges on curves are the boundary. Source: "Mesh Formats" of MFEM 4.7.
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes the elements of one dimension, `ATTRIBUTE TYPE NODES`, under a title.
+/// Writes the elements of one dimension, as `ATTRIBUTE TYPE NODES`, under a title.
 void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int dimension) {
   out << "\n" << title << "\n" << mesh.count(dimension) << "\n";
   for (const CellGroup& label : mesh.labels) {
@@ -37,7 +37,7 @@ void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   WriteOptions one_tag = options;
-  if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // a face has one attribute
+  if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // an MFEM face has only one attribute
   const SolverMesh mesh = make_solver_mesh(model, one_tag);
   const int dimension = mesh.count(3) > 0 ? 3 : 2;
   const std::filesystem::path file = stem.string() + ".mesh";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a mesh for OpenFOAM: a case folder NAME.foam with constant/polyMesh, text. Surfaces on the outer boundary are
-// patches, inner ones face zones, regions cell zones. A face of a zone is flipped if its normal does not point from the
-// lower region id to the higher. Source: OpenFOAM user guide, "Mesh description".
+// Writes a mesh for OpenFOAM: a case folder NAME.foam with constant/polyMesh, text. Surfaces on the outer boundary
+// become patches, inner surfaces face zones, and regions cell zones. A face of a face zone is marked as flipped if its
+// normal does not point from the lower region id to the higher. Source: OpenFOAM user guide, "Mesh description".
 #include <algorithm>
 
 #include "formats/format_list.hpp"
@@ -21,14 +21,14 @@ namespace {
 constexpr std::size_t no_label = SIZE_MAX;
 
 struct FoamFace {
-  Triangle vertices;             ///< the normal points out of the owner
-  std::size_t owner, neighbour;  ///< owner and neighbour cell; no_neighbour on the boundary
+  Triangle vertices;             ///< corners of the face; its normal points out of the owner cell
+  std::size_t owner, neighbour;  ///< rows of the cells on both sides; `neighbour` is no_neighbour on the boundary
   std::size_t label = no_label;
-  bool flipped = false;  ///< whether the surface's normal points to the owner
+  bool flipped = false;  ///< whether the surface's normal points to the owner cell
 };
 
-/// All faces in OpenFOAM's order: inner ones by owner, then neighbour; those of the boundary by label and owner. Inner
-/// faces are computed whenever they are needed, because storing all of them would take twice the memory of the mesh.
+/// All faces in OpenFOAM's order: inner faces by owner, then by neighbour; boundary faces by label, then by owner.
+/// Inner faces are computed whenever they are needed, because all of them would take twice the memory of the mesh.
 class FoamFaces {
  public:
   explicit FoamFaces(const SolverMesh& mesh) : tetrahedra_(mesh.source->tetrahedra) {
@@ -65,7 +65,7 @@ class FoamFaces {
 
   template <class F>
   void for_each_inner(F&& f) const {
-    // Neighbours with a higher number than the cell, with the face.
+    // Neighbours that have a higher number than the cell, each with the number of the common face.
     std::array<std::pair<std::uint32_t, unsigned>, 4> later;
     std::size_t n = 0;
     for_each_face([&](const Tetrahedron& v, std::size_t cell, unsigned i) {
@@ -89,12 +89,12 @@ class FoamFaces {
  private:
   struct OuterFace {
     std::size_t label;
-    std::uint32_t code;  ///< four times the cell, plus the face; meshes have fewer than 2^30 cells
+    std::uint32_t code;  ///< number of the face: four times the cell plus 0 to 3; meshes have fewer than 2^30 cells
   };
   struct Label {
     std::uint32_t code, label : 31, flipped : 1;
   };
-  /// Calls `f(vertices of the cell, cell, face)`.
+  /// Calls `f(vertices of the cell, cell, face)` for each face of each cell.
   template <class F>
   void for_each_face(F&& f) const {
     std::size_t cell = 0;
@@ -135,7 +135,7 @@ class FoamFaces {
   std::vector<TetrahedronRows> pieces_;
   std::vector<std::size_t> first_cells_;  // by piece
   std::vector<Neighbours> across_;
-  std::vector<Label> labels_;  // labels of faces on surfaces, by code
+  std::vector<Label> labels_;  // labels of the faces on surfaces, by face number
   std::vector<OuterFace> boundary_;
   std::size_t n_inner_ = 0;
 };
@@ -225,7 +225,7 @@ class FoamCase {
       if (patch.label != no_label) note_group("patch", patch.label);
   }
   void write_cell_zones() {
-    std::vector<std::size_t> regions, first;  // labels, and the number of their first cell
+    std::vector<std::size_t> regions, first;  // labels of the regions, and the number of the first cell of each region
     std::size_t cell = 0;
     for (std::size_t l = 0; l < mesh_.labels.size(); ++l) {
       if (mesh_.labels[l].dimension != 3) continue;
@@ -273,7 +273,7 @@ class FoamCase {
     for (std::size_t l = 0; l < rows.size(); ++l)
       if (!rows[l].empty()) note_group("faceZone", l);
   }
-  /// Writes the control files without which no OpenFOAM tool opens the case. Existing ones are kept.
+  /// Writes the control files without which no OpenFOAM tool opens the case, unless they exist already.
   void write_control() {
     const std::pair<const char*, const char*> files[] = {
         {"controlDict",
@@ -305,7 +305,8 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
                                          const std::filesystem::path& stem) {
   WriteOptions one_label = options;
   one_label.curves = false;
-  if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;  // a face is in one patch
+  // An OpenFOAM face is in only one patch.
+  if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;
   const SolverMesh mesh = make_solver_mesh(model, one_label, TetrahedronNodes::by_rows);
   return FoamCase(mesh, stem.string() + ".foam").write(model);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes an implicit unstructured grid for PFLOTRAN: NAME.ugi (cells and vertices), NAME_REGION.txt (cells of a region,
-// for REGION / FILE), NAME_SURFACE.ss (faces of a surface). Numbers from 1. Source: PFLOTRAN's user guide, GRID card,
-// TYPE unstructured, and REGION card.
+// for REGION / FILE), NAME_SURFACE.ss (faces of a surface). Cells and vertices are numbered from 1. Source: PFLOTRAN's
+// user guide, GRID card, TYPE unstructured, and REGION card.
 #include "formats/format_list.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"
@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes cells as `T 1 2 3 4`, faces as `T 1 2 3`, prisms as `W`.
+/// Writes one cell or face: a tetrahedron as `T 1 2 3 4`, a triangle as `T 1 2 3`, a prism as `W` with six nodes.
 void write_cell(OutputText& out, const CellBlock& block, std::size_t cell) {
   out << (block.shape == CellShape::prism ? "W" : "T");
   for (std::size_t i = 0; i < block.nodes_per_cell; ++i) out << " " << block.nodes[cell * block.nodes_per_cell + i] + 1;
@@ -37,7 +37,7 @@ std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOpti
   const std::filesystem::path grid = stem.string() + ".ugi";
   write_output_text(grid, [&](OutputText& out) { write_grid(out, mesh); });
   written.add(grid);
-  std::vector<std::size_t> first(mesh.blocks.size(), 1);  // number of each block's first cell
+  std::vector<std::size_t> first(mesh.blocks.size(), 1);  // number of the first cell of each block
   for (std::size_t b = 1; b < mesh.blocks.size(); ++b)
     first[b] = first[b - 1] + (dimension_of(mesh.blocks[b - 1].shape) == 3 ? mesh.blocks[b - 1].n_cells() : 0);
   for (const CellGroup& group : mesh.groups) {

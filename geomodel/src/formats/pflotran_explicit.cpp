@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes an explicit unstructured grid for PFLOTRAN, the Voronoi dual of the mesh: NAME.uge (cells with volumes,
 // connections with areas), NAME_REGION.txt (cells of a region, for REGION / FILE) and NAME_SURFACE.ex (connections to a
-// boundary). Numbers from 1. Source: PFLOTRAN's user guide, GRID card, TYPE unstructured_explicit, and its explicit
-// unstructured grid format.
+// boundary). Cells are numbered from 1. Source: PFLOTRAN's user guide, GRID card, TYPE unstructured_explicit, and its
+// explicit unstructured grid format.
 #include "formats/format_list.hpp"
 #include "solver_mesh/names.hpp"
 #include "solver_mesh/sidecar.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Looks up formats in their table (geomesh/geomodel/formats.hpp).
+// Finds mesh formats by name or by extension in the table (geomesh/geomodel/formats.hpp).
 #include <algorithm>
 
 #include "fault_zones/fault_zones.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes TetGen's files: NAME.node, NAME.ele (attribute: the region), NAME.face and NAME.edge (marker: the surface, the
-// curve). The marker of a node is that of a named point, or 0. Numbers from 1. Source: "File formats" of TetGen 1.5.
+// curve). The marker of a node is the id of a named point, or 0. Items are numbered from 1. Source: "File formats" of
+// TetGen 1.5.
 #include "formats/format_list.hpp"
 #include "solver_mesh/sidecar.hpp"
 #include "solver_mesh/solver_mesh.hpp"
@@ -11,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes `NUMBER X Y Z MARKER` under `POINTS 3 0 1`.
+/// Writes a line with the number of nodes and `3 0 1`, then `NUMBER X Y Z MARKER` for each node.
 void write_nodes(OutputText& out, const SolverMesh& mesh) {
   std::vector<std::int32_t> markers(mesh.n_nodes(), 0);
   for (const CellGroup& label : mesh.labels)
@@ -21,7 +22,7 @@ void write_nodes(OutputText& out, const SolverMesh& mesh) {
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << v + 1 << " " << mesh.node(v) << " " << markers[v] << "\n";
 }
 
-/// Writes `NUMBER NODES LABEL` for the cells of one dimension, under their count and `columns`.
+/// Writes the cells of one dimension as `NUMBER NODES LABEL`, after a line with their number and the text `columns`.
 void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const char* columns) {
   out << mesh.count(dimension) << columns << "\n";
   std::size_t number = 0;
@@ -42,7 +43,8 @@ void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const c
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   WriteOptions one_label = options;
-  if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;  // a face has one marker
+  // A TetGen face has only one marker.
+  if (one_label.groups == GroupChoice::both) one_label.groups = GroupChoice::whole;
   const SolverMesh mesh = make_solver_mesh(model, one_label);
   WrittenFiles written;
   const auto write_part = [&](const char* extension, const auto& compose) {

@@ -18,7 +18,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Characters of element names: TOUGH accepts three letters or digits followed by a two-digit number.
+/// Characters of TOUGH element names, which consist of three letters or digits and a two-digit number.
 constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
 constexpr std::size_t n_first = 26, n_letters = 36, most_elements = n_first * n_letters * n_letters * 100;
 
@@ -33,19 +33,20 @@ std::string element_name(std::size_t i) {
   return name;
 }
 
-/// Returns a five-character name: R and the region's number.
+/// Returns the five-character name of a region as a TOUGH rock: R and the region's number.
 std::string rock_name(std::int32_t region) {
   char text[16];
   std::snprintf(text, sizeof text, "R%04d", static_cast<int>(region));
   return text;
 }
 
-/// A number in ten columns, with as many digits as fit; an overlong text is truncated.
+/// A number or text in a TOUGH column of ten characters. A number has as many digits as fit; a long text is cut.
 class Ten {
  public:
   explicit Ten(double value) {
     std::fill_n(text_, columns, ' ');
-    // Nine digits with a sign and "0." would take one or two columns too many, so fewer digits are tried first.
+    // With nine digits, a negative sign or a leading "0." makes the number too long for its column of ten characters,
+    // so fewer digits are tried first.
     for (int digits = 9 - (std::signbit(value) ? 1 : 0) - (std::abs(value) < 1 ? 1 : 0); digits > 0;) {
       char buffer[32];
       char* const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr;
@@ -76,7 +77,8 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
   for (const auto& c : grid.connections) {
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
-    // Direction 1; the last number is the cosine between gravity and the line from the first element to the second.
+    // A connection has direction 1; its last number is the cosine between gravity and the line from first to second
+    // element.
     const Ten half(length / 2);
     out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << Ten(c.area)
         << Ten(-along.z / length) << "\n";

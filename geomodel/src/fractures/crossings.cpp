@@ -14,13 +14,13 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_samples = 200;
-/// A convex cell with n corners needs at least n - 3 tetrahedra, and the cells between planes have eight corners on
-/// average.
+/// Average number of tetrahedra in a cell between crossing planes. Such a cell is convex and has eight corners on
+/// average; a convex cell with n corners needs at least n - 3 tetrahedra.
 constexpr double elements_of_cell = 5;
 
 struct Plane {
   Vec3 normal, centre;
-  double radius = 0;  ///< radius of a sphere around the centre that contains the polygon
+  double radius = 0;  ///< radius of a sphere around the centre that contains the fracture
 
   explicit Plane(const TriangulatedSurface& s) {
     const std::vector<Vec3>& p = s.points;
@@ -37,7 +37,7 @@ struct Segment {
 
 struct Line {
   Segment segment;
-  std::size_t first = 0, second = 0;  ///< the fractures that cross there
+  std::size_t first = 0, second = 0;  ///< rows of the two fractures that cross in the line
 };
 
 /// Part of a line, as an interval of its parameter.
@@ -49,8 +49,8 @@ struct Interval {
   }
 };
 
-/// Returns the part of the line along the direction in which the plane cuts the surface; for a polygon that is not
-/// convex, from its first point to its last.
+/// Returns the interval, along the direction, in which a plane cuts a surface. For a polygon that is not convex, it
+/// reaches from the first cut to the last.
 Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direction) {
   Interval found;
   for (const Triangle& t : s.triangles)
@@ -63,7 +63,6 @@ Interval cut(const TriangulatedSurface& s, const Plane& plane, const Vec3& direc
   return found;
 }
 
-/// Returns the part of a segment in the box.
 std::optional<Segment> clipped(const Segment& s, const Box3& box) {
   double from = 0, to = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -124,14 +123,14 @@ class Network {
     const Interval in_first = cut(*fractures_[i], q, direction), in_second = cut(*fractures_[j], p, direction);
     const double low = std::max(in_first.low, in_second.low), high = std::min(in_first.high, in_second.high);
     if (!(low < high)) return std::nullopt;
-    // The point of both planes that is nearest to the first centre.
+    // Computes the point in both planes that is nearest to the first fracture's centre.
     const Vec3 across = cross(direction, p.normal);
     const Vec3 foot = p.centre - (q.height(p.centre) / dot(q.normal, across)) * across;
     const auto at = [&](double place) { return foot + (place - dot(direction, foot)) * direction; };
     return clipped({at(low), at(high)}, bounds_);
   }
 
-  /// Counts the fractures that the line crosses, except the two in which it lies.
+  /// Counts the fractures that a line crosses, except the two in which the line lies.
   std::size_t count_pierced(const Line& line) const {
     const auto& [from, to] = line.segment;
     std::size_t n = 0;

@@ -11,17 +11,17 @@
 namespace geomesh::geomodel {
 
 struct NetworkCrossings {
-  double lines = 0;   ///< pairs of fractures that cross each other in the bounds
-  double points = 0;  ///< points in which three fractures meet in the bounds
+  double lines = 0;   ///< number of pairs of fractures that cross inside the bounds
+  double points = 0;  ///< number of points inside the bounds in which three fractures meet
 };
 
-/// Estimates the numbers. At most 200 of the fractures, and at most 200 of the lines in these, are compared with all
-/// fractures, in O(fractures). If there are no more, the numbers are exact, provided that the fractures are convex.
-/// Precondition: the surfaces are plane polygons.
+/// Estimates how many pairs of fractures cross and how many points three fractures share. At most 200 of the fractures,
+/// and at most 200 of the lines in which they cross others, are compared with all fractures, in O(fractures). If there
+/// are no more, the numbers are exact, provided that the fractures are convex. Precondition: they are plane polygons.
 NetworkCrossings estimate_crossings(const std::vector<const TriangulatedSurface*>& fractures, const Box3& bounds);
 
-/// Throws Error{cannot_mesh} if the crossings alone require more elements than settings.max_elements. The number of
-/// cells into which many planes divide space equals the number of points where three meet; each takes at least five
+/// Throws Error{cannot_mesh} if the crossings alone require more elements than settings.max_elements. Many planes
+/// divide space into as many cells as there are points in which three planes meet, and each cell takes at least five
 /// tetrahedra on average.
 void require_countable(const NetworkCrossings& crossings, std::size_t n_fractures, const RefinementSettings& settings);
 

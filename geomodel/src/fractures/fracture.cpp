@@ -11,7 +11,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Returns the part of the polygon where sign * p[axis] <= sign * limit (Sutherland and Hodgman 1974).
+/// Returns the part of a polygon in which sign * p[axis] <= sign * limit (Sutherland and Hodgman 1974).
 std::vector<Vec3> clipped_at(const std::vector<Vec3>& polygon, std::size_t axis, double limit, double sign) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -30,7 +30,7 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return (1 / static_cast<double>(points.size())) * sum;
 }
 
-/// Returns Newell's normal, which is that of the mean plane; its length is twice the area.
+/// Returns Newell's normal of a polygon, which is that of the mean plane; its length is twice the area.
 Vec3 normal_of(const std::vector<Vec3>& polygon) {
   const Vec3 center = mean_of(polygon);
   Vec3 sum;

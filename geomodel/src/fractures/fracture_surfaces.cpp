@@ -17,7 +17,8 @@ namespace {
   throw Error(ErrorKind::invalid_input, path.string() + ": fracture " + object + ": " + why);
 }
 
-/// Returns the surface with one vertex for equal points, and without triangles that do not have three distinct ones.
+/// Returns a surface in which points with equal coordinates are one vertex, and triangles with fewer than three
+/// distinct vertices are removed.
 TriangulatedSurface with_shared_vertices(const TriangulatedSurface& surface) {
   TriangulatedSurface merged;
   std::map<std::array<double, 3>, VertexIndex> row;
@@ -35,7 +36,7 @@ TriangulatedSurface with_shared_vertices(const TriangulatedSurface& surface) {
   return merged;
 }
 
-/// Returns the loops of its border; triangles need not be consistently oriented.
+/// Returns the closed border lines of a surface, whose triangles need not be consistently oriented.
 std::vector<std::vector<Vec3>> borders_of(const std::filesystem::path& path, const TriangulatedSurface& given) {
   const TriangulatedSurface surface = with_shared_vertices(given);
   std::map<VertexIndex, std::vector<VertexIndex>> next;

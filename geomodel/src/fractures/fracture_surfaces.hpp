@@ -11,13 +11,13 @@
 
 namespace geomesh::geomodel {
 
-/// Decides by the extension: text of numbers is a table of fractures, whatever else it could be.
+/// Returns whether a file has surfaces or lines, according to its extension. Text files are tables of fractures.
 bool is_file_of_surfaces(const std::filesystem::path& path);
 
-/// Returns one fracture for each connected surface, by its border, and for each closed line. It has the name of its
-/// object; if an object has several, or several have one name, a number is added. Objects without a name are `name`_1,
-/// ... Throws Error{invalid_input} with file and object as the readers, and if a surface has holes or is not plane, or
-/// a line is open.
+/// Reads the fractures of a file: one for each connected surface, which its border defines, and one for each closed
+/// line. A fracture has the name of its object; a number is added if an object has several fractures, or if several
+/// objects have the same name. Objects without a name get the names `name`_1, ... Throws Error{invalid_input} with file
+/// and object as the readers do, and if a surface has holes or is not plane, or if a line is open.
 std::vector<Fracture> fractures_of_surfaces(const std::filesystem::path& path, const std::string& name);
 
 }  // namespace geomesh::geomodel

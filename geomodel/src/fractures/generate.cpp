@@ -14,10 +14,11 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t most_fractures = 200'000;
-/// Limit on generated discs. Centres lie around the box up to the largest radius, so most discs may miss it.
+/// Limit on the number of discs that are generated. Centres lie in the box and around it up to the largest radius, so
+/// most discs may miss the box.
 constexpr std::size_t most_tries = 100 * most_fractures;
 
-/// Uniform numbers in [0, 1), the same with every standard library.
+/// Uniform random numbers in [0, 1), which are the same with every standard library.
 class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : random_(seed) {}
@@ -35,7 +36,7 @@ double radius(const FractureFamily& family, Uniform& next) {
   return family.least_radius * std::pow(1 - u * (1 - std::pow(ratio, -family.exponent)), -1 / family.exponent);
 }
 
-/// Returns the cosine of the angle to the mean pole, by inversion of its distribution.
+/// Returns the cosine of a random angle between a pole and the mean pole, by inversion of its distribution.
 double cosine_of_scatter(double kappa, double u) {
   if (kappa == 0) return 1 - 2 * u;
   return std::clamp(1 + std::log(u + (1 - u) * std::exp(-2 * kappa)) / kappa, -1.0, 1.0);
@@ -52,15 +53,15 @@ Ellipse disc(const FractureFamily& family, const Box3& box, Uniform& next) {
   const Vec3 mean = cross(dip, strike);
   const double cosine = cosine_of_scatter(family.kappa, next());
   const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine)), turn = 2 * std::numbers::pi * next();
-  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;  // perpendicular to the mean pole
+  // random direction perpendicular to the mean pole of the fractures
+  const Vec3 about = std::cos(turn) * strike + std::sin(turn) * dip;
   const Vec3 pole = cosine * mean + sine * about;
   disc.x_axis = cross(mean, about);
   disc.y_axis = cross(pole, disc.x_axis);
   return disc;
 }
 
-/// Returns the mean area of the family's discs: the second moment of the power law between the radii, in units of the
-/// least one.
+/// Returns the mean area of a family's discs, from the second moment of the power law of radii.
 double mean_area(const FractureFamily& family) {
   const double r = family.least_radius, x = family.greatest_radius / r, e = family.exponent;
   double moment = 1;
@@ -72,7 +73,7 @@ double mean_area(const FractureFamily& family) {
 }
 
 /// Returns the volume of the places that are at most half of the box's diagonal from a disc, by Steiner's formula. If
-/// the box meets the disc, its centre is at one of them.
+/// the box meets the disc, the centre of the box is one of these places.
 double volume_about_disc(double radius, double half_diagonal) {
   const double r = radius, d = half_diagonal;
   return std::numbers::pi * d * (2 * r * r + std::numbers::pi * r * d + 4.0 / 3 * d * d);
@@ -82,9 +83,9 @@ double volume_about_disc(double radius, double half_diagonal) {
   throw Error(ErrorKind::usage, "fractures: " + text + " (family " + family.name + ")");
 }
 
-/// Rejects immediately what would otherwise be rejected after millions of discs. A disc whose centre lies in the box
-/// meets it, so p32 V / A discs or more are expected for a volume V and a mean area A; each generated disc adds V / W
-/// of its area on average, if centres are generated in a volume W.
+/// Rejects a family at once if generating it would fail after millions of discs. Every disc whose centre lies in the
+/// box meets the box, so at least p32 V / A discs are expected for a box of volume V and a mean disc area A. If centres
+/// are generated in a volume W, each disc adds V / W of its area on average.
 void require_drawable(const FractureFamily& family, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double volume = size.x * size.y * size.z, r = family.greatest_radius;

@@ -18,7 +18,7 @@ constexpr double degree = std::numbers::pi / 180;
 
 using Fields = std::vector<std::string_view>;
 
-/// Splits at commas, semicolons, braces and blanks.
+/// Splits a line at commas, semicolons, braces and blanks.
 Fields split(std::string_view line) {
   Fields fields;
   constexpr std::string_view between = ",;{}()[] \t\r";
@@ -62,7 +62,7 @@ class FractureReader {
       add_counted_polygon(fields);
     } else if (options_.layout == FractureFileOptions::Layout::ellipses) {
       add_ellipse(numbers(fields), is_first);
-    } else if (!(is_first && fields.size() == 6)) {  // six numbers: the domain
+    } else if (!(is_first && fields.size() == 6)) {  // six numbers in the first line are the bounds of the domain
       add_polygon(numbers(fields));
     }
   }
@@ -73,7 +73,7 @@ class FractureReader {
     return values;
   }
 
-  /// Reads POLYGON Z ((x y z, ...)), whose last corner repeats the first one.
+  /// Reads a fracture from POLYGON Z ((x y z, ...)), whose last corner repeats the first one.
   void add_well_known_text(const Fields& fields) {
     const std::size_t first = fields.size() > 1 && !to_double(fields[1]) ? 2 : 1;
     add_polygon(numbers({fields.begin() + static_cast<std::ptrdiff_t>(first), fields.end()}));
@@ -114,8 +114,8 @@ class FractureReader {
     ellipse.y_axis = std::cos(angle) * y - std::sin(angle) * x;
   }
 
-  /// Reads an ellipse in PorePy's form: in the plane z = 0, rotated in it, then about a line through its centre at
-  /// `strike` from x.
+  /// Reads an ellipse in PorePy's form: it lies in the plane z = 0 and is rotated in this plane; then it is rotated by
+  /// its dip about a line through its centre, at the angle `strike` from the x axis.
   void add_ellipse(const std::vector<double>& v, bool is_first) {
     if (is_first && v.size() == 6) return;  // the domain
     if (v.size() != 8 && v.size() != 9)

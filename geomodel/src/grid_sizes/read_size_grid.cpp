@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads sizes from a file, declared in grid_sizes/size_grid.hpp.
+// Reads target sizes at points from a file, declared in grid_sizes/size_grid.hpp.
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -17,7 +17,7 @@ struct Sizes {
   std::vector<double> sizes;
 };
 
-/// The array of a VTK file to read, and whether values must be sizes.
+/// Name of the VTK array to read, and whether its values must be positive sizes.
 struct Wanted {
   std::string array, noun;
   bool positive;

@@ -42,14 +42,15 @@ bool SizeGrid::make_lattice() {
     n *= axes_[k].size();
   }
   if (n != points_.size()) return false;
-  std::vector<double> at_node(n, 0);
+  constexpr double no_point = std::numeric_limits<double>::quiet_NaN();  // sizes are finite
+  std::vector<double> at_node(n, no_point);
   for (std::size_t row = 0; row < points_.size(); ++row) {
     std::size_t node = 0;
     for (std::size_t k = 3; k-- > 0;) {
       const auto at = std::lower_bound(axes_[k].begin(), axes_[k].end(), points_[row][k]) - axes_[k].begin();
       node = node * axes_[k].size() + static_cast<std::size_t>(at);
     }
-    if (at_node[node] != 0) return false;  // two points at one node, so another node has none
+    if (!std::isnan(at_node[node])) return false;  // two points are at one node, so another node has none
     at_node[node] = sizes_[row];
   }
   lattice_ = std::move(at_node);

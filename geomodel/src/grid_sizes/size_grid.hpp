@@ -12,12 +12,12 @@
 
 namespace geomesh::geomodel {
 
-/// Sizes at points as a function of place. Points at all nodes of a lattice along the axes (any spacings): linear in
-/// each axis between them. Others: mean of the eight nearest, weighted by one over the squared distance (Shepard 1968).
-/// Beyond the points: the size at the nearest place of the lattice, or by the same weights.
+/// Interpolates target sizes that are given at points. Points at all nodes of an axis-parallel lattice (with any
+/// spacings) are interpolated linearly along each axis. For other points the size is the mean at the eight nearest
+/// ones, weighted by the inverse squared distance (Shepard 1968). Outside the lattice the nearest size counts.
 class SizeGrid {
  public:
-  /// Precondition: as many sizes as points, at least one. If points coincide, the first is used.
+  /// Precondition: there are as many sizes as points, and at least one. If points coincide, the first one counts.
   SizeGrid(std::vector<Vec3> points, std::vector<double> sizes);
 
   double at(const Vec3& p) const;
@@ -38,23 +38,24 @@ class SizeGrid {
 
   std::vector<Vec3> points_;
   std::vector<double> sizes_;
-  std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes, ascending
-  std::vector<double> lattice_;              ///< size by node, x fastest; empty if there is no lattice
-  std::vector<Index> order_;  ///< rows as a balanced tree: the median of a range is in its middle, and axes alternate
+  std::array<std::vector<double>, 3> axes_;  ///< coordinates of the lattice's nodes along each axis, ascending
+  std::vector<double> lattice_;  ///< size at each node of the lattice, x fastest; empty if there is no lattice
+  std::vector<Index> order_;     ///< k-d tree of points: the median of a range is in its middle, and axes alternate
 };
 
-/// Reads
-///   - text (.csv, .txt, .xyz, ...): x y z size on each line, by blanks or a separator, a header line allowed;
+/// Reads target sizes at points from a file:
+///   - text (.csv, .txt, .xyz, ...) with x y z size on each line, separated by blanks or a separator; a header line is
+/// allowed;
 ///   - .vti, .vtu, .vtp: the point array `size`, or the cell array `size` at the cells' centres (as geomesh writes it).
-/// Throws Error{usage} where the file cannot be opened, Error{invalid_input} where it holds no sizes or one that is not
+/// Throws Error{usage} if the file cannot be opened, Error{invalid_input} if it has no sizes or one that is not
 /// positive.
 SizeGrid read_size_grid(const std::filesystem::path& file);
 
-/// Reads any finite numbers in the same way: lines of x y z value, or the array of that name.
+/// Reads any finite numbers at points, in the formats of read_size_grid: lines of x y z value, or the given array.
 SizeGrid read_value_grid(const std::filesystem::path& file, const std::string& array);
 
-/// If the sizes name a background file, reads it into base.background. `origin` was subtracted from the model's
-/// coordinates, but not from the file's.
+/// If the settings name a background file of target sizes, reads it into base.background. `origin` was subtracted from
+/// the model's coordinates, but not from those in the file.
 void load_background(NamedSizes& sizes, const Vec3& origin);
 
 }  // namespace geomesh::geomodel

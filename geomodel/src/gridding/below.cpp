@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes horizons from their thickness below another one, declared in geomesh/geomodel/section.hpp.
+// Makes horizons from their thickness below another horizon, declared in geomesh/geomodel/section.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the thickness at a place; at the rim also if rounding has moved the place just beside the surface.
+/// Returns the thickness at the point p of the map. At the rim of the thickness surface, points that rounding has moved
+/// just outside are accepted too.
 std::optional<double> thickness_at(const MapLocator& thickness, const Vec2& p, double rounding) {
   if (const auto found = thickness.height(p)) return found;
   for (const double dx : {-rounding, 0.0, rounding})

@@ -13,12 +13,12 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads text with one point of a section per line.
+/// Reads polylines from a text with one point of a section per line.
 class SectionText {
  public:
   SectionText(const InputFile& file, const ExtrudeSpec& spec) : file_(file), lines_(file), spec_(spec) {}
 
-  /// Returns an empty list if the file is not such a text.
+  /// Returns an empty list if the file does not have one point of a section per line.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {
@@ -48,7 +48,7 @@ class SectionText {
   bool is_depth() const { return is_depth_; }
 
  private:
-  /// Returns the name in a heading: "> A", or "> -L"A"" as GMT writes it.
+  /// Returns the name of a line from its heading: "> A", or "> -L"A"" as GMT writes it.
   static std::string name_in_heading(std::string_view text) {
     if (!text.empty()) text = trim(text.substr(1));
     if (text.starts_with("-L")) text = trim(text.substr(2));
@@ -103,8 +103,8 @@ class SectionText {
   std::vector<Polyline> found_;
 };
 
-/// Returns twice the area in the section, positive if the line is counter-clockwise as seen with z up and the section
-/// to the right.
+/// Returns twice the area of a closed line in the section; positive if the line is counter-clockwise as seen with z up
+/// and the section's axis to the right.
 double turning(const std::vector<Vec3>& line, std::size_t along_section) {
   double sum = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -146,8 +146,8 @@ TriangulatedSurface extrude_lines(const std::vector<Polyline>& lines, const Extr
     const bool closed = closes || (corners.size() > 3 && corners.front() == corners.back());
     if (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
     if (corners.size() < (closed ? 3u : 2u)) continue;
-    // Lines are counter-clockwise in the section, with the axis pointing away from the viewer if it is y, so that
-    // normals point outward.
+    // Closed lines are made counter-clockwise in the section, with the axis pointing away from the viewer if it is y,
+    // so that normals point outward.
     if (closed && (turning(corners, along) > 0) == (axis == 0)) std::reverse(corners.begin(), corners.end());
     const auto first = static_cast<VertexIndex>(made.points.size()), n = static_cast<VertexIndex>(corners.size());
     for (const double end : {spec.from, spec.to})

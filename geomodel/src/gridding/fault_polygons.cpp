@@ -15,22 +15,22 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double separating = 999;  // value of x and y that ends a line in Irap and CPS files
+constexpr double separating = 999;  // x and y of a line that separates two polygons in Irap and CPS files
 constexpr int n_levels = 9;         // number of heights at which faults are searched in a polygon
 constexpr int n_places = 64;        // number of samples along a fault triangle at one height
-// Share of the length of the fault that passes farthest through a polygon, from which other faults count too.
+// A fault counts as passing through a polygon if its length in the polygon is at least this share of the longest one.
 constexpr double share_of_longest = 0.25;
-constexpr double most_of_horizon = 0.5;  // share of its area in polygons from which a horizon causes a warning
-constexpr double wide_open = 0.25;  // distance of a line's ends divided by its length, from which it causes a warning
+constexpr double most_of_horizon = 0.5;  // share of a horizon's area in fault polygons that causes a warning
+constexpr double wide_open = 0.25;  // distance of a polygon's ends, as a share of its length, that causes a warning
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
 
-/// Reads text with one point per line.
+/// Reads fault polygons from a text with one point per line.
 class PolygonText {
  public:
   explicit PolygonText(const InputFile& file) : file_(file), lines_(file) {}
 
-  /// Returns an empty list if the file is not such a text.
+  /// Returns an empty list if the file does not have one point per line.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {
@@ -98,7 +98,7 @@ class PolygonText {
   std::vector<Polyline> found_;
 };
 
-/// One polygon in the map.
+/// One fault polygon in the map.
 class MapPolygon {
  public:
   explicit MapPolygon(const Polyline& line) {
@@ -114,7 +114,7 @@ class MapPolygon {
   const Box3& bounds() const { return bounds_; }
   Vec3 place() const { return 0.5 * (bounds_.min + bounds_.max); }
 
-  /// Decides by the number of crossings of a ray.
+  /// Returns whether p is inside the polygon, by counting the crossings of a ray from p.
   bool holds(const Vec2& p) const {
     if (p.x < bounds_.min.x || p.x > bounds_.max.x || p.y < bounds_.min.y || p.y > bounds_.max.y) return false;
     bool inside = false;
@@ -141,12 +141,12 @@ bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return orient2d(a, b, c) != orient2d(a, b, d) && orient2d(c, d, a) != orient2d(c, d, b);
 }
 
-/// The horizon, projected onto the map.
+/// A horizon projected onto the map.
 class MapHorizon {
  public:
   explicit MapHorizon(const TriangulatedSurface& s) : s_(s), tree_(boxes_of(s)) {}
 
-  /// Returns the rows of triangles that the polygon meets, ascending.
+  /// Returns the indices of the horizon's triangles that the polygon meets, ascending.
   std::set<Index> met_by(const MapPolygon& polygon) const {
     std::set<Index> met;
     tree_.boxes_meeting(polygon.bounds(), [&](Index t) {
@@ -164,7 +164,7 @@ class MapHorizon {
     return met;
   }
 
-  /// Returns the least and greatest height of the triangles.
+  /// Returns the least and greatest height of the given triangles.
   std::pair<double, double> heights(const std::set<Index>& triangles) const {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Index t : triangles)
@@ -180,7 +180,7 @@ class MapHorizon {
       for (const VertexIndex v : s.triangles[t]) boxes[t].add({s.points[v].x, s.points[v].y, 0});
     return boxes;
   }
-  /// Returns whether the segment crosses the triangle; an end inside the triangle counts.
+  /// Returns whether the segment a b crosses triangle t in the map; an end inside the triangle counts as crossing.
   bool crosses(Index t, const Vec2& a, const Vec2& b) const {
     const Triangle& v = s_.triangles[t];
     int n_left = 0, n_right = 0;
@@ -195,7 +195,7 @@ class MapHorizon {
   arrangement::BoxTree tree_;
 };
 
-/// Returns the length of the fault in the polygon at this height.
+/// Returns the length of the fault's contour at the height `level` inside the polygon.
 double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault, double level) {
   double length = 0;
   for (const Triangle& t : fault.triangles) {
@@ -221,7 +221,7 @@ double length_within(const MapPolygon& polygon, const TriangulatedSurface& fault
   return length;
 }
 
-/// Returns the rows of the faults that pass through the polygon at these heights.
+/// Returns the faults that pass through the polygon within a range of heights.
 std::set<Index> faults_in(const MapPolygon& polygon, const std::pair<double, double>& heights,
                           const std::vector<TriangulatedSurface>& surfaces) {
   std::vector<double> length(surfaces.size(), 0);
@@ -236,7 +236,7 @@ std::set<Index> faults_in(const MapPolygon& polygon, const std::pair<double, dou
   return found;
 }
 
-/// Warnings of one kind: the number of polygons, and the place of the first.
+/// Warnings of one kind about fault polygons: the number of polygons, and the position of the first.
 struct Told {
   std::size_t n = 0;
   Vec3 place;

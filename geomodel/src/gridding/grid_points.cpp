@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t default_most_nodes = 40'000, most_nodes = 1'000'000;
-/// Least smoothing as a share of the spacing, since the grid cannot represent smaller features.
+/// Least smoothing length as a share of the grid spacing, because the grid cannot represent smaller features.
 constexpr double least_smoothing = 0.1;
 
 void require_area(const std::vector<Vec3>& q) {
@@ -68,7 +68,7 @@ PlateGrid plate_over(const Box3& bounds, std::size_t n_points, double asked_spac
   return grid;
 }
 
-/// Points in square buckets of a given size, used to test whether one lies within that distance of a place.
+/// Points sorted into square buckets, used to test whether a point lies within a fixed distance of (u, v).
 class Nearness {
  public:
   Nearness(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {
@@ -109,7 +109,7 @@ void make_plate(const std::vector<Vec3>& q, const GriddingSpec& spec, const Box3
       if (!nearness.any_near(node.x, node.y)) node.z = std::numeric_limits<double>::quiet_NaN();
   }
   std::size_t n_left_out = 0;
-  // Diagonals are those of the fitted plate.
+  // The cells are divided along the same diagonals as in the fitted plate.
   made.surface = triangulate_lattice(lattice, Diagonal::from_first, n_left_out);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Interpolates horizons in each fault block by itself, declared in geomesh/geomodel/gridding_in_blocks.hpp.
+// Interpolates horizons separately in each fault block, declared in geomesh/geomodel/gridding_in_blocks.hpp.
 #include "geomesh/geomodel/gridding_in_blocks.hpp"
 
 #include <algorithm>
@@ -19,20 +19,22 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A plane passes through any three points, so their distances from it do not reveal how wrong it is farther away.
+/// Fewest points from which the surface of a block is made. A plane passes through any three points, so their distances
+/// from it do not reveal how wrong the plane is farther away.
 constexpr std::size_t fewest_points = 4;
 
-/// Divides each triangle into n * n equal ones; neighbours still share their points.
+/// Divides each triangle into n * n equal ones; neighbouring triangles share the new points on their common edge.
 TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   if (n <= 1) return s;
   TriangulatedSurface fine;
   fine.points = s.points;
-  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // by the ends, ascending, and the place between them
+  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // points on each edge, by its ends (ascending) and step
   const auto add = [&](const Vec3& p) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
   };
-  const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {  // k of n steps from a to b
+  // Returns the point after k of n steps from a to b.
+  const auto between = [&](VertexIndex a, VertexIndex b, std::size_t k) {
     if (k == 0) return a;
     if (k == n) return b;
     if (a > b) std::swap(a, b), k = n - k;
@@ -42,7 +44,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
     return at->second;
   };
   for (const auto& [a, b, c] : s.triangles) {
-    std::vector<std::vector<VertexIndex>> rows;  // row i has the places i steps from a towards bc
+    std::vector<std::vector<VertexIndex>> rows;  // rows of points parallel to bc; row i is i steps away from a
     for (std::size_t i = 0; i <= n; ++i) {
       std::vector<VertexIndex>& row = rows.emplace_back();
       for (std::size_t j = 0; j <= i; ++j) {
@@ -67,7 +69,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   return fine;
 }
 
-/// Number of parts of the longest side so that none is longer than the step.
+/// Number of equal parts into which every side must be divided so that no part is longer than the step.
 std::size_t parts_of_sides(const TriangulatedSurface& s, double step) {
   double longest = 0;
   for (const Triangle& t : s.triangles)
@@ -75,13 +77,13 @@ std::size_t parts_of_sides(const TriangulatedSurface& s, double step) {
   return static_cast<std::size_t>(std::ceil(longest / step));
 }
 
-/// The fault blocks of a model whose horizons are still to be made.
+/// The fault blocks of a model whose horizons have not been made yet.
 class FaultBlocks {
  public:
   FaultBlocks(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules)
       : built_(faults_of(surfaces, rules)), framework_(built_, rules) {}
   Index n_blocks() const { return framework_.n_blocks(); }
-  /// Whether blocks end at a horizon, whose own points then lie in none.
+  /// Returns whether faults end at the horizon. If so, blocks end there too, and the horizon's points lie in no block.
   bool end_at(Index horizon) const {
     return std::ranges::any_of(built_.rows.truncations, [&](const auto& t) { return t.second == horizon; });
   }
@@ -93,7 +95,7 @@ class FaultBlocks {
   }
 
  private:
-  /// Faults as they are continued; bodies displace no horizon.
+  /// Returns the faults after continuing them. Bodies are left out, because they displace no horizon.
   static BuiltSurfaces faults_of(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
     BuiltSurfaces built;
     built.surfaces = surfaces;
@@ -102,7 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    std::vector<std::string> notes, warnings;  // the run itself gives them when it continues the faults
+    std::vector<std::string> notes, warnings;  // ignored, because the run reports them when it continues the faults
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -111,7 +113,7 @@ class FaultBlocks {
   BlockFramework framework_;
 };
 
-/// A horizon that is put together from the surfaces of its blocks.
+/// A horizon that is composed of separate surfaces for its fault blocks.
 class BlockSurfaces {
  public:
   BlockSurfaces(const TriangulatedSurface& common, const GriddedPoints& made, const FaultBlocks& blocks, double step)
@@ -121,7 +123,7 @@ class BlockSurfaces {
     for (const Vec3& p : common.points) over_.add(p);
   }
 
-  /// Returns nothing if all points lie in one block.
+  /// Makes the horizon; returns nothing if all of its points lie in one block.
   std::optional<GriddedInBlocks> make() {
     const std::map<Index, std::vector<Vec3>> points = points_by_block();
     if (points.size() < 2) return std::nullopt;
@@ -139,8 +141,8 @@ class BlockSurfaces {
   TriangulatedSurface& surface() { return surface_; }
 
  private:
-  /// Points outside of the model determine the surface near its sides, too. They count to the block of the nearest
-  /// point inside.
+  /// Returns the horizon's points by block. Points outside of the model determine the surface near the model's sides;
+  /// they are assigned to the block of the nearest point inside.
   std::map<Index, std::vector<Vec3>> points_by_block() const {
     const std::vector<Index> block = blocks_.blocks_at(made_.points);
     std::vector<Vec3> inside;
@@ -157,7 +159,7 @@ class BlockSurfaces {
     return points;
   }
 
-  /// Returns nothing if the points do not determine a surface.
+  /// Interpolates the points of one block. Returns nothing if they do not determine a surface.
   std::optional<TriangulatedSurface> sheet_of(const std::vector<Vec3>& points) const {
     if (points.size() < fewest_points) return std::nullopt;
     GriddingSpec spec = made_.spec;
@@ -165,12 +167,13 @@ class BlockSurfaces {
     spec.to_box = true;
     try {
       return grid_points(points, spec, GraphOver::map, &over_).surface;
-    } catch (const Error&) {  // all on one line
+    } catch (const Error&) {  // All points lie on one line.
       return std::nullopt;
     }
   }
 
-  /// Adds the triangles of a sheet that lie in the block. Those that reach out of the model are cut off with the rest.
+  /// Adds the triangles of a surface that lie in the given block. Parts outside of the model are kept, because all
+  /// surfaces are clipped later.
   void add(const TriangulatedSurface& sheet, Index block) {
     const TriangulatedSurface fine = divided(sheet, parts_of_sides(sheet, step_));
     const std::vector<Index> at = blocks_.blocks_at(fine.points);
@@ -209,7 +212,7 @@ class BlockSurfaces {
   const FaultBlocks& blocks_;
   double step_;
   TriangulatedSurface surface_;
-  Box3 over_;  ///< of the common surface
+  Box3 over_;  ///< bounds of the surface made from the points of all blocks
   CompensatedSum squares_;
   std::size_t n_measured_ = 0;
 };
@@ -226,7 +229,8 @@ std::vector<GriddedInBlocks> grid_in_blocks(std::vector<TriangulatedSurface>& su
     return {};
   const FaultBlocks blocks(surfaces, rules);
   if (blocks.n_blocks() < 2) return {};
-  // Continuation, which reaches twice as far, closes the gap that this leaves before each wall.
+  // Each block's surface may end up to one triangle side before the fault. Horizons are continued over twice that
+  // length, which closes the gap.
   const double step = how.within_of_horizons / 2;
   std::vector<GriddedInBlocks> told;
   for (const auto& [row, points] : made) {

@@ -23,7 +23,7 @@ double map_area(const std::vector<Vec3>& points, const Triangle& t) {
   return 0.5 * (a.x * b.y - a.y * b.x);
 }
 
-/// Returns the area projected onto the plane; throws if the surface's triangles do not all have the same orientation.
+/// Returns the surface's area projected onto the plane. Throws if its triangles are not all oriented alike there.
 double graph_area(const TriangulatedSurface& surface, const std::vector<Vec3>& q) {
   CompensatedSum area;
   std::size_t n_left = 0, n_right = 0;
@@ -44,7 +44,7 @@ bool is_corner(const Vec3& before, const Vec3& at, const Vec3& after) {
   return scale > 0 && dot(a, b) < std::cos(least_corner_degrees * 3.14159265358979323846 / 180) * scale;
 }
 
-/// Divides a polyline into parts of equal length, about `length` each; its last point is omitted.
+/// Appends points that divide a polyline into equal parts, each about `length` long, without the polyline's last point.
 void divide(const std::vector<Vec3>& line, double length, std::size_t least_parts, std::vector<Vec3>& out) {
   std::vector<double> at{0};
   for (std::size_t i = 1; i < line.size(); ++i) at.push_back(at.back() + norm(line[i] - line[i - 1]));
@@ -58,7 +58,7 @@ void divide(const std::vector<Vec3>& line, double length, std::size_t least_part
   }
 }
 
-/// Returns the loop subdivided between its corners, which are kept.
+/// Returns a closed line after subdividing the lines between its corners, which are kept.
 std::vector<Vec3> divide_loop(const std::vector<Vec3>& loop, double length) {
   std::vector<std::size_t> corners;
   const std::size_t n = loop.size();
@@ -76,7 +76,7 @@ std::vector<Vec3> divide_loop(const std::vector<Vec3>& loop, double length) {
   return out;
 }
 
-/// Adds points of a triangular lattice over the surface, at about half the length or more from its borders.
+/// Adds points of a triangular lattice inside the surface, at least about half of `length` away from its borders.
 void add_inside(const TriangleFinder& finder, const Box3& bounds, double length, std::vector<Vec3>& points) {
   const std::size_t n_border = points.size();
   const auto cell = [&](double x, double low) { return static_cast<std::int64_t>(std::floor((x - low) / length)); };
@@ -111,7 +111,7 @@ SurfaceChange measure_change(const std::vector<Vec3>& old_points, const std::vec
   std::size_t n = 0;
   for (const Vec3& p : old_points) {
     const auto height = finder.height(p.x, p.y);
-    if (!height) continue;  // beside a border that was subdivided
+    if (!height) continue;  // the point lies outside, beside a border that was subdivided
     squares.add((*height - p.z) * (*height - p.z));
     change.largest_move = std::max(change.largest_move, std::abs(*height - p.z));
     ++n;

@@ -11,10 +11,10 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A surface whose vertices with equal coordinates are merged, so that seams move together.
+/// A surface with equal vertices merged, so that both sides of a seam move together.
 struct WeldedSurface {
   std::vector<Vec3> points;
-  std::vector<VertexIndex> row;  ///< merged row of each given point
+  std::vector<VertexIndex> row;  ///< merged vertex of each vertex of the original surface
   std::vector<Triangle> triangles;
   std::vector<std::vector<VertexIndex>> neighbours;  ///< sorted
   std::vector<bool> fixed;                           ///< whether the point is on a border, or in no triangle
@@ -52,8 +52,8 @@ std::vector<Vec3> vertex_normals(const WeldedSurface& w) {
   return normals;
 }
 
-/// Returns the height at the vertex, along w, of the plane fitted by least squares to the vertex and its neighbours; 0
-/// if there is none.
+/// Returns the height above the vertex, along w, of the plane fitted by least squares to the vertex and its neighbours;
+/// 0 if they determine no plane.
 double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, const Vec3& v_axis,
                      const Vec3& w_axis) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
@@ -61,7 +61,7 @@ double fitted_height(const WeldedSurface& s, VertexIndex v, const Vec3& u_axis, 
   double scale = 0;
   for (const VertexIndex n : s.neighbours[v]) scale = std::max(scale, norm(s.points[n] - s.points[v]));
   if (!(scale > 0)) return 0;
-  m(0, 0) = 1;  // the vertex itself, at height 0
+  m(0, 0) = 1;  // equation of the vertex itself, at height 0
   for (const VertexIndex n : s.neighbours[v]) {
     const Vec3 d = (1 / scale) * (s.points[n] - s.points[v]);
     const Eigen::Vector3d a(1, dot(d, u_axis), dot(d, v_axis));

@@ -13,12 +13,12 @@ namespace {
 
 struct Stick {
   std::vector<Vec3> points;
-  double place = 0;  ///< position of its midpoint across the sticks
+  double place = 0;  ///< position of the stick's midpoint, across the sticks
 };
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Returns the direction of largest extent from a sum of outer products; its largest component is positive.
+/// Returns the direction of largest extent from a sum of outer products of points. Its largest component is positive.
 Eigen::Vector3d main_direction(const Eigen::Matrix3d& sum) {
   Eigen::Vector3d d = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(2);
   Eigen::Index largest = 0;
@@ -42,12 +42,12 @@ std::vector<Stick> clean_sticks(const std::vector<Polyline>& lines) {
   return sticks;
 }
 
-/// Directions along the sticks, and across them in the surface.
+/// Mean direction along the sticks, and the direction across them in the surface.
 struct Directions {
   Eigen::Vector3d along, across;
 };
 
-/// Orients all sticks in the same direction, and sorts them across it.
+/// Orients all fault sticks in the same direction, and sorts them across that direction.
 Directions arrange(std::vector<Stick>& sticks) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d origin = eigen(sticks.front().points.front());
@@ -84,7 +84,8 @@ double nearest(const Stick& a, const Stick& b) {
   return least;
 }
 
-/// Adds triangles between two sticks whose points begin at these rows, using the shorter diagonal each time.
+/// Adds triangles between two neighbouring sticks, always with the shorter diagonal. The points of the sticks begin at
+/// the indices first_a and first_b.
 void join(const Stick& a, VertexIndex first_a, const Stick& b, VertexIndex first_b, std::vector<Triangle>& triangles) {
   std::size_t i = 0, j = 0;
   const std::size_t last_a = a.points.size() - 1, last_b = b.points.size() - 1;
@@ -98,7 +99,7 @@ void join(const Stick& a, VertexIndex first_a, const Stick& b, VertexIndex first
   }
 }
 
-/// Finds triangles with the opposite orientation to most others, projected onto the plane of the two directions.
+/// Finds triangles with the opposite orientation to most others after projection onto the plane of the two directions.
 void find_folds(const Directions& directions, SurfaceOfSticks& made) {
   double whole = 0;
   std::vector<double> areas;

@@ -14,12 +14,12 @@ namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The matrix of the normal equations, assembled entry by entry.
+/// The normal equations of a least-squares problem, assembled entry by entry.
 class NormalEquations {
  public:
   explicit NormalEquations(std::size_t n) : right_side_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(n))) {}
 
-  /// Adds weight * (sum coefficient_k * x_k - value)^2.
+  /// Adds the term weight * (sum coefficient_k * x_k - value)^2 to the least-squares functional.
   template <std::size_t N>
   void add(const std::array<std::size_t, N>& nodes, const std::array<double, N>& coefficients, double value,
            double weight) {
@@ -31,7 +31,7 @@ class NormalEquations {
     }
   }
 
-  /// One step of iterative refinement compensates the poor condition of a plate far from its points.
+  /// Solves the equations. Iterative refinement (one step) compensates for the poor condition far from data points.
   Eigen::VectorXd solve() const {
     Matrix matrix(right_side_.size(), right_side_.size());
     matrix.setFromTriplets(entries_.begin(), entries_.end());
@@ -47,7 +47,7 @@ class NormalEquations {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// Adds second differences; spacings are in units of the smoothing length, so that the plate's stiffness is one.
+/// Adds the bending energy in second differences. Spacings are in smoothing lengths, so that the stiffness is one.
 void add_bending(const PlateGrid& g, double du, double dv, NormalEquations& equations) {
   const double area = du * dv;
   const auto node = [&](std::size_t i, std::size_t j) { return j * g.n_u + i; };
@@ -86,8 +86,8 @@ std::vector<double> fit_thin_plate(const PlateGrid& g, std::span<const Vec3> poi
   const Eigen::Vector3d plane = fit_plane(g, points);
   const auto plane_at = [&](double u, double v) { return plane[0] + plane[1] * (u - g.u0) + plane[2] * (v - g.v0); };
   NormalEquations equations(g.n_u * g.n_v);
-  // Lengths are in units of the smoothing length: the functional is then (A / n) sum r^2 + bending, with the same
-  // stiffness for all grids.
+  // Lengths of the grid are in units of the smoothing length: the functional is then (A / n) sum r^2 + bending, with
+  // the same stiffness for all grids.
   const double du = g.du / smoothing, dv = g.dv / smoothing;
   const double weight = du * dv * static_cast<double>((g.n_u - 1) * (g.n_v - 1)) / static_cast<double>(points.size());
   for (const Vec3& p : points) {
@@ -96,7 +96,7 @@ std::vector<double> fit_thin_plate(const PlateGrid& g, std::span<const Vec3> poi
                       j = std::min(static_cast<std::size_t>(std::max(v, 0.0)), g.n_v - 2);
     const double s = u - static_cast<double>(i), t = v - static_cast<double>(j);
     const std::size_t a = j * g.n_u + i;
-    const bool lower = s >= t;  // which of the two triangles of the cell
+    const bool lower = s >= t;  // which of the two triangles of the grid cell contains the point
     equations.add<3>({a, lower ? a + 1 : a + g.n_u, a + g.n_u + 1},
                      {1 - std::max(s, t), std::abs(s - t), std::min(s, t)}, p.z - plane_at(p.x, p.y), weight);
   }

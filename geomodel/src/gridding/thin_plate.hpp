@@ -16,8 +16,8 @@ struct PlateGrid {
   std::size_t n_u = 0, n_v = 0;
 };
 
-/// Returns the heights at the nodes (v * n_u + u) that minimise the functional of grid_points. Every point must lie on
-/// the grid; points must not all lie on one line.
+/// Returns the heights at the grid nodes (index v * n_u + u) that minimise the functional of grid_points. Every point
+/// must lie on the grid; points must not all lie on one line.
 std::vector<double> fit_thin_plate(const PlateGrid& grid, std::span<const Vec3> points, double smoothing);
 
 }  // namespace geomesh::geomodel

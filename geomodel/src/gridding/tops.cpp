@@ -16,9 +16,9 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-constexpr double share_of_bounds = 0.2;  // the reach if none is given, as a share of the horizon's bounds
+constexpr double share_of_bounds = 0.2;  // default reach of a well top, as a share of the horizon's extent
 
-/// The column numbers of the fields in a line of the table of tops.
+/// Indices of the columns in the table of well tops.
 struct TopColumns {
   std::size_t well = 0, horizon = 0, depth = 0;
 };
@@ -45,14 +45,14 @@ bool says_nothing(std::string_view line) {
   return text.empty() || text.front() == '#' || text.front() == '!';
 }
 
-/// A triangle above or below a place, with barycentric coordinates.
+/// A triangle above or below a point, with the barycentric coordinates of the point in the map.
 struct Hit {
   Index triangle = no_index;
   std::array<double, 3> shares{};
   double height = nowhere;
 };
 
-/// Returns nothing if the triangle is vertical or beside the place.
+/// Returns nothing if the triangle is vertical, or not above or below the point.
 std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Triangle& t) {
   const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
   if (p.x < std::min({a.x, b.x, c.x}) || p.x > std::max({a.x, b.x, c.x}) || p.y < std::min({a.y, b.y, c.y}) ||
@@ -65,13 +65,13 @@ std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Tri
   if (whole == 0) return std::nullopt;
   Hit hit;
   hit.shares = {twice_area(p, b, c) / whole, twice_area(a, p, c) / whole, twice_area(a, b, p) / whole};
-  constexpr double on_side = -1e-9;  // a place on a side counts for both triangles there
+  constexpr double on_side = -1e-9;  // a point on a side counts for both triangles at the side
   if (*std::min_element(hit.shares.begin(), hit.shares.end()) < on_side) return std::nullopt;
   hit.height = hit.shares[0] * a.z + hit.shares[1] * b.z + hit.shares[2] * c.z;
   return hit;
 }
 
-/// Returns the hit nearest in height; without a triangle if none is above or below the place.
+/// Returns the triangle above or below p that is nearest in height; `triangle` is no_index if there is none.
 Hit nearest_hit(const Vec3& p, std::span<const Vec3> points, std::span<const Triangle> triangles) {
   Hit nearest;
   for (Index t = 0; t < triangles.size(); ++t) {
@@ -84,7 +84,7 @@ Hit nearest_hit(const Vec3& p, std::span<const Vec3> points, std::span<const Tri
   return nearest;
 }
 
-/// Wendland's positive definite function of the plane with two derivatives: 1 at 0, zero from 1 on.
+/// Wendland's positive definite radial function in the plane with two continuous derivatives: 1 at 0, and 0 from 1 on.
 double wendland(double r) {
   if (r >= 1) return 0;
   const double s = 1 - r;
@@ -93,7 +93,7 @@ double wendland(double r) {
 
 double distance_in_map(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Returns the sheet of each point of the horizon: points connected by triangles, with equal coordinates merged.
+/// Returns the connected part of the horizon to which each point belongs, after merging equal points.
 std::vector<Index> sheet_of_points(const TriangulatedSurface& horizon) {
   const std::vector<VertexIndex> merged = merge_equal_points(horizon.points);
   UnionFind joined(horizon.points.size());
@@ -113,8 +113,8 @@ double usual_reach(const TriangulatedSurface& horizon) {
   return share_of_bounds * std::max(bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y);
 }
 
-/// Returns the weights of the tops' functions, with least squares and minimum norm where the tops do not determine
-/// them.
+/// Returns the weights of the radial functions around well tops. If the tops do not determine them, they follow from
+/// least squares with minimum norm.
 Eigen::VectorXd weights_of(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                            std::span<const FittedTop* const> tops, std::span<const Hit> hits, double reach) {
   const auto n = static_cast<Eigen::Index>(tops.size());

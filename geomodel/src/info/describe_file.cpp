@@ -18,7 +18,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns whether the file is a legacy VTK file with cells of any kind, which its fourth line says.
+/// Returns whether the file is a legacy VTK file with cells of any kind, according to its fourth line.
 bool is_legacy_grid(const std::filesystem::path& path) {
   if (path.extension() != ".vtk") return false;
   std::ifstream in(path);
@@ -58,7 +58,7 @@ void measure_regions(const checking::MeshFile& file, MeshInfo& mesh) {
   }
 }
 
-/// Returns false if the file has no tetrahedra.
+/// Describes a file with a tetrahedral mesh; returns false if the file has no tetrahedra.
 bool describe_mesh(const std::filesystem::path& path, FileInfo& info) {
   checking::MeshFile file;
   try {

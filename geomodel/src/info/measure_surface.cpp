@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures counts, borders and faults of one surface, declared in geomesh/geomodel/info.hpp.
+// Counts the parts of one surface and measures its borders and defects, declared in geomesh/geomodel/info.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -17,14 +17,14 @@ struct DirectedEdge {
   bool forward;  ///< whether the triangle traverses the edge from the lower to the higher vertex
 };
 
-/// Returns the number of different sets among the given vertices.
+/// Returns the number of disjoint sets to which the given vertices belong.
 std::size_t count_sets(UnionFind& sets, std::vector<VertexIndex> vertices) {
   for (VertexIndex& v : vertices) v = sets.find(v);
   std::sort(vertices.begin(), vertices.end());
   return static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
 }
 
-/// Returns the vertices on borders.
+/// Finds border edges and defects of a surface from its sorted directed edges. Returns the vertices on borders.
 std::vector<VertexIndex> measure_edges(std::vector<DirectedEdge>& edges, const std::vector<Vec3>& points,
                                        SurfaceInfo& info) {
   std::sort(edges.begin(), edges.end(), [](const DirectedEdge& a, const DirectedEdge& b) {

@@ -68,7 +68,7 @@ std::string mesh_text(const MeshInfo& m) {
   return text;
 }
 
-/// Describes the coordinates before they were converted to metres with elevation up.
+/// Describes the coordinate frame of a file before conversion to metres with elevation up.
 std::string frame_text(const SourceFrame& f) {
   std::string text = f.geographic ? "x longitude, y latitude (degrees)"
                                   : "unit " + (f.unit.empty() ? "not named (m, or the project's)" : f.unit);

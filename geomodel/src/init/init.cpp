@@ -13,8 +13,8 @@ namespace {
 
 struct ProjectTemplate {
   std::string project;
-  std::vector<TriangulatedSurface> surfaces;  ///< surfaces that are written to a file each: surfaces/NAME.ts
-  std::vector<std::pair<std::string, std::string>> files{};  ///< further files: path and text
+  std::vector<TriangulatedSurface> surfaces;  ///< surfaces of the template, each written to surfaces/NAME.ts
+  std::vector<std::pair<std::string, std::string>> files{};  ///< further files of the template: path and content
 };
 
 const char* const head = R"(# yaml-language-server: $schema=project.schema.json
@@ -62,8 +62,8 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
-/// Returns the horizon, lowered by the throw in the hanging wall of the plane through a point with two directions, the
-/// second of which points down.
+/// Returns the horizon displaced along a planar fault: it is lowered by the throw in the hanging wall. The plane is
+/// given by a point and two directions, of which the second points down.
 TriangulatedSurface thrown_horizon(TriangulatedSurface horizon, const Vec3& through, const Vec3& along,
                                    const Vec3& down, double throw_of_fault) {
   const Vec3 towards_hanging_wall = cross(along, down);
@@ -74,9 +74,9 @@ TriangulatedSurface thrown_horizon(TriangulatedSurface horizon, const Vec3& thro
 
 ProjectTemplate faulted() {
   ProjectTemplate result = layers();
-  // The main fault crosses the whole model; the splay ends inside it.
+  // Orientation of the main fault, which crosses the whole model; the splay ends inside it.
   const Vec3 through{3507.1, -200.3, 103.7}, along{1310.9, 8403.7, 0}, down{1503.3, 7.1, -4301.9};
-  constexpr int fine = 60;  // throw is distinguished from a bend by about ten edges beside the fault
+  constexpr int fine = 60;  // About ten edges beside the fault are needed to distinguish its throw from a bend.
   result.surfaces = {folded_horizon("top_chalk", 1210.3, 120, fine), folded_horizon("base_chalk", 2030.9, 160, fine)};
   for (TriangulatedSurface& horizon : result.surfaces)
     horizon = thrown_horizon(std::move(horizon), through, along, down, 151.3);
@@ -108,7 +108,7 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
 
 ProjectTemplate salt_dome() {
   ProjectTemplate result = layers();
-  // A stem that widens to a bulb, so that the flank under the bulb overhangs.
+  // The body of salt is a stem that widens to a bulb, so that the flank under the bulb overhangs.
   result.surfaces.push_back(revolved_surface("salt", {5103.7, 3907.3, -3507.9, -603.1, 24, 32}, [](double t) {
     const double bulb = 1300.7 * std::sqrt(std::max(0.0, 1 - std::pow((t - 0.72) / 0.28, 2)));
     const double stem = 620.3 * std::min(1.0, 6 * t);
@@ -127,8 +127,8 @@ column: [tertiary, top_chalk, chalk, base_chalk, basement]
   return result;
 }
 
-/// Returns a project with data as exported from GOCAD or SKUA: several objects in one file. Horizons stop short of the
-/// box, one has a hole, one is given block by block.
+/// Returns a project with data as exported from GOCAD or SKUA, with several objects in one file. Horizons end before
+/// the box, one has a hole, and one is given separately for each fault block.
 ProjectTemplate from_gocad() {
   ProjectTemplate result;
   const double throw_of_fault = 180;
@@ -136,7 +136,7 @@ ProjectTemplate from_gocad() {
       height_surface("top_reservoir", {611.3, 9402.7, 518.9, 7388.3, 20}, [&](double x, double y) {
         return -1500 + 60 * std::sin(x / 1900.3) - 0.02 * y - (x > 5000 ? throw_of_fault : 0);
       });
-  // Blocks of the horizon: nothing was interpreted between x = 4,800 and 5,350 m.
+  // The horizon is given in blocks: between x = 4,800 and 5,350 m it was not interpreted.
   std::erase_if(top.triangles, [&](const Triangle& t) {
     const double x = (top.points[t[0]].x + top.points[t[1]].x + top.points[t[2]].x) / 3;
     return x > 4800 && x < 5350;
@@ -191,7 +191,7 @@ ProjectTemplate topography_and_wells() {
                                     }),
                      height_surface("base_gravel", {-130.7, 6140.3, -120.1, 5130.9, 16},
                                     [](double x, double y) {
-                                      return 300 + 0.03 * x - 0.01 * y;  // crops out where the valleys are deep
+                                      return 300 + 0.03 * x - 0.01 * y;  // base_gravel crops out where valleys are deep
                                     }),
                      height_surface("top_bedrock", {-140.9, 6150.1, -130.3, 5140.7, 16},
                                     [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};

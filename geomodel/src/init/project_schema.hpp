@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The text of docs/project.schema.json, so that `geomesh init` can provide it to editors without a network or the
-/// sources.
+/// The text of docs/project.schema.json, which `geomesh init` provides to editors without network or sources.
 #pragma once
 
 namespace geomesh::geomodel {

@@ -8,8 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Adds the two triangles of each cell of a grid with (n+1) x (n+1) nodes stored row by row, with alternating
-/// diagonals.
+/// Adds two triangles for each cell of a grid of (n+1) x (n+1) nodes, stored row by row, with alternating diagonals.
 void add_grid_triangles(TriangulatedSurface& surface, int n) {
   const auto node = [n](int i, int j) { return static_cast<VertexIndex>(j * (n + 1) + i); };
   for (int j = 0; j < n; ++j)

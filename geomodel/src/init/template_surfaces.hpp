@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// A grid of n x n cells over [x0, x1] x [y0, y1].
+/// A grid of n x n cells over the map rectangle [x0, x1] x [y0, y1].
 struct MapGrid {
   double x0, x1, y0, y1;
   int n;
@@ -20,10 +20,10 @@ struct MapGrid {
 TriangulatedSurface height_surface(const std::string& name, const MapGrid& grid,
                                    const std::function<double(double, double)>& height);
 
-/// Returns a plane sheet origin + s*u + t*v, s and t in [0, 1], with n x n cells.
+/// Returns a plane surface of points origin + s*u + t*v, with s and t in [0, 1] and n x n cells.
 TriangulatedSurface sheet_surface(const std::string& name, const Vec3& origin, const Vec3& u, const Vec3& v, int n);
 
-/// The vertical axis through (x, y) from bottom to top, and the number of rings and sectors of a surface around it.
+/// The vertical axis of a surface of revolution from bottom to top, with the numbers of rings and sectors.
 struct Axis {
   double x, y, bottom, top;
   int rings, sectors;
@@ -33,7 +33,7 @@ struct Axis {
 TriangulatedSurface revolved_surface(const std::string& name, const Axis& axis,
                                      const std::function<double(double)>& radius);
 
-/// Returns a line through points as GOCAD PLine text.
+/// Returns a polyline as GOCAD PLine text.
 std::string to_gocad(const Polyline& line);
 
 /// Returns a surface as GOCAD TSurf text, with doubles that read back to the same values.

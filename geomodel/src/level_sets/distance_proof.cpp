@@ -14,8 +14,8 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-/// Number of times that a triangle is divided into four before it counts as not proven. A smaller number costs more
-/// cells of the background mesh, a larger one more time here; the result is not affected otherwise.
+/// Number of times that a triangle is divided into four before its distance counts as not proven. Fewer divisions cost
+/// more cells of the background mesh, and more divisions more time; the result is not affected otherwise.
 constexpr int most_divisions = 4;
 constexpr std::size_t n_samples_of_surface = 20'000;
 
@@ -29,8 +29,7 @@ std::array<Corners, 4> divided(const Corners& t) {
   return {Corners{t[0], ab, ca}, Corners{ab, t[1], bc}, Corners{ca, bc, t[2]}, Corners{ab, bc, ca}};
 }
 
-/// Proves that the field is above the isovalue (side 1) or below it (side -1) everywhere on a triangle that was
-/// shifted.
+/// Proves that a scalar field is above the isovalue (side 1) or below it (side -1) everywhere on a triangle.
 struct OneSide {
   const ScalarField& field;
   LinearFunction linear;  ///< linear approximation of the field near the triangle
@@ -51,7 +50,8 @@ struct OneSide {
   }
 };
 
-/// Shifts the triangle along the gradient of the cell, to both sides, and proves each side.
+/// Shifts the triangle along the gradient of its cell, up and down, and proves that the field is above the isovalue on
+/// one copy and below it on the other.
 bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gradient, double value, double distance) {
   const double slope = length_of(gradient);
   if (!(slope > 0)) return false;
@@ -62,7 +62,7 @@ bool is_proven(const ScalarField& field, const Corners& triangle, const Vec3& gr
   });
 }
 
-/// A sample point of a triangle, with two places on either side of it.
+/// A sample point of a triangle, with a place on either side of it.
 struct Sample {
   std::size_t triangle;
   Vec3 below, above;

@@ -16,16 +16,18 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the rows of triangles that are not proven to be within the distance. Precondition: the field has bounds.
+/// Returns the rows of the triangles of an isosurface that are not proven to be within a distance of the true
+/// isosurface. Precondition: the field has bounds.
 std::vector<std::size_t> not_proven_within(const ScalarField& field, const Isosurface& surface, double value,
                                            double distance);
 
 struct SampledDistance {
   std::size_t n_samples = 0;
-  /// Rows of triangles with a sample that is not within the distance, each listed once.
+  /// Rows of the triangles with a sample that is not within the distance, each listed once.
   std::vector<std::size_t> beyond;
 };
-/// Tests samples spread over the surface by area. Their places depend only on the surface and on `seed`.
+/// Tests the distance of an isosurface at samples that are spread over it by area. The samples depend only on the
+/// surface and on `seed`.
 SampledDistance sample_within(const ScalarField& field, const Isosurface& surface, double value, double distance,
                               std::uint64_t seed);
 

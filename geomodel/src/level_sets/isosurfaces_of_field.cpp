@@ -14,16 +14,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Number of cubes of the first mesh along the longest side of the box. A field with bounds loses no feature however
-/// coarse the start; a function is known only at corners and midpoints, so features smaller than half a cube may be
-/// missed.
+/// Number of cubes of the first background mesh along the longest side of the box, for fields with bounds and for
+/// functions. A field with bounds loses no feature however coarse the first mesh is. A function is known only at
+/// corners and midpoints, so features smaller than half a cube may be missed.
 constexpr double cubes_with_bounds = 8, cubes_of_function = 24;
-/// Share of a grid's spacing below which two sheets of an isosurface are not resolved: in one of its cells a trilinear
-/// field has few.
+/// Share of a grid's spacing below which the background mesh is not refined to separate two nearly touching parts of an
+/// isosurface, because a trilinear field has few of them in one grid cell.
 constexpr double sheet_share = 0.25;
-/// Bounds memory to about 1 GB.
+/// Largest number of cells of a background mesh, which limits its memory to about 1 GB.
 constexpr std::size_t most_cells = 8'000'000;
-/// Rounds of proof and refinement. Each round halves cells at least twice; a smooth field needs two or three rounds.
+/// Largest number of rounds of proof and refinement. Each round halves cells at least twice; a smooth field needs two
+/// or three rounds.
 constexpr int most_rounds = 12;
 
 std::string size_words(const Box3& box) {
@@ -31,9 +32,9 @@ std::string size_words(const Box3& box) {
   return short_words(size.x) + " by " + short_words(size.y) + " by " + short_words(size.z);
 }
 
-/// Returns the edge of the first cubes, at most twice the shortest side of the box. Throws Error{invalid_input} if the
-/// box is thinner than least_thickness allows, or if the first mesh would exceed the limit of cells. Either happens if
-/// the spacing along one axis has another unit.
+/// Returns the edge of the cubes of the first background mesh, at most twice the shortest side of the box. Throws
+/// Error{invalid_input} if the box is thinner than least_thickness allows, or if the first mesh would exceed the limit
+/// of cells. Either happens if the spacing along one axis has another unit.
 double first_edge(const ScalarField& field, const Box3& box) {
   const Vec3 size = box.max - box.min;
   const double longest = std::max({size.x, size.y, size.z}), shortest = std::min({size.x, size.y, size.z});
@@ -49,8 +50,8 @@ double first_edge(const ScalarField& field, const Box3& box) {
   return edge;
 }
 
-/// Throws if the distance is below the rounding errors of so large a field, because cells would be bisected up to their
-/// limit.
+/// Throws if the requested distance is below the rounding errors of coordinates in so large a box, because cells would
+/// be bisected up to their limit.
 void require_distance(const Box3& box, double distance) {
   const Vec3 size = box.max - box.min;
   if (distance >= least_told_apart * std::max({size.x, size.y, size.z})) return;
@@ -93,8 +94,8 @@ class FieldMesher {
   }
 
  private:
-  /// Finds the triangles that are not known to be close enough. In a cell with edges shorter than the distance every
-  /// triangle is, because the true isosurface passes through the cell too.
+  /// Finds the triangles that are not known to be within the distance of the true isosurface. Triangles in a cell with
+  /// edges shorter than the distance are always within it, because the true isosurface passes through the cell too.
   void find_beyond(std::uint64_t seed) {
     result_.beyond.assign(values_.size(), {});
     for (std::size_t v = 0; v < values_.size(); ++v) {

@@ -17,7 +17,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Identifies one of the fields of a surface by its rows in Project::surfaces and SurfaceSpec::level_sets.
+/// Identifies one of the fields of a surface, by the row of the surface in Project::surfaces and that of the field in
+/// SurfaceSpec::level_sets.
 struct PartKey {
   std::size_t surface, part;
   auto operator<=>(const PartKey&) const = default;
@@ -51,7 +52,7 @@ std::vector<Group> group_by_field(const Project& project) {
   return groups;
 }
 
-/// Returns the bounds of the project's box in the coordinates of its file; nothing if the box is derived from the
+/// Returns the bounds of the project's box in the coordinates of the project file; nothing if it is derived from the
 /// surfaces.
 std::optional<Box3> bounds_of_volume(const Project& project) {
   if (!project.box) return std::nullopt;
@@ -74,14 +75,15 @@ std::optional<Box3> bounds_of_volume(const Project& project) {
 
 std::string box_words(const Box3& box) { return place_words(box.min) + " to " + place_words(box.max); }
 
-/// Returns the allowed distance between triangulation and field: a share of the tolerance, or of the default tolerance.
+/// Returns the allowed distance between a triangulated level set and the true one: a share of the tolerance, or of the
+/// default tolerance.
 double distance_for(const Project& project, const Box3& bounds) {
   RefinementSettings settings = project.mesh.refinement;
   if (!settings.refine || settings.honour == Honour::exact) {
     settings.tolerance = ToleranceLedger::of_sizes(default_tolerance_share);
     settings.derive_size = settings.derive_size || !(settings.size.base.global > 0);
   }
-  Box3 upright = bounds;  // depth counts downwards; lengths are the same in both directions
+  Box3 upright = bounds;  // the box may be upside down if z is depth, but its lengths are the same
   settle_sizes(settings, upright, project.naming.attributes, project.output.origin);
   return level_set_share * settings.tolerance.left();
 }
@@ -91,7 +93,7 @@ std::string field_words(const LevelSetSpec& spec) {
   return spec.file_as_written + (spec.array.empty() ? "" : " (" + spec.array + ")");
 }
 
-/// The triangles of one field of a surface, and those that are not proven to be close to it.
+/// The triangles of a surface that come from one field, and those of them that are not proven to be close to it.
 struct MadePart {
   Isosurface surface;
   FieldPart facts;
@@ -135,7 +137,7 @@ class GroupMaker {
     return isosurfaces_of(grid, domain, values_, distance_for(project_, domain));
   }
 
-  /// Returns the part of the grid inside the box.
+  /// Returns the part of a field's grid that lies inside the box. Throws if there is none.
   Box3 within_box(Box3 domain) const {
     const std::optional<Box3> box = bounds_of_volume(project_);
     if (!box) return domain;
@@ -221,7 +223,6 @@ class GroupMaker {
   std::vector<double> values_;  ///< rising, each once
 };
 
-/// Concatenates all parts of the surfaces.
 void assemble(const Project& project, const MadeParts& parts, LevelSurfaces& made) {
   for (const auto& [key, part] : parts) {
     FileContents& contents = made.contents[key.surface];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Components, borders and non-manifold edges of a triangulation.
+/// Counts the components, borders and non-manifold edges of a triangulation.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct SheetTopology {
   Vec3 bad_place;                  ///< of the first
 };
 
-/// Counts components and borders in O(n log n). Vertices are identified by their rows.
+/// Counts the components and borders of a surface in O(n log n). Vertices are identified by rows, not coordinates.
 SheetTopology topology_of(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

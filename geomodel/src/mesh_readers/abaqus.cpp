@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// Returns the fields between commas, without surrounding blanks; empty ones are omitted.
+/// Returns the fields between commas, without surrounding blanks; empty fields are omitted.
 std::vector<std::string_view> fields_of(std::string_view line) {
   std::vector<std::string_view> fields;
   while (!line.empty()) {
@@ -32,7 +32,6 @@ std::vector<std::string_view> fields_of(std::string_view line) {
   return fields;
 }
 
-/// Corners of the sides S1 to S4.
 constexpr std::size_t corners_of_side[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
 
 class AbaqusReader {
@@ -60,7 +59,7 @@ class AbaqusReader {
   enum class Block { other, nodes, tetrahedra, lower, solids, element_set, node_set, surface };
   struct NamedSets {
     int dimension;
-    std::map<std::string, RawSet> sets;  ///< by name in capitals
+    std::map<std::string, RawSet> sets;  ///< sets of nodes or elements, by name in capitals
     std::vector<std::string> order;
     RawSet& give(std::string_view name) {
       const std::string key = upper(name);
@@ -114,7 +113,7 @@ class AbaqusReader {
     return value;
   }
   std::size_t count(std::string_view text) const {
-    constexpr double largest = 9007199254740992;  // the next integer is not a double
+    constexpr double largest = 9007199254740992;  // 2^53, the largest integer up to which all integers are doubles
     const double value = number(text);
     if (!(value >= 0 && value <= largest) || value != std::floor(value))
       in_.refuse("a node's number was expected: \"" + std::string(text) + "\"");
@@ -149,7 +148,8 @@ class AbaqusReader {
     mesh_.points.push_back({number(fields[1]), number(fields[2]), number(fields[3])});
   }
   void read_tetrahedron(std::vector<std::string_view> fields) {
-    std::vector<std::string> rest;  // an element with ten nodes may continue on the next line, wherever it breaks
+    // Fields so far of an element with ten nodes, which may continue on the next line at any place.
+    std::vector<std::string> rest;
     while (fields.size() + rest.size() < n_nodes_ + 1 && n_nodes_ == 10 && !in_.at_end()) {
       const std::string_view more = in_.line();
       for (const std::string_view field : fields_of(more)) rest.emplace_back(field);
@@ -167,14 +167,14 @@ class AbaqusReader {
     row_of_element_[count(field(0))] = cells.size() - 1;
     mesh_.numbers.push_back(n_elements_++);
   }
-  /// Reads numbers of nodes or elements, or names of other sets.
+  /// Reads one line of a set: numbers of nodes or elements, or names of other sets.
   void read_set(const std::vector<std::string_view>& fields) {
     const bool nodes = block_ == Block::node_set;
     if (generate_ && fields.size() >= 2) {
       const std::size_t first = count(fields[0]), last = count(fields[1]),
                         step = fields.size() > 2 ? count(fields[2]) : 1;
       if (step == 0) in_.refuse("the step of a GENERATE line is 0");
-      // Missing elements are skipped, all at once if there are far more of them than of others.
+      // Element numbers that do not exist are skipped, all at once if there are far more of them than of others.
       if (!nodes && first < last && (last - first) / step > 2 * row_of_element_.size())
         return add_between(first, last, step);
       for (std::size_t i = first; i <= last; i += step) add_to_set(i, nodes);
@@ -191,7 +191,7 @@ class AbaqusReader {
       }
     }
   }
-  /// Adds the existing elements among first, first + step ... last.
+  /// Adds to a set the existing elements among first, first + step ... last.
   void add_between(std::size_t first, std::size_t last, std::size_t step) {
     std::vector<std::size_t> numbers;
     for (const auto& [number, row] : row_of_element_)
@@ -199,8 +199,7 @@ class AbaqusReader {
     std::sort(numbers.begin(), numbers.end());
     for (const std::size_t number : numbers) add_to_set(number, false);
   }
-  /// Sets that refer to each other, or to themselves, contain each item once: otherwise a short file would fill all
-  /// memory.
+  /// Keeps each item of a set once. Otherwise a short file could fill all memory with sets that contain each other.
   void drop_repeated(std::size_t n_items) {
     std::vector<std::size_t>& rows = set_->rows;
     if (rows.size() <= n_items) return;

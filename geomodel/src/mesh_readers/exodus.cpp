@@ -12,7 +12,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Corners of the sides 1 to 4 of a tetrahedron.
 constexpr std::size_t corners_of_side[4][3] = {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 2, 1}};
 
 class ExodusReader {
@@ -43,7 +42,7 @@ class ExodusReader {
   }
 
  private:
-  /// Returns the global numbers, or those from 1 on if the file does not have them.
+  /// Returns the numbers in the whole mesh of the file's items; if the file does not have them, the numbers from 1 on.
   std::vector<int> numbers_in_whole(const char* variable, std::size_t n) const {
     std::vector<int> numbers(n);
     std::iota(numbers.begin(), numbers.end(), 1);
@@ -58,7 +57,7 @@ class ExodusReader {
     return static_cast<int>(value);
   }
 
-  /// Reads three variables, or one in files before 1996.
+  /// Reads the points from three variables, one for each coordinate, or from a single one in files before 1996.
   void read_points() {
     const std::size_t n = file_.dimension("num_nodes");
     if (n >= no_vertex) file_.refuse("it holds more nodes than 32 bits can count");
@@ -79,7 +78,7 @@ class ExodusReader {
       file_.refuse("node " + std::to_string(number) + " is not there");
     return static_cast<VertexIndex>(number - 1);
   }
-  /// Returns the ids, or those from 1 on if the file has none.
+  /// Returns the ids of blocks or sets; if the file has none, the numbers from 1 on.
   std::vector<int> ids_of(const std::string& kind, std::size_t n) const {
     return numbers_in_whole((kind + "_prop1").c_str(), n);
   }
@@ -154,7 +153,7 @@ class ExodusReader {
     set.rows.push_back(mesh_.cells[2].size() - 1);
   }
 
-  /// Reads arrays of the first time step; NaN if a block does not have the variable.
+  /// Reads the cell arrays of the first time step. Cells of a block that does not have a variable get NaN.
   void read_cell_arrays() {
     const std::size_t n = file_.dimension("num_elem_var");
     const std::vector<std::string> names = file_.texts("name_elem_var", n);
@@ -170,7 +169,7 @@ class ExodusReader {
       mesh_.cell_arrays.push_back(std::move(array));
     }
   }
-  /// Reads one variable for each, or one for all in files before 1996.
+  /// Reads the point arrays from one variable for each, or from a single one in files before 1996.
   void read_point_arrays() {
     const std::size_t n = file_.dimension("num_nod_var"), n_points = mesh_.points.size();
     const std::vector<std::string> names = file_.texts("name_nod_var", n);
@@ -189,7 +188,7 @@ class ExodusReader {
   NetcdfReader file_;
   RawMesh mesh_;
   std::vector<std::size_t> row_of_element_;
-  // Rows of the tetrahedra in each block; empty for blocks of other elements.
+  // Rows of the tetrahedra in each block of elements; empty for blocks of other elements.
   std::vector<std::vector<std::size_t>> rows_of_block_;
 };
 

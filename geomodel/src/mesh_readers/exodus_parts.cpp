@@ -17,14 +17,15 @@ namespace {
   throw Error(ErrorKind::invalid_input, file.string() + ": " + why);
 }
 
-/// Converts numbers that count from 1 without gaps to rows.
+/// Converts a global number to a row. Global numbers count from 1 without gaps.
 std::size_t row_of(int number, std::size_t n, const std::filesystem::path& whole) {
   if (number < 1 || static_cast<std::size_t>(number) > n)
     refuse(whole, "global numbers of its parts have gaps or are out of range (" + std::to_string(number) + ")");
   return static_cast<std::size_t>(number - 1);
 }
 
-/// Returns the largest of the numbers, which is their count if there are no gaps; never more than the parts contain.
+/// Returns the largest global number of all parts, which is the count of items if there are no gaps. Throws if it is
+/// more than the parts contain.
 std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<int> ExodusPartMesh::*numbers,
                           const std::filesystem::path& whole) {
   int largest = 0;
@@ -37,7 +38,8 @@ std::size_t count_numbers(const std::vector<ExodusPartMesh>& parts, std::vector<
   return static_cast<std::size_t>(largest);
 }
 
-/// A part that is listed twice also leaves another one out, so doubles are looked for before gaps.
+/// Throws if a tetrahedron is in two parts. This is checked before gaps are, because a part that is listed twice also
+/// leaves another one out.
 void refuse_doubled_elements(const std::vector<ExodusPartMesh>& parts, const std::filesystem::path& whole) {
   std::vector<int> numbers;
   for (const ExodusPartMesh& part : parts)
@@ -128,14 +130,14 @@ class PartsMerger {
   const std::filesystem::path& whole_;
   RawMesh mesh_;
   std::vector<bool> has_point_, has_cell_;
-  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // by dimension and id
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by id
   std::map<std::string, std::vector<double>> cell_values_, point_values_;
 };
 
 }  // namespace
 
 std::optional<ExodusPartFiles> exodus_part_files(const std::filesystem::path& file) {
-  // NAME.e.COUNT.NUMBER, where both numbers have as many digits.
+  // Names of parts have the form NAME.e.COUNT.NUMBER, in which both numbers have the same number of digits.
   std::string name = file.filename().string();
   const auto take_number = [&name] {
     const std::string digits(digits_at_end(name));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A file in memory, read as words, lines and numbers, with the line number in messages.
+/// A file in memory that is read as words, lines and numbers. It counts lines for messages.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ class FileCursor {
 
   bool at_end() const { return at_ >= text_.size(); }
   std::size_t size() const { return text_.size(); }
-  /// Returns the rest of this line without its end, and advances to the next.
+  /// Returns the rest of the current line without its end, and advances to the next line.
   std::string_view line() {
     if (at_end()) refuse("ends too early");
     line_start_ = at_;
@@ -55,7 +55,7 @@ class FileCursor {
       refuse("a number was expected, found \"" + std::string(text) + "\"");
     return value;
   }
-  /// Returns a value stored as bytes, as in memory.
+  /// Returns a number that the file stores in binary, as it is in memory.
   template <class T>
   T raw() {
     if (text_.size() - at_ < sizeof(T)) refuse("ends too early");
@@ -77,7 +77,6 @@ class FileCursor {
   std::size_t at_ = 0, line_start_ = 0;
 };
 
-/// Converts node numbers of a file to rows.
 class NodeRows {
  public:
   void add(std::size_t number, const FileCursor& in) {

@@ -14,7 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// A region, surface, curve, point or other node set, with the sets of the file of which it is the union.
+/// A region, surface, curve, point or other node set, with the names of the file's sets of which it is the union.
 struct FullName {
   std::string name, kind;
   std::vector<std::string> sets;
@@ -23,15 +23,15 @@ struct FullName {
 
 struct FileNames {
   std::vector<FullName> regions, surfaces, curves, points, node_sets;
-  std::map<std::string, std::string> field_units;                  ///< units by field; empty: not known
-  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< ids as in `region_ids`
+  std::map<std::string, std::string> field_units;  ///< unit of each mapped property, by its name; empty: not known
+  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each group, as in `region_ids`
   std::map<std::int32_t, std::string> region_ids;
   std::string unit;
   std::optional<Vec3> origin;
   bool empty() const { return regions.empty() && surfaces.empty(); }
 };
 
-/// Returns empty names if there is no such file or if geomesh did not write it.
+/// Reads the JSON file beside a mesh file. Returns empty names if there is none or if geomesh did not write it.
 FileNames read_file_names(const std::filesystem::path& mesh_file);
 
 }  // namespace geomesh::geomodel

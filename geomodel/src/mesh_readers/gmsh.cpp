@@ -14,7 +14,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Properties of Gmsh's element types.
 struct ElementType {
   int dimension;
   std::size_t n_nodes;
@@ -65,8 +64,8 @@ std::optional<ElementType> element_type(int type) {
   }
 }
 
-/// Gmsh marks reversed elements and ghosts by a negative tag. The least number has no positive counterpart and is
-/// unchanged.
+/// Returns a tag without its sign, by which Gmsh marks reversed elements and ghosts. The least number has no positive
+/// counterpart and is returned unchanged.
 std::int32_t without_sign(std::int32_t tag) {
   return tag < 0 && tag != std::numeric_limits<std::int32_t>::min() ? -tag : tag;
 }
@@ -80,7 +79,8 @@ class GmshReader {
     mesh_.format = "Gmsh";
     read_sections();
     read_other_parts(file);
-    // Data may precede the cells and nodes to which they belong, or be in one of several parts.
+    // Arrays are filled with NaN first, because data may precede the cells and nodes to which they belong, or be in
+    // only some parts.
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (CellArray& array : mesh_.cell_arrays) array.values.resize(mesh_.cells[3].size(), none);
     for (PointArray& array : mesh_.point_arrays) array.values.resize(mesh_.points.size(), none);
@@ -115,8 +115,8 @@ class GmshReader {
     }
     require_format();
   }
-  /// Reads NAME_1.msh, NAME_2.msh ... as one mesh if one of them says so. Items that occur again are recognised by
-  /// their number.
+  /// Reads NAME_1.msh, NAME_2.msh ... as one mesh if one of these files declares that it is a part. Items that occur in
+  /// several parts are recognised by their number.
   void read_other_parts(const std::filesystem::path& file) {
     const std::string name = file.stem().string();
     const std::string number(digits_at_end(name));
@@ -185,7 +185,7 @@ class GmshReader {
           for (std::size_t k = size(); k > 0; --k) integer();
       }
   }
-  /// Reads the entities of one part with the groups of their parent, and the entities with copies of other parts'
+  /// Reads the Gmsh entities of one part with the groups of their parents, and those with copies of other parts'
   /// elements.
   void read_partitioned_entities() {
     n_parts_ = std::max(n_parts_, static_cast<std::int32_t>(std::min<std::size_t>(size(), most_parts)));
@@ -246,7 +246,7 @@ class GmshReader {
     }
   }
 
-  /// Reads the nodes of one element, by `node()`, and adds it to its groups.
+  /// Reads an element, whose nodes `node()` returns one by one, and adds it to its groups.
   template <class F>
   void add_element(std::size_t tag, int type, const std::vector<std::int32_t>& groups, F&& node) {
     const std::optional<ElementType> known = element_type(type);
@@ -327,7 +327,7 @@ class GmshReader {
     }
   }
 
-  /// Reads data with one value each; others are ignored. Missing rows have NaN.
+  /// Reads data with one value for each node or element; other data are ignored. Rows without a value have NaN.
   void read_data(bool of_nodes) {
     std::string name;
     const auto n_texts = in_.number<std::size_t>();
@@ -366,16 +366,17 @@ class GmshReader {
   RawMesh mesh_;
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;
-  std::vector<std::size_t> element_numbers_;        // element numbers of the first part
-  std::unordered_set<std::size_t> known_elements_;  // element numbers of all parts so far
+  std::vector<std::size_t> element_numbers_;        // element numbers in the first part of the mesh
+  std::unordered_set<std::size_t> known_elements_;  // element numbers in all parts that have been read
   std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;
   bool binary_ = false;
   std::size_t n_elements_ = 0;
-  std::unordered_map<std::size_t, std::size_t> row_of_element_;                  // row of each tetrahedron, by number
-  std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;  // by dimension and entity
-  std::map<std::pair<int, std::int32_t>, RawSet> sets_;                          // by dimension and tag
+  std::unordered_map<std::size_t, std::size_t> row_of_element_;  // row of each tetrahedron, by element number
+  // Groups of each Gmsh entity, by its dimension and number.
+  std::map<std::pair<int, std::int32_t>, std::vector<std::int32_t>> groups_of_;
+  std::map<std::pair<int, std::int32_t>, RawSet> sets_;  // sets of cells, by the dimension of their cells and by tag
 };
 
 }  // namespace

@@ -20,9 +20,9 @@ constexpr MedShape shapes[] = {{MED_POINT1, 0, 1}, {MED_SEG2, 1, 2},   {MED_SEG3
                                {MED_TRIA6, 2, 6},  {MED_TETRA4, 3, 4}, {MED_TETRA10, 3, 10}};
 constexpr med_geometry_type other_solids[] = {MED_PYRA5,   MED_PENTA6, MED_HEXA8, MED_PYRA13,
                                               MED_PENTA15, MED_HEXA20, MED_HEXA27};
-/// The corners of a MED tetrahedron in VTK's order.
+/// Positions of the corners of a MED tetrahedron in VTK's order.
 constexpr std::size_t tetrahedron_corner[4] = {0, 2, 1, 3};
-/// Its midpoints in the same order.
+/// Positions of the midpoints of a MED tetrahedron in VTK's order.
 constexpr std::size_t tetrahedron_middle[6] = {6, 5, 4, 7, 9, 8};
 
 class MedReader {
@@ -98,7 +98,7 @@ class MedReader {
     return n < 0 ? 0 : static_cast<std::size_t>(n);
   }
   std::vector<med_int> families(med_entity_type entity, med_geometry_type type, std::size_t n) const {
-    std::vector<med_int> numbers(n, 0);  // a file may have no families: all are then 0
+    std::vector<med_int> numbers(n, 0);  // if a file has no families, all are 0
     if (MEDmeshEntityFamilyNumberRd(id_, name_.c_str(), MED_NO_DT, MED_NO_IT, entity, type, numbers.data()) < 0)
       numbers.assign(n, 0);
     return numbers;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Meshes and face sets as contained in files of any tool. Only indices are checked here; everything else is left to
-/// the checker.
+/// Meshes and sets of faces as contained in files of any tool. The readers check only indices; everything else is left
+/// to the mesh checker.
 #pragma once
 
 #include <array>
@@ -19,30 +19,33 @@ namespace geomesh::geomodel::checking {
 struct MeshFile {
   std::string format;
   std::vector<Vec3> points;
-  bool single_precision = false;  ///< whether the file has 32-bit coordinates
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
   std::vector<Tetrahedron> tetrahedra;
-  /// Six for each tetrahedron (01 12 20 03 13 23); empty if any tetrahedron has first order.
+  /// Six midpoint nodes for each tetrahedron (edges 01 12 20 03 13 23); empty if any tetrahedron has first order.
   std::vector<VertexIndex> midpoints;
-  std::vector<std::size_t> cell;   ///< for each tetrahedron: its number among all cells of the file, for messages
+  std::vector<std::size_t> cell;   ///< number of each tetrahedron among all cells of the file, for messages
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
-  std::vector<std::array<VertexIndex, 6>> prisms;  ///< prisms among the other solids, in VTK's order (VTK only)
-  std::size_t n_lower_cells = 0;                   ///< number of triangles, lines and points in addition to the solids
-  std::vector<std::int32_t> region;                ///< region of each tetrahedron; empty if the file has no such array
-  std::string region_array;                        ///< its name
+  /// Prisms among the solids that are not tetrahedra, in VTK's order (VTK files only).
+  std::vector<std::array<VertexIndex, 6>> prisms;
+  std::size_t n_lower_cells = 0;     ///< number of triangles, lines and points in the file
+  std::vector<std::int32_t> region;  ///< region id of each tetrahedron; empty if the file has no array of region ids
+  std::string region_array;          ///< its name
   std::map<std::int32_t, std::string> region_names;
-  std::vector<std::string> arrays;        ///< arrays of points and cells with their type (VTK files only)
-  std::vector<Triangle> triangles;        ///< triangles in addition to the solids (.vtu, and files of solvers)
-  std::vector<std::int32_t> triangle_id;  ///< ids of the triangles, which have names (VTU files only)
+  std::vector<std::string> arrays;        ///< names and types of point arrays and cell arrays (VTK files only)
+  std::vector<Triangle> triangles;        ///< triangles in addition to the tetrahedra (.vtu, and files of solvers)
+  std::vector<std::int32_t> triangle_id;  ///< surface id of each triangle; surface_names has the names (VTU files only)
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::array<VertexIndex, 2>> edges;
   std::vector<std::int32_t> edge_id;
   std::map<std::int32_t, std::string> curve_names;
-  std::vector<std::int32_t> input_vertex;   ///< for each point, -1 if it was added; empty if the file has no such array
-  std::vector<std::string> missing_arrays;  ///< names of missing point arrays of the output contract (VTK files only)
-  std::vector<std::int32_t> kind;           ///< for each point; empty if the file has no such array
-  std::map<std::string, std::vector<double>> cell_values;   ///< values for each tetrahedron, except "region" (VTK only)
-  std::map<std::string, std::vector<double>> point_values;  ///< point arrays of scalars (VTK only)
-  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< named groups of regions
+  /// Row in the input of each mesh point; -1 for added points. Empty if the file has no array of these rows.
+  std::vector<std::int32_t> input_vertex;
+  std::vector<std::string> missing_arrays;  ///< names of required point arrays that the file lacks (VTK files only)
+  std::vector<std::int32_t> kind;           ///< kind of each mesh point; empty if the file has no array of kinds
+  /// Values of cell arrays for each tetrahedron, except for the array "region" (VTK files only).
+  std::map<std::string, std::vector<double>> cell_values;
+  std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
+  std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each named group of regions
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty if the file has none
   std::vector<Vec3> before_zones;           ///< point array `before_zones`; empty if the file has none
   Vec3 origin{0, 0, 0};  ///< vector that was subtracted from the coordinates (field data written by geomesh)
@@ -54,10 +57,11 @@ struct FacesFile {
   std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
-  std::vector<std::string> missing_arrays;  ///< names of missing arrays of the output contract
-  std::vector<std::int32_t> mesh_point;     ///< for each point; empty if the file has no such array
+  std::vector<std::string> missing_arrays;  ///< names of required arrays that the file lacks
+  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
-  std::vector<std::string> surface_set_names;  ///< by row of surface_sets; empty if the file has none
+  std::vector<std::string> surface_set_names;  ///< name of each list in surface_sets; empty if the file has none
 };
 
 /// Contents of NAME.curves.vtp: edges of curves and named points.
@@ -66,31 +70,31 @@ struct CurvesFile {
     std::int32_t id;
     std::string name, kind;
   };
-  std::vector<Curve> curves;  ///< in the order of the file, including named points
+  std::vector<Curve> curves;  ///< curves in the order of the file, including named points
   std::vector<Vec3> points;
-  std::vector<std::int32_t> mesh_point;  ///< for each point; empty if the file has no such array
+  /// row in the mesh of each point of the file; empty if the file has no array of these rows
+  std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
-  std::vector<VertexIndex> vertices;                   ///< vertices of the cells with one point
+  std::vector<VertexIndex> vertices;                   ///< points of the cells that consist of one point
   std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids
 };
 
-/// Chooses the reader by extension: .vtu, .vtk (VTK), and formats of the table that have a reader. Throws Error{usage}
+/// Reads a mesh file by its extension: .vtu, .vtk (VTK), and other mesh formats that have a reader. Throws Error{usage}
 /// if the file cannot be opened, Error{invalid_input} if it cannot be understood.
 MeshFile read_mesh_file(const std::filesystem::path& path);
 MeshFile read_vtk_mesh(const std::filesystem::path& path);
-/// Reads a mesh in parts whose pieces have global numbers. Midpoints of second-order elements are left out.
+/// Reads a mesh in parts (.pvtu) and combines its pieces. Midpoints of second-order elements are left out.
 MeshFile read_pvtu_mesh(const std::filesystem::path& path);
 
 FacesFile read_faces_file(const std::filesystem::path& path);
 CurvesFile read_curves_file(const std::filesystem::path& path);
 
-/// The contents of the faces and curves files, read from a .vtu with a single grid for all cells
-/// (`output.single_grid`).
+/// Faces and curves of a .vtu with a single grid for all cells (`output.single_grid`), in the form of separate files.
 struct SurfacesOfGrid {
   FacesFile faces;
   CurvesFile curves;
 };
-/// Returns nothing if the grid has no face with the arrays of the output contract.
+/// Reads the faces and curves of a single grid; nothing if it has no face with the arrays that geomesh writes.
 std::optional<SurfacesOfGrid> read_surfaces_of_grid(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel::checking

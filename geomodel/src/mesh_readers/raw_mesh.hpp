@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A mesh as contained in a file of any tool: cells of each dimension and named sets of them, in the file's order.
+/// A mesh as contained in a file of any tool: cells of each dimension and named sets, in the file's order.
 #pragma once
 
 #include <array>
@@ -15,17 +15,16 @@
 
 namespace geomesh::geomodel {
 
-/// Cells of one dimension; for cells of higher order only the corners.
+/// Cells of one dimension, by their corners; further nodes of cells of higher order are not included.
 struct RawCells {
   std::size_t n_corners = 0;
   std::vector<VertexIndex> corners;
   std::size_t size() const { return n_corners == 0 ? 0 : corners.size() / n_corners; }
 };
 
-/// A named set of cells or of nodes.
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< id in the file; 0 if it has none
+  std::int32_t id = 0;  ///< id of the set in the file; 0 if it has none
   int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
@@ -39,9 +38,9 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit for one more file.
+  /// Increases the limit on cells and nodes in sets by what one more file allows.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Returns false if `n` more are too many.
+  /// Uses up `n` items of the limit; returns false if they exceed it.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;
@@ -55,25 +54,29 @@ class SetBudget {
 struct RawMesh {
   std::string format, name;
   std::vector<Vec3> points;
-  std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};  ///< points, edges, triangles, tetrahedra
-  std::vector<std::size_t> numbers;  ///< numbers of tetrahedra among all cells of the file, for messages
+  /// cells by dimension: points, edges, triangles, tetrahedra
+  std::array<RawCells, 4> cells{{{1, {}}, {2, {}}, {3, {}}, {4, {}}}};
+  std::vector<std::size_t> numbers;  ///< numbers of the tetrahedra among all cells of the file, for messages
   std::vector<RawSet> sets;
   std::size_t n_other_solids = 0;  ///< hexahedra, prisms ...
   bool second_order = false;
-  std::vector<VertexIndex> midpoints;  ///< six for each second-order tetrahedron, for the edges 01 12 20 03 13 23
-  bool single_precision = false;       ///< whether the file has 32-bit coordinates
-  std::vector<std::int32_t> point_kind, input_vertex;  ///< only in files written by geomesh, otherwise empty
-  std::vector<CellArray> cell_arrays;                  ///< by tetrahedron
-  std::vector<PointArray> point_arrays;                ///< by row of `points`
-  std::filesystem::path whole;     ///< for a mesh read from parts: the name that a single file would have; else empty
-  std::vector<Vec3> before_zones;  ///< only in files written by geomesh, otherwise empty
+  /// Six midpoint nodes for each second-order tetrahedron, on the edges 01 12 20 03 13 23.
+  std::vector<VertexIndex> midpoints;
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
+  /// Kind and input row of each point; empty unless geomesh wrote the file.
+  std::vector<std::int32_t> point_kind, input_vertex;
+  std::vector<CellArray> cell_arrays;    ///< by tetrahedron
+  std::vector<PointArray> point_arrays;  ///< point arrays, with a value for each row of `points`
+  /// Name that a single file of the mesh would have, if it was read from parts; else empty.
+  std::filesystem::path whole;
+  std::vector<Vec3> before_zones;  ///< points before fault zones were opened; empty unless geomesh wrote the file
   Vec3 origin{0, 0, 0};
 };
 
-/// Converts the sets to a named mesh: regions from the sets of tetrahedra, surfaces from those of triangles, curves
-/// from those of edges, named points, other node sets. If tetrahedra lie in several sets, the sets become groups of
-/// regions. Full names and kinds come from FILE.json if it exists. Unused points are dropped, inverted tetrahedra are
-/// flipped. Throws Error{invalid_input} if a solid is not a tetrahedron.
+/// Converts the sets of a mesh file to a named mesh: regions from the sets of tetrahedra, surfaces from those of
+/// triangles, curves from those of edges, named points, other node sets. If tetrahedra lie in several sets, the sets
+/// become groups of regions. Full names and kinds come from FILE.json if it exists. Unused points are dropped, inverted
+/// tetrahedra are flipped. Throws Error{invalid_input} if a solid is not a tetrahedron.
 ModelMesh to_model_mesh(RawMesh raw, const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

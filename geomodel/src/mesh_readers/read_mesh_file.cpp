@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The smallest set that contains a tetrahedron is its region: groups of regions are larger.
+/// Gives each tetrahedron as region the smallest set that contains it, because groups of regions are larger.
 MeshFile take(RawMesh raw) {
   MeshFile mesh;
   mesh.format = raw.format;

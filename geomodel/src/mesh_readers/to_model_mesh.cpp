@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts the sets of a file to regions, surfaces, curves and named nodes.
+// Converts the sets of a mesh file to regions, surfaces, curves and named nodes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A surface, curve or point to be made, with the rows of its cells.
+/// Name, kind and cells of a surface, curve or point that will be added to the mesh.
 struct Wanted {
   std::string name, kind;
   std::vector<std::size_t> rows;
@@ -35,7 +35,8 @@ SurfaceKind surface_kind(const std::string& word) {
   return SurfaceKind::surface;
 }
 
-/// `fault.minus`, `fault.plus` and `zmin.faces` are sides of one surface.
+/// Returns the name of a surface without its side: `fault.minus` and `fault.plus`, for example, are sides of one
+/// surface.
 std::string without_side(const std::string& name) {
   for (const std::string_view side : {".minus", ".plus", ".faces"})
     if (name.size() > side.size() && name.ends_with(side)) return name.substr(0, name.size() - side.size());
@@ -51,8 +52,8 @@ std::string place(const Vec3& p) {
   return text.str();
 }
 
-/// Throws Error{invalid_input} with the point and a cell that has it if a coordinate, or one of the origin, is not a
-/// finite number or exceeds the range of the exact arithmetic. Points that no tetrahedron uses are not checked.
+/// Throws Error{invalid_input} if a coordinate or the origin is not a finite number or exceeds the range of the exact
+/// arithmetic. The message names the point and a cell that has it. Points that no tetrahedron uses are not checked.
 void require_finite(const RawMesh& mesh, const std::filesystem::path& file) {
   const auto refuse = [&](const std::string& what, const Vec3& p) {
     throw Error(ErrorKind::invalid_input,
@@ -136,7 +137,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Returns the values of the arrays at a midpoint node; nothing if all are the means of the ends.
+  /// Returns the values of the point arrays at a midpoint node; nothing if all are means of those at the edge's ends.
   std::vector<double> values_at(VertexIndex middle, VertexIndex first, VertexIndex second) const {
     std::vector<double> values;
     bool are_means = true;
@@ -148,8 +149,8 @@ class ModelMeshBuilder {
     return are_means ? std::vector<double>{} : values;
   }
 
-  /// Stores midpoint nodes that are not half-way, to the last bit, or have values of their own, so that they are
-  /// written as they were read.
+  /// Stores midpoint nodes that are not exactly half-way between the ends of their edge, or have values of their own,
+  /// so that they are written as they were read.
   void add_curved_edges() {
     constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
     if (raw_.midpoints.size() != 6 * mesh_.tetrahedra.size()) return;
@@ -172,7 +173,6 @@ class ModelMeshBuilder {
                 edges.end());
   }
 
-  /// Adds attributes of regions according to the JSON, and the other arrays of cells and points.
   void add_arrays() {
     std::map<std::string, RegionAttribute> attributes;
     for (const FullName& full : names_.regions)
@@ -199,7 +199,6 @@ class ModelMeshBuilder {
       mesh_.point_arrays.push_back(std::move(kept));
     }
   }
-  /// Adds groups of regions that the file itself does not contain.
   void add_region_groups() {
     for (const auto& [name, ids] : names_.region_groups) {
       if (std::any_of(mesh_.groups.begin(), mesh_.groups.end(),
@@ -215,7 +214,7 @@ class ModelMeshBuilder {
     }
   }
 
-  /// Returns the sets of one dimension, with their full names if those are known; else as in the file.
+  /// Returns the sets of one dimension under their full names if these are known, else under the names in the file.
   std::vector<Wanted> wanted(int dimension, const std::vector<FullName>& full_names) const {
     std::vector<Wanted> list;
     std::map<std::string, std::size_t> row_of_name;
@@ -227,7 +226,7 @@ class ModelMeshBuilder {
     std::set<std::string> known;
     std::size_t n_rows = 0;
     for (const RawSet& set : raw_.sets) n_rows += set.rows.size();
-    SetBudget budget(n_rows);  // each set may have many names, and a name many sets
+    SetBudget budget(n_rows);  // limits the work: each set may have many names, and a name many sets
     for (const FullName& full : full_names) {
       for (const RawSet& set : raw_.sets) {
         if (set.dimension != dimension || std::find(full.sets.begin(), full.sets.end(), set.name) == full.sets.end())
@@ -246,8 +245,8 @@ class ModelMeshBuilder {
     return list;
   }
 
-  /// Makes a region from tetrahedra in the same sets. Its name is that of a set which contains exactly this region,
-  /// else the names of its sets joined by `+`; sets of several regions become groups.
+  /// Makes a region from tetrahedra that are in the same sets. Its name is that of a set which contains exactly this
+  /// region, else the names of its sets joined by `+`. Sets of several regions become groups.
   void add_regions() {
     const std::vector<Wanted> sets = wanted(3, names_.regions);
     std::vector<std::vector<std::size_t>> sets_of(mesh_.tetrahedra.size());
@@ -285,7 +284,7 @@ class ModelMeshBuilder {
     next_id_ = static_cast<std::int32_t>(mesh_.regions.size() + 1);
   }
 
-  /// Adds each face once, with all its surfaces; its normal points from the lower region id to the higher, or outwards.
+  /// Adds each face once, with all its surfaces. Its normal points from the lower region id to the higher, or outwards.
   void add_faces() {
     std::map<Triangle, std::size_t> face_of;
     std::vector<std::vector<std::int32_t>> surfaces_of;
@@ -313,7 +312,7 @@ class ModelMeshBuilder {
         return sides[f][k].tetrahedron == no_side ? 0 : mesh_.tet_region[sides[f][k].tetrahedron];
       };
       std::int32_t minus = region(0), plus = region(1);
-      if (minus == 0 && plus == 0) continue;  // not a face of a tetrahedron
+      if (minus == 0 && plus == 0) continue;  // a triangle that is no face of a tetrahedron is left out
       if (minus == 0 || (plus != 0 && plus < minus)) {
         std::swap(minus, plus);
         std::swap(faces[f][1], faces[f][2]);

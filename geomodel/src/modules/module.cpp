@@ -21,12 +21,12 @@ void anchor() {}
 fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
 
 #ifdef _WIN32
-constexpr char between_folders = ';';  // a colon follows the letter of a drive
+constexpr char between_folders = ';';  // not a colon, which follows the letter of a drive on Windows
 #else
 constexpr char between_folders = ':';
 #endif
 
-/// Returns the folders of plugins in the order of search.
+/// Returns the folders in which plugins are searched, in order.
 std::vector<fs::path> plugin_folders() {
   std::vector<fs::path> folders;
   if (const char* given = std::getenv("GEOMESH_PLUGINS")) {
@@ -54,7 +54,7 @@ std::string listed(const std::vector<fs::path>& folders) {
   return text;
 }
 
-/// Returns the module's table in the file, or null with the reason.
+/// Loads a module from a file and returns its table, or null and the reason.
 const void* load(const fs::path& file, const ModuleName& module, bool (*fits)(const void* table), std::string& reason) {
   reason = "no reason given";
   void* const library = open_library(file, reason);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Modules: shared libraries beside the program that are loaded only when they are needed. A library that few formats
-/// need, and that depends on dozens of others, then costs no start-up time otherwise.
+/// Loads modules: shared libraries beside the program that are loaded only when they are needed. Some file formats need
+/// a library that depends on dozens of others, and would otherwise cost start-up time in every run.
 #pragma once
 
 #include <cstring>
@@ -11,23 +11,22 @@ namespace geomesh::geomodel {
 /// Names and descriptions used by messages about a missing module.
 struct ModuleName {
   const char* file;      ///< "geomesh-exodus.so"
-  const char* function;  ///< name of a function in the module without arguments, which returns the module's table
-  const char* purpose;   ///< beginning of the message: "Exodus files are written and read by"
-  const char* package;   ///< name of the package with the module: "geomesh-exodus"
+  const char* function;  ///< name of the function in the module that returns its table and has no arguments
+  const char* purpose;   ///< beginning of messages: "Exodus files are written and read by"
+  const char* package;   ///< name of the package that contains the module: "geomesh-exodus"
   const char* headers;   ///< Debian package that is needed to build the module: "libnetcdf-dev"
 };
 
-/// Returns the version of the program and its compiler. A module whose table contains C++ types must come from the same
-/// build.
+/// Returns the version of program and compiler. A module whose table contains C++ types must come from the same build.
 const char* module_version();
 
-/// Loads the module at the first call. `fits` returns whether this program can use the table. Throws Error{usage} that
-/// says where the module was searched and which package contains it. The search covers the folders of GEOMESH_PLUGINS
-/// (separated by colons), the folder of the program or the Python module, the library folder of the same prefix, and
-/// the configured folder of installation.
+/// Returns the table of a module, which is loaded at the first call. `fits` returns whether this program can use the
+/// table. Throws Error{usage} that says where the module was searched and which package contains it. The search covers
+/// the folders of GEOMESH_PLUGINS (separated by colons), the folder of the program or the Python module, the library
+/// folder of the same prefix, and the configured installation folder.
 const void* module_table(const ModuleName& module, bool (*fits)(const void* table));
 
-/// Loads a module like module_table, with a table that begins with `const char* version`.
+/// Loads a module as module_table does; its table begins with `const char* version`.
 template <class Table>
 const Table& module_table_of(const ModuleName& module) {
   return *static_cast<const Table*>(module_table(

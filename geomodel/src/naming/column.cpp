@@ -11,8 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Cosine of the angle between a face and its input triangle below which the face does not show on which side of the
-/// horizon it lies.
+/// Least cosine of the angle between a face and its input triangle for which the face shows its side of the horizon.
 constexpr double least_cosine = 0.1;
 
 std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {
@@ -94,9 +93,8 @@ double area_in(const std::map<Index, double>& areas, Index h) {
   return at == areas.end() ? 0.0 : at->second;
 }
 
-/// Returns whether horizon h bounds a component that touches one side of it with more than this area. It does not if
-/// the component lies on both sides of a horizon beyond h, or of h itself, along a larger area: then the component
-/// continues there.
+/// Returns whether a horizon bounds a component that touches one side of it with `area`. It does not if one of the
+/// horizons first .. last has the component on both sides over a larger area: then the component continues there.
 bool bounds(const HorizonContacts& contacts, double area, Index first, Index last) {
   for (const auto& [h, both] : contacts.on_both_sides)
     if (h >= first && h <= last && both > area) return false;
@@ -112,7 +110,7 @@ UnitVerdict find_unit(const HorizonContacts& contacts, const Column& column) {
   Index first = 0, last = last_unit;
   bool bounded_above = false, bounded_below = false;
   for (const auto& [h, area] : contacts.lies_below) {
-    // The horizon is repeated by a fold or thrust: the side with the larger area is used.
+    // The horizon is repeated by a fold or thrust, so the side of the component with the larger area is used.
     if (area < area_in(contacts.lies_above, h)) continue;
     if (!bounds(contacts, area, 0, h)) continue;
     first = std::max(first, h + 1);

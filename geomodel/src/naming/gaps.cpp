@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds horizons that have holes, stop short or are absent: which, where, and which units are connected there.
+// Finds where horizons have holes, end inside a region or are absent, and the units that are connected there.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -15,17 +15,17 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Connected free edges of one horizon: one hole, or one stretch of border.
+/// Connected free edges of one horizon: the border of one hole, or one stretch of the outer border.
 struct FreeBorder {
   bool hole = false;
   double length = 0;
   Vec3 place;              ///< centre of a hole; midpoint of the longest edge of a border
-  Index facet = no_index;  ///< a facet of the soup at the border
+  Index facet = no_index;  ///< a facet of the polygon soup at the border
 };
 
 struct HorizonEdges {
-  std::vector<EdgeUse> free;               ///< edges with one facet of the horizon and none of another surface
-  std::vector<EdgeUse> within;             ///< uses of edges with several facets of the horizon
+  std::vector<EdgeUse> free;               ///< edges with one facet of the horizon and no facet of another surface
+  std::vector<EdgeUse> within;             ///< edges with several facets of the horizon, once for each facet
   std::vector<EdgeUse> ends_on_something;  ///< edges at which one facet of the horizon ends on other surfaces
 };
 
@@ -47,7 +47,8 @@ std::vector<HorizonEdges> horizon_edges(const PolygonSoup& soup, const std::vect
   return result;
 }
 
-/// Prefers a facet that is present in the mesh: remeshing may have removed those of a narrow border.
+/// Measures a border of a horizon. Its `facet` is preferably one that is present in the mesh, because remeshing may
+/// have removed facets at a narrow border.
 FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& edges,
                           const std::vector<Index>& component_at) {
   FreeBorder border;
@@ -75,8 +76,8 @@ FreeBorder measure_border(const PolygonSoup& soup, const std::vector<EdgeUse>& e
   return border;
 }
 
-/// Splits the free edges into borders. A closed border is a hole, except for the longest one of a sheet that ends on no
-/// other surface.
+/// Splits the free edges of a horizon into connected borders. A closed border is a hole. The exception is the longest
+/// closed border of a part of the horizon that ends on no other surface: this is the part's outer border.
 std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges& edges,
                                      const std::vector<Index>& component_at) {
   UnionFind by_vertex(soup.points.size()), sheets(soup.facets.size());
@@ -89,7 +90,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   std::map<Index, bool> anchored;
   for (const EdgeUse& e : edges.ends_on_something) anchored[sheets.find(e.facet)] = true;
   std::vector<FreeBorder> borders;
-  std::map<Index, std::size_t> outer;  // longest closed border of each sheet without contact to other surfaces
+  std::map<Index, std::size_t> outer;  // longest closed border of each horizon part that touches no other surface
   for (const auto& [vertex, group] : groups) {
     borders.push_back(measure_border(soup, group, component_at));
     const Index sheet = sheets.find(borders.back().facet);
@@ -101,8 +102,7 @@ std::vector<FreeBorder> find_borders(const PolygonSoup& soup, const HorizonEdges
   return borders;
 }
 
-/// Describes a border of the horizon by the component at it; the caller adds the number of such borders and their
-/// place.
+/// Describes an open border of a horizon by the component there. The caller adds the number and position of borders.
 OpenBorders open_in(Index component, Index horizon, const std::string& name, const NamedRegions& named) {
   OpenBorders open;
   open.horizon = name;
@@ -113,8 +113,8 @@ OpenBorders open_in(Index component, Index horizon, const std::string& name, con
   return open;
 }
 
-/// Describes the effect of an open border: "tertiary and chalk join" or "it ends inside chalk". `within` is the area of
-/// the horizon that has the region on both sides.
+/// Describes the effect of an open border of a horizon: "tertiary and chalk join" or "it ends inside chalk". `within`
+/// is the area of the horizon that has the region on both sides.
 std::string consequence(const OpenBorders& open, Index component, double within, const Column& column,
                         const NamedRegions& named) {
   if (open.region.empty()) return "outside of all regions";
@@ -137,7 +137,7 @@ std::string in_words(const OpenBorders& open) {
          (open.count == 1 ? "near " : "the longest near ") + to_text(open.place) + "): ";
 }
 
-/// Combines the holes, or the borders, in one component.
+/// Combines all holes, or all other open borders, of one horizon in one component.
 OpenBorders together(OpenBorders open, const std::vector<FreeBorder>& borders) {
   const FreeBorder& longest = *std::ranges::max_element(borders, {}, &FreeBorder::length);
   CompensatedSum length;
@@ -164,7 +164,7 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
         if (column.horizons[h] == soup.origins[o].surface && (rows_of_facet[f].empty() || rows_of_facet[f].back() != h))
           rows_of_facet[f].push_back(h);
   std::vector<Index> component_at(soup.facets.size(), no_index);
-  std::map<std::pair<Index, Index>, double> within;  // area by horizon and by the component on both of its sides
+  std::map<std::pair<Index, Index>, double> within;  // area of each horizon that has the same component on both sides
   for (const auto& face : mesh.faces) {
     const Index below = component_of(mesh, face.tetrahedron_below), above = component_of(mesh, face.tetrahedron_above);
     const Index c = below != no_index ? below : above;
@@ -187,7 +187,8 @@ std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& colum
                          column.units[h + 1] + " are not divided by it");
       continue;
     }
-    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;  // holes first, then by component
+    // Open borders of the horizon: holes first, then by component.
+    std::map<std::pair<bool, Index>, std::vector<FreeBorder>> by_kind;
     for (const FreeBorder& border : find_borders(soup, edges[h], component_at))
       by_kind[{!border.hole, component_at[border.facet]}].push_back(border);
     for (const auto& [key, borders] : by_kind) {

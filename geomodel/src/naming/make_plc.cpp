@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts the soup to a piecewise linear complex, declared in geomesh/geomodel/build_model.hpp.
+// Converts the polygon soup to a piecewise linear complex, declared in geomesh/geomodel/build_model.hpp.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -17,7 +17,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns the surfaces of all facets at an edge, ascending.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const SurfaceSets& sets) {
   std::vector<Index> all;
   for (const EdgeUse& use : edge) {
@@ -40,7 +39,7 @@ std::optional<SoupCurve> curve_at(std::span<const EdgeUse> edge, const SurfaceSe
   return curve_of(surfaces_at(edge, sets), edge.size(), surfaces);
 }
 
-/// Segments of the PLC by their end points, with the names of their curves, which have no rows yet.
+/// Segments of the PLC by their end points, with the names of their curves, which have no indices yet.
 class SegmentTable {
  public:
   void add_edge(VertexIndex a, VertexIndex b, const SoupCurve& curve) {
@@ -80,7 +79,7 @@ class SegmentTable {
   std::map<std::pair<VertexIndex, VertexIndex>, Names> segments_;
 };
 
-/// Numbers patches from 1 in the order of their first facet.
+/// Numbers the patches of facets from 1 in the order of their first facet.
 std::vector<Index> number_patches(UnionFind& joined, std::size_t n_facets) {
   std::vector<Index> patch(n_facets);
   Index n_patches = 0;

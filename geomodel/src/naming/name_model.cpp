@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builds the named mesh with its sets and curves, declared in geomesh/geomodel/build_model.hpp.
+// Builds the mesh with named regions, surfaces and curves, declared in geomesh/geomodel/build_model.hpp.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -22,8 +22,8 @@ std::uint8_t kind_of(const ConstrainedTetrahedralization& mesh, const PolygonSou
   return soup.kind[mesh.input_vertex[v]] == SoupVertexKind::input ? 0 : 1;
 }
 
-/// Merging surfaces or closing thin voids may leave points at which surfaces no longer meet. Points with faces of only
-/// one surface, and without a curve, are classified as points on a facet.
+/// Corrects the kind of points at which surfaces no longer meet, because surfaces were merged or thin voids closed. A
+/// point on no curve whose faces belong to one surface becomes a point on a facet.
 void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t>& kinds) {
   constexpr std::uint8_t intersection = 1;
   constexpr auto on_facet = static_cast<std::uint8_t>(VertexOrigin::on_facet);
@@ -40,8 +40,7 @@ void name_what_meets_nothing(const MeshedModel& meshed, std::vector<std::uint8_t
     if (at.size() == 1) kinds[v] = on_facet;
 }
 
-/// Orders points so that input points come first, otherwise as in the core's mesh. Returns the new row of each point of
-/// the core.
+/// Orders mesh points with input points first, else as in the core's mesh. Returns the new index of each core point.
 std::vector<VertexIndex> fill_points(const MeshedModel& meshed, unsigned threads, ModelMesh& model) {
   const ConstrainedTetrahedralization& mesh = meshed.mesh;
   const PolygonSoup& soup = meshed.soup;
@@ -127,10 +126,10 @@ void sum_areas(ModelMesh& model) {
   for (NamedSurface& surface : model.surfaces) surface.area = areas[surface.id].value();
 }
 
-/// Adds wells, after the curves of surfaces.
+/// Adds the curves of wells, which follow the curves of surfaces.
 void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, const std::vector<VertexIndex>& row,
                MeshCurves& curves) {
-  std::map<Index, Index> well;  // row in `curves`, by row of plc.curves
+  std::map<Index, Index> well;  // for each well of `plc.curves`, its index in `curves`
   for (Index c = 0; c < plc.curves.size(); ++c)
     if (plc.curves[c].kind == "well") {
       well[c] = static_cast<Index>(curves.curves.size());
@@ -142,7 +141,7 @@ void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, c
         curves.edges.push_back({row[edge.a], row[edge.b], at->second});
 }
 
-/// Adds curves with at least one edge in the mesh, in the order of `given`. Returns the next free id.
+/// Adds the curves of `given` that have at least one edge in the mesh, in the same order. Returns the next free id.
 std::int32_t fill_curves(const MeshCurves& given, std::int32_t next_id, ModelMesh& model) {
   std::vector<CompensatedSum> lengths(given.curves.size());
   std::vector<std::size_t> n_edges(given.curves.size(), 0);
@@ -172,7 +171,7 @@ void fill_marked_points(const MeshedModel& meshed, const std::vector<NamedPoint>
       model.marked_points.push_back({row[mesh_point[p.v]], next_id++, points[p.point].name});
 }
 
-/// Assigns groups and attributes by unit or by region name; an entry for the region takes precedence.
+/// Assigns groups and attributes to regions by the name of the region or unit; the region's own takes precedence.
 void add_groups_and_attributes(const NamingRules& rules, ModelMesh& model, std::vector<std::string>& warnings) {
   std::set<std::string> known;
   for (const Region& r : model.regions) known.insert({r.name, r.unit});

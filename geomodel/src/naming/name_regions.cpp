@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-// Number of regions with one name above which a warning explains the remedy.
+// A warning explains the remedy if more than this number of regions share a name.
 constexpr std::size_t most_of_one_name = 10;
 constexpr const char* what_would_help =
     "; fewer come of horizons that do not cross by noise (honour: tolerance with rules.stack: auto, or min_thickness "
@@ -33,7 +33,7 @@ struct Label {
   std::string name;
 };
 
-/// For each component, returns the rows of the closed surfaces in which it lies, ascending: bodies (kind body) or, for
+/// Returns for each component the closed surfaces in which it lies, as ascending indices: bodies (kind body) or, for
 /// files without rules, any surface.
 std::vector<std::vector<Index>> bodies_around(const std::vector<ComponentFacts>& facts,
                                               const std::vector<TriangulatedSurface>& surfaces,
@@ -62,14 +62,14 @@ std::vector<std::vector<Index>> bodies_around(const std::vector<ComponentFacts>&
   return around;
 }
 
-/// Returns the innermost body around component c: one that lies within all other bodies which contain all of its
-/// components; if there are several, the first.
+/// Returns the innermost body around component c: one that lies within all other bodies around c; the first if there
+/// are several. A body lies within another if the other one contains all of its components.
 Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& around,
                      const std::vector<TriangulatedSurface>& surfaces) {
   const auto holds = [&](std::size_t component, Index body) {
     return std::binary_search(around[component].begin(), around[component].end(), body);
   };
-  // `inner` is strictly within `outer`: all components in inner are in outer, but not vice versa
+  // `inner` is strictly within `outer` if all components in `inner` are in `outer`, but not vice versa.
   const auto within = [&](Index inner, Index outer) {
     bool all = true, strict = false;
     for (std::size_t k = 0; k < around.size(); ++k) {
@@ -87,7 +87,8 @@ Index innermost_body(std::size_t c, const std::vector<std::vector<Index>>& aroun
   return no_index;
 }
 
-/// For each component, returns the hint whose boundary faces it with the largest area, or no_index.
+/// Returns for each component the region named by the file (hint) whose boundary triangles bound it with the largest
+/// area; no_index if there is none.
 std::vector<Index> hinted(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                           const std::vector<RegionHint>& hints) {
   std::map<std::pair<Index, Index>, std::vector<std::pair<Index, bool>>> at_triangle;
@@ -168,8 +169,8 @@ void find_units_by_vertical(const std::vector<ComponentFacts>& facts, const Poly
   }
 }
 
-/// If the faces of a region leave several units possible between an unconformity and a horizon below it, the region is
-/// the unit deposited directly on that horizon, because the others were eroded.
+/// Determines the unit of regions whose faces leave several units possible between an unconformity and a horizon below
+/// it. Such a region is the unit deposited directly on that horizon, because the others were eroded.
 void find_units_below_unconformities(const NamingRules& rules, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, std::vector<UnitVerdict>& verdicts) {
   for (UnitVerdict& verdict : verdicts) {
@@ -181,7 +182,7 @@ void find_units_below_unconformities(const NamingRules& rules, const std::vector
   }
 }
 
-/// Returns the rows of components in the order of their regions' ids.
+/// Returns the components in the order of the ids of their regions.
 std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -195,8 +196,8 @@ std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::v
   return order;
 }
 
-/// Returns whether no two regions of a unit lie in the same fault block (`block`, by component), so that only faults
-/// separate them.
+/// Returns whether no two regions of a unit lie in the same fault block, so that only faults separate them. `block` is
+/// the fault block of each component.
 bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vector<std::size_t>& order,
                          const std::vector<Index>& block) {
   std::set<Index> blocks;
@@ -205,17 +206,17 @@ bool are_apart_by_faults(const std::vector<std::size_t>& members, const std::vec
 
 /// Regions in their final order, with the data that determine their numbers and warnings.
 struct NumberedRegions {
-  const std::vector<std::size_t>& order;  ///< components by row of the region
+  const std::vector<std::size_t>& order;  ///< component of each region, in the order of the regions
   const std::vector<Label>& labels;
   const std::vector<ComponentFacts>& facts;
   const std::vector<Index>& block;  ///< by component
 };
 
-/// Gives every region its final name, with `__k` if several share one. Warns if a unit is divided by anything but
-/// faults.
+/// Gives every region its final name, with the suffix `__k` if several regions share a name. Warns if something other
+/// than faults divides a unit.
 void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions, std::vector<std::string>& warnings) {
   const auto& [order, labels, facts, block] = numbered;
-  std::map<std::string, std::vector<std::size_t>> rows;  // rows of regions by name
+  std::map<std::string, std::vector<std::size_t>> rows;  // indices of the regions that have the same name
   std::set<std::string> taken;
   for (std::size_t r = 0; r < order.size(); ++r) rows[labels[order[r]].name].push_back(r);
   for (const auto& [name, members] : rows)
@@ -240,14 +241,14 @@ void add_suffixes(const NumberedRegions& numbered, std::vector<Region>& regions,
   }
 }
 
-/// Facts about each component before it has a name: its facts, the bodies around it, its unit of the column.
+/// Data about all components before they have names: measurements, bodies around each component, and its unit.
 struct KnownComponents {
   const std::vector<ComponentFacts>& facts;
   const std::vector<std::vector<Index>>& around;
   const std::vector<UnitVerdict>& verdicts;
 };
 
-/// Returns the labels of all components by the rules; warns of components that the column does not determine.
+/// Returns the labels of all components by the naming rules; warns where the column does not determine the unit.
 std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& known, const NamingRules& rules,
                                const Column& column, std::vector<std::string>& warnings) {
   const ConstrainedTetrahedralization& mesh = model.mesh;
@@ -289,7 +290,7 @@ std::vector<Label> make_labels(const MeshedModel& model, const KnownComponents& 
 
 /// Adds block numbers such as `Unit__B2` to units of the column, if faults form more than one block.
 void add_blocks(const std::vector<Index>& block, std::vector<Label>& labels) {
-  std::map<Index, Index> number;  // numbers of the blocks that contain a unit, in the order of their position
+  std::map<Index, Index> number;  // numbers of the fault blocks that contain a unit, in the order of their position
   for (std::size_t c = 0; c < labels.size(); ++c)
     if (labels[c].order == column_class) number[block[c]] = 0;
   if (number.size() < 2) return;
@@ -299,7 +300,8 @@ void add_blocks(const std::vector<Index>& block, std::vector<Label>& labels) {
     if (labels[c].order == column_class) labels[c].name += "__B" + std::to_string(number[block[c]]);
 }
 
-/// Returns which component's region each component joins; reports or merges regions smaller than min_volume.
+/// Returns for each component the component into whose region it is merged, which is itself for most. Regions smaller
+/// than min_volume are merged or reported.
 std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
                                  const NamingRules& rules, const std::vector<Label>& labels,
                                  std::vector<std::string>& warnings) {
@@ -307,7 +309,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   std::iota(target.begin(), target.end(), Index{0});
   if (!(rules.min_volume > 0)) return target;
   if (rules.merge_small) target = merge_targets(mesh, facts, rules.min_volume);
-  if (rules.join_pieces) {  // small regions are then remnants of settling the stack, or bodies, which are kept
+  if (rules.join_pieces) {  // only units of the column are merged into others; bodies are kept
     for (std::size_t c = 0; c < facts.size(); ++c)
       if (labels[c].order != column_class) target[c] = static_cast<Index>(c);
   }
@@ -320,7 +322,7 @@ std::vector<Index> small_regions(const ConstrainedTetrahedralization& mesh, cons
   return target;
 }
 
-/// Returns the names of units of the column with their fault block; empty for all other components.
+/// Returns the name of the unit with its fault block for components that are units of the column, else an empty name.
 std::vector<std::string> unit_labels(const std::vector<Label>& labels) {
   std::vector<std::string> names;
   for (const Label& label : labels) names.push_back(label.order == column_class ? label.name : "");

@@ -13,59 +13,60 @@
 
 namespace geomesh::geomodel {
 
-/// Result of combining components into regions.
+/// The named regions, each combined from one or more components.
 struct NamedRegions {
-  std::vector<Region> regions;                ///< regions by id, which is row + 1
+  std::vector<Region> regions;                ///< regions in the order of their ids, which start at 1
   std::vector<std::int32_t> id_of_component;  ///< region id of each component
   std::vector<UnitVerdict> verdicts;          ///< per component
 };
 
-/// Rules as in NamingRules and name_model. Appends warnings on suffixes, on components below an older and above a
-/// younger horizon, on missing horizons and on bodies that are not closed.
+/// Names the regions by the rules described at NamingRules and name_model. Appends warnings on suffixes, on components
+/// below an older and above a younger horizon, on missing horizons and on bodies that are not closed.
 NamedRegions name_regions(const MeshedModel& model, const NamingRules& rules, const Column& column,
                           std::vector<std::string>& warnings);
 
-/// A horizon that ends the model above (topography) or below (base).
+/// A horizon at which the model ends: at its top (topography) or at its base.
 struct ModelEnd {
   std::string horizon;
   bool above;
 };
-/// Returns the mesh without the components beyond the end and everything that only they used. Throws Error{usage} if no
-/// surface has that name, Error{cannot_mesh} if nothing is left.
+/// Returns the mesh without the components beyond the model's end, and without points, faces and edges that only these
+/// components used. Throws Error{usage} if no surface has the end's name, Error{cannot_mesh} if nothing is left.
 ConstrainedTetrahedralization without_side(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
                                            const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
                                            const ModelEnd& end, std::vector<std::string>& warnings);
 
-/// Removes what lies above the rules' topography and below their floor; returns the mesh unchanged if they name
-/// neither. Throws as without_side.
+/// Removes components above the topography and below the floor that the rules name; returns the mesh unchanged if they
+/// name neither. Throws as without_side.
 ConstrainedTetrahedralization within_ends(ConstrainedTetrahedralization mesh, const PolygonSoup& soup,
                                           const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
                                           const NamingRules& rules, std::vector<std::string>& warnings);
 
-/// Returns the region of each component that contains a seed point; warns of points outside and of two in one
-/// component.
+/// Returns the seed point's region for each component that contains a seed point. Warns of seed points outside the mesh
+/// and of two in one component.
 std::vector<Index> seeded(const ConstrainedTetrahedralization& mesh, const std::vector<NamedPoint>& seeds,
                           std::vector<std::string>& warnings);
 
-/// Returns the fault block of each component, from 0 by position; all are 0 if there is one block. Blocks are
-/// components connected across faces of horizons.
+/// Returns the fault block of each component, numbered from 0 by position; all are 0 if there is only one block. A
+/// block consists of components connected across faces of horizons.
 std::vector<Index> fault_blocks(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                                 const std::vector<ComponentFacts>& facts, const Column& column);
 
-/// For components smaller than `min_volume`, returns the neighbour with the largest common area, following chains of
+/// Returns for each component smaller than `min_volume` the neighbour with the largest common area, following chains of
 /// small components to their end; for others, the component itself.
 std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, const std::vector<ComponentFacts>& facts,
                                  double min_volume);
 
-/// Returns one target for each component: among components with the same non-empty name, the one with the largest
-/// volume (the first of equal ones); itself if no other has its name.
+/// Returns for each component the one into which it is joined: the largest component with the same non-empty name (the
+/// first of equal ones), or itself if no other component has its name.
 std::vector<Index> join_targets(const std::vector<ComponentFacts>& facts, const std::vector<std::string>& names);
 
-/// Returns the facts with the volume of everything that joins the same target, which is compared with `min_volume`.
+/// Returns the facts of components, with each volume replaced by the sum over all components that join the same target.
+/// These sums are compared with `min_volume`.
 std::vector<ComponentFacts> joined_facts(std::vector<ComponentFacts> facts, std::span<const Index> target);
 
-/// Finds where horizons have holes or stop short. Appends warnings on these and on absent horizons, with the units that
-/// are connected there.
+/// Finds places where horizons have holes or end inside a region. Appends warnings on these and on absent horizons,
+/// with the units that are connected there.
 std::vector<OpenBorders> find_gaps(const MeshedModel& model, const Column& column, const NamedRegions& named,
                                    std::vector<std::string>& warnings);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rules that change components before they are named: air above the topography, seed points, fault blocks, small
-// regions.
+// Changes components before they are named: air above the topography, seed points, fault blocks, small regions.
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -52,7 +51,7 @@ ConstrainedTetrahedralization keep_components(const ConstrainedTetrahedralizatio
     if (below != no_index || above != no_index)
       out.faces.push_back({{row[f.vertices[0]], row[f.vertices[1]], row[f.vertices[2]]}, f.facet, below, above});
   }
-  // An edge is kept if it is an edge of a kept tetrahedron; that both of its points are kept is not sufficient.
+  // An edge is kept only if it is an edge of a kept tetrahedron; it is not enough that both of its points are kept.
   std::vector<std::pair<VertexIndex, VertexIndex>> wanted;
   for (const auto& e : mesh.edges) wanted.emplace_back(std::min(e.a, e.b), std::max(e.a, e.b));
   std::sort(wanted.begin(), wanted.end());
@@ -83,8 +82,8 @@ bool holds(const ConstrainedTetrahedralization& mesh, const Tetrahedron& t, cons
   return true;
 }
 
-/// Returns for each component the area of horizons at it, except for the end itself. All horizons are cut at the end,
-/// so that components beyond it have none.
+/// Returns for each component the area of horizon faces that bound it, without the horizon at which the model ends. All
+/// other horizons are cut at that end, so that components beyond it have no such area.
 std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup,
                                            const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces,
                                            const std::string& end) {
@@ -106,10 +105,11 @@ std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& 
   return area;
 }
 
-/// Returns whether the component surrounds the edge of the end surface: it lies on both sides of the end, and either
-/// that area exceeds the area at which the end separates it from others, or other horizons touch it.
+/// Returns whether the component continues around the edge of the surface at which the model ends. This is so if it
+/// lies on both sides of that surface, and either the area between its two sides exceeds the area that separates it
+/// from other components, or other horizons touch it.
 bool lies_about(const HorizonContacts& contacts, const ModelEnd& end, double other_horizons) {
-  constexpr double least = 0.01;  // share of the end's area at the component
+  constexpr double least = 0.01;  // least share of the end surface's area at the component that counts
   const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
   const auto area = [](const std::map<Index, double>& at) { return at.contains(0) ? at.at(0) : 0.0; };
   const double both = area(contacts.on_both_sides), one = area(parting), little = least * (both + one);
@@ -228,7 +228,7 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   });
   std::vector<Index> rank(facts.size());
   for (Index k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  for (Index c : order) {  // a component only joins a larger one, so chains are finite
+  for (Index c : order) {  // A component only joins a larger one, so chains are finite.
     if (facts[c].volume >= min_volume) continue;
     double best = 0;
     for (auto at = shared.lower_bound({c, 0}); at != shared.end() && at->first.first == c; ++at)

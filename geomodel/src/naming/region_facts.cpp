@@ -17,7 +17,7 @@ struct Sums {
   double largest = -1;
 };
 
-/// A component is not enclosed if it meets the outside across a face that belongs only to the convex hull.
+/// Marks components that are not enclosed: they meet the outside across a face that belongs only to the convex hull.
 void find_open_hull(const ConstrainedTetrahedralization& mesh, const PolygonSoup& soup, const ModelPlc& plc,
                     Index hull_surface, std::vector<ComponentFacts>& facts) {
   for (const auto& face : mesh.faces) {

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// A directed edge of a triangle on merged points; `forward` if it runs from a to b, a < b.
+/// A directed edge of a triangle after merging equal points; `forward` if it runs from the smaller index to the larger.
 struct DirectedEdge {
   VertexIndex a, b;
   Index triangle;
@@ -47,7 +47,7 @@ void for_each_group(const std::vector<DirectedEdge>& edges, F&& visit) {
 
 struct Link {
   Index to;
-  bool same_side;  ///< whether stored normals point to the same side of the sheet
+  bool same_side;  ///< whether the normals of both triangles point to the same side of the surface
 };
 
 std::vector<std::vector<Link>> sheet_links(const TriangulatedSurface& surface) {

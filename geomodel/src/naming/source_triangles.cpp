@@ -18,7 +18,7 @@ std::array<Vec3, 3> corners_of(const TriangulatedSurface& surface, Index triangl
   return {surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
 }
 
-/// Returns a bound on how far rounding may move a point off a triangle.
+/// Returns a bound on the distance by which rounding may move p off its triangle.
 double rounding_at(const Vec3& p) {
   constexpr double of_coordinates = 1e-12;
   return of_coordinates * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -31,7 +31,7 @@ Index SourceTriangles::of(Index facet, const Vec3& p) {
   const ModelPlc& plc = meshed_.plc;
   if (plc.facet_soup_offsets[facet + 1] - plc.facet_soup_offsets[facet] > 1) return under(p, facet);
   if (plc.plc.n_loops(facet) > 1 || plc.plc.outer_loop(facet).size() > 3)
-    return origin.triangle;  // a polygon that was read from a file
+    return origin.triangle;  // The facet is a polygon that was read from a file.
   const double most = meshed_.moved_at_most + rounding_at(p);
   if (!(distance_from(p, origin.surface, origin.triangle) > most)) return origin.triangle;
   return search_in(origin.surface).closest_triangle(p);

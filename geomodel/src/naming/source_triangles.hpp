@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the input triangles that faces of a mesh represent.
+/// Finds the input triangles that mesh faces represent.
 #pragma once
 
 #include <map>
@@ -11,21 +11,20 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles of the first surface of a facet, as given by the soup's origins. A facet may consist of several soup
-/// facets (polygons on sides of the box). It may also reach beyond its triangle: where two surfaces were merged, a
-/// facet of one lies along several triangles of the other. Then the nearest triangle is returned. A polygon of a file
-/// is identified by its row alone.
+/// Finds input triangles of the first surface to which a facet belongs, from the origins stored in the polygon soup. A
+/// facet may consist of several soup facets (polygons on sides of the box). It may also reach beyond its input
+/// triangle: where two surfaces were merged, a facet of one lies along several triangles of the other. Then the nearest
+/// triangle is returned. A polygon that was read from a file counts as one triangle.
 class SourceTriangles {
  public:
   /// `meshed` outlives this.
   explicit SourceTriangles(const MeshedModel& meshed) : meshed_(meshed) {}
 
-  /// Returns the triangle at place p of the facet. O(1), or O(log n) if another triangle is nearer.
+  /// Returns the input triangle of the facet at its point p. O(1), or O(log n) if another triangle is nearer.
   Index of(Index facet, const Vec3& p);
 
  private:
-  /// For a facet that consists of several soup facets, returns the one that contains p or is nearest to it; p lies in
-  /// their plane.
+  /// For a facet that consists of several coplanar soup facets, returns the one that contains p or is nearest to it.
   Index under(const Vec3& p, Index facet);
   std::vector<Index> triangles_of(Index facet) const;
   double distance_from(const Vec3& p, Index surface, Index triangle) const;
@@ -33,7 +32,7 @@ class SourceTriangles {
 
   const MeshedModel& meshed_;
   std::map<Index, std::vector<Index>> candidates_;  ///< by facet
-  std::map<Index, SurfaceDistance> searches_;       ///< search structure of each surface, made at its first use
+  std::map<Index, SurfaceDistance> searches_;       ///< search structure of each surface, made when first needed
 };
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sums without cancellation, and the measures that are summed with them.
+/// Sums without cancellation, and volumes and areas that are summed in this way.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// Compensated sum (Neumaier 1974, the improved Kahan-Babuska algorithm): the error does not grow with the number of
-/// terms.
+/// Compensated sum (Neumaier 1974, improved Kahan-Babuska algorithm): the error does not grow with the number of terms.
 class CompensatedSum {
  public:
   void add(double term) {
@@ -26,7 +25,7 @@ class CompensatedSum {
 
 inline double norm(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Returns the volume, which is positive where orient3d is (up to rounding).
+/// Returns the signed volume of a tetrahedron: positive where orient3d is positive, up to rounding.
 inline double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return dot(cross(b - a, c - a), d - a) / 6;
 }

@@ -11,19 +11,18 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::size_t most_asked = 64;   // number of places sampled in a component
-constexpr double least_majority = 0.75;  // share of the volume around those samples that give an answer
-constexpr double least_telling = 0.25;   // share of the volume around all samples
+constexpr std::size_t most_asked = 64;   // largest number of tetrahedra sampled in a component
+constexpr double least_majority = 0.75;  // least share of conclusive samples, by volume, that must agree on a unit
+constexpr double least_telling = 0.25;   // least share of all samples, by volume, that must be conclusive
 
-/// Which of the `possible` units the horizons allow around one of the largest tetrahedra of a component, and its
-/// volume.
+/// The units that the horizons leave possible at one of the component's largest tetrahedra, and its volume.
 struct Answer {
   UnitRange units{};
   double volume = 0;
 };
 
-/// Returns the answers at the largest tetrahedra, which are sorted by volume. If a unit is not possible, the range is
-/// empty.
+/// Returns the units that `units_at` allows at the largest tetrahedra, limited to `possible`; the range is empty if
+/// none of them is possible. `cells` is sorted by volume.
 std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
                                const std::function<UnitRange(const Vec3&)>& units_at, const UnitRange& possible) {
   const std::size_t n = std::min(cells.size(), most_asked);
@@ -49,11 +48,11 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   return volume;
 }
 
-/// Returns the units on which most answers agree: one unit, if most answers with a single unit agree on it; else bounds
-/// that most answers which narrow `possible` keep. Returns `possible` if too few give an answer.
+/// Returns the unit on which most conclusive answers agree. If there is none, returns the range within `possible` that
+/// most of the narrower answers support; `possible` itself if too few answers are conclusive.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
-  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // an empty range counts too
+  const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // empty ranges, too
   const auto tells = [&](const UnitRange& units) { return units != possible; };
   const double of_one = volume_of(answers, tells_one), telling = volume_of(answers, tells);
   for (Index unit = possible.first; unit <= possible.last && of_one >= least_telling * all; ++unit)
@@ -75,7 +74,7 @@ UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& pos
   return left.empty() ? possible : left;
 }
 
-/// Restricts the verdict to the units that the order of deposition of the horizons leaves possible.
+/// Restricts the verdict to the units `left`, which the order of deposition of the horizons leaves possible.
 void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& left) {
   if (left == possible) return;
   if (left.first == left.last) {
@@ -95,7 +94,7 @@ void narrow(UnitVerdict& verdict, const UnitRange& possible, const UnitRange& le
 void find_units_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules, const Column& column,
                            std::vector<UnitVerdict>& verdicts) {
   if (!rules.units_at) return;
-  // Volume and row of the tetrahedra of each component to be sampled.
+  // Volume and index of the tetrahedra of each component that is sampled.
   std::map<Index, std::vector<std::pair<double, Index>>> cells;
   for (std::size_t c = 0; c < verdicts.size(); ++c)
     if (verdicts[c].kind == UnitVerdict::Kind::incomplete || verdicts[c].kind == UnitVerdict::Kind::vertical)

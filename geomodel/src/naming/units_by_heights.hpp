@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines units of components from the horizons in their order of deposition.
+/// Determines the units of components from the heights of horizons in their order of deposition.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,9 @@
 namespace geomesh::geomodel {
 
 /// Uses NamingRules::units_at, the order of deposition of the horizons, for components whose faces leave several units
-/// possible, or none: the verdicts of kind `incomplete` and `vertical`. If most places have one unit, it is chosen. If
-/// they have several, the verdict's bounds are narrowed to these, and its unit becomes the nearest of them. A component
-/// is sampled at its 64 largest tetrahedra. O(tetrahedra) for all components.
+/// possible, or none: the verdicts of kind `incomplete` and `vertical`. If most sampled points agree on one unit, it is
+/// chosen. If they leave several, the verdict's range is narrowed to these, and its unit becomes the nearest of them. A
+/// component is sampled at its 64 largest tetrahedra. O(tetrahedra) for all components.
 void find_units_by_heights(const ConstrainedTetrahedralization& mesh, const NamingRules& rules, const Column& column,
                            std::vector<UnitVerdict>& verdicts);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds horizons above and below a place, declared in naming/column.hpp.
+// Finds the horizons directly above and below a point, declared in naming/column.hpp.
 #include <limits>
 
 #include "geomesh/core/predicates.hpp"
@@ -8,8 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the height of the triangle above the point of the map, if the point lies in it; inclusion is decided
-/// exactly, the height is rounded.
+/// Returns the height of the triangle a b c at the map position of p, if p lies in the triangle's projection. Inclusion
+/// is decided exactly, the height is rounded.
 double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   const auto map = [](const Vec3& q) { return Vec2{q.x, q.y}; };
   bool positive = false, negative = false;
@@ -23,11 +23,10 @@ double height_at(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return a.z - (n.x * (p.x - a.x) + n.y * (p.y - a.y)) / n.z;
 }
 
-/// Finds the horizons next to a point on its vertical.
 class Nearest {
  public:
   explicit Nearest(const Vec3& p) : p_(p) {}
-  /// If horizons coincide, the oldest has the unit below them and the youngest the unit above them.
+  /// If horizons coincide, the unit below them is that of the oldest, and the unit above them that of the youngest.
   void look_at(Index horizon, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double z = height_at(a, b, c, p_);
     if (z >= p_.z && (z < over_ || (z == over_ && horizon > above_))) over_ = z, above_ = horizon;
@@ -51,7 +50,7 @@ class Nearest {
 
 HorizonContacts contacts_on_vertical(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                      const Column& column, const Vec3& p) {
-  std::map<Index, Index> row;  // row in the column for each surface
+  std::map<Index, Index> row;  // for each horizon's surface, its index in the column
   for (Index h = 0; h < column.horizons.size(); ++h) row[column.horizons[h]] = h;
   Nearest nearest(p);
   for (Index f = 0; f < soup.facets.size(); ++f)

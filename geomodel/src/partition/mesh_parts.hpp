@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The cells and nodes of each part of a mesh, and which of them it shares with other parts.
+/// Describes the cells and nodes of each part of a mesh, and which of them it shares with other parts.
 #pragma once
 
 #include <array>
@@ -14,50 +14,49 @@
 
 namespace geomesh::geomodel {
 
-/// Whether a part also has the cells of other parts that touch its own in a node (ghosts).
+/// Whether a part also has the cells of other parts that touch its own cells in a node (ghosts).
 enum class Ghosts { none, one_layer };
 
 struct MeshPart {
   std::int32_t number = 0;         ///< from 0
-  std::vector<std::size_t> cells;  ///< rows of tetrahedra: the part's own, followed by ghosts, each ascending
+  std::vector<std::size_t> cells;  ///< rows of tetrahedra: the part's own cells, then ghosts, both ascending
   std::size_t n_own = 0;
-  std::vector<VertexIndex> nodes;  ///< rows of points and midpoints, ascending
+  std::vector<VertexIndex> nodes;  ///< rows of the part's points and midpoints, ascending
 
-  /// Returns the position of a row in `nodes`, or no_vertex.
+  /// Returns the position in `nodes` of a row of the mesh, or no_vertex if the part does not have this node.
   VertexIndex local(VertexIndex row) const;
 };
 
-/// A face between two parts, as seen from one of them.
+/// A face between two parts of a mesh, as seen from one of them.
 struct BorderFace {
   std::size_t cell;
-  unsigned opposite;  ///< the vertex of `cell` opposite the face
+  unsigned opposite;  ///< position (0 to 3) in `cell` of the vertex opposite the face
   std::int32_t other_part;
 };
 
-/// One part of a mesh that no process has as a whole: the mesh contains only the tetrahedra and ghosts of the part, but
-/// all points, faces and edges of the model.
+/// Description of one part of a mesh that no process has as a whole. The process has a mesh with only the tetrahedra
+/// and ghosts of this part, but all points, faces and edges of the model.
 struct GivenPart {
   std::int32_t number = 0, n_parts = 1;
   std::vector<std::int32_t> part_of_cell;  ///< by row
-  /// Number in the whole mesh, by row; cells are numbered region by region.
+  /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
-  std::vector<std::size_t> first_at_node{0};  ///< first entry in parts_at, by row
-  std::vector<std::int32_t> parts_at;         ///< parts of each node, ascending
-  std::uint64_t n_cells = 0, n_nodes = 0;     ///< counts of the whole mesh
+  std::vector<std::size_t> first_at_node{0};  ///< for each node: first entry in the list of parts
+  std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
+  std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
 
 class MeshParts {
  public:
-  /// The mesh must outlive this object. Throws as parts_by_metis.
+  /// Divides a mesh into parts. The mesh must outlive this object. Throws as parts_by_metis does.
   MeshParts(const ModelMesh& mesh, std::int32_t n_parts);
-  /// Describes a single part. The rows of its own cells ascend with their numbers, and precede those of ghosts. There
-  /// are no midpoints.
+  /// Describes a single part. The rows of its own cells ascend with their numbers in the whole mesh, and precede those
+  /// of ghosts. Such a part has no midpoints.
   MeshParts(const ModelMesh& mesh, GivenPart given);
 
   std::int32_t n_parts() const { return n_parts_; }
-  /// Returns the parts whose cells are available: all of them, or the given one.
+  /// Returns the parts whose cells are available in this process: all parts, or a single one.
   std::vector<std::int32_t> parts_here() const;
-  /// Returns the number of the cell in the whole mesh, from 0.
   std::size_t cell_number(std::size_t row) const {
     return is_given_ ? static_cast<std::size_t>(given_.cell_number[row]) : row;
   }
@@ -66,21 +65,20 @@ class MeshParts {
   }
   std::size_t n_nodes_of_whole() const;
   std::size_t n_cells_of_whole() const;
-  /// Returns the number of cells of a region in the whole mesh.
   std::size_t n_cells_of_region(std::int32_t id) const;
   /// Returns the number of a tetrahedron within its region, from 0; equal to `row_in_block` if the whole mesh is
   /// available.
   std::size_t number_in_region(std::size_t row, std::size_t row_in_block) const;
   std::int32_t part_of_cell(std::size_t row) const { return part_of_cell_[row]; }
-  /// Returns the parts with cells of their own at a node, ascending.
+  /// Returns the parts that have a cell of their own at a node, ascending.
   std::span<const std::int32_t> parts_at(VertexIndex node) const {
     return {parts_at_.data() + first_[node], first_[node + 1] - first_[node]};
   }
-  /// Returns the lowest part with a cell of its own at the node.
+  /// Returns the part that owns a node: the lowest one with a cell of its own there.
   std::int32_t owner_of_node(VertexIndex node) const { return parts_at(node).front(); }
 
   MeshPart part(std::int32_t number, Ghosts ghosts) const;
-  /// Returns the faces to other parts, by part and then in an order that both sides share.
+  /// Returns the faces of a part that border other parts, by other part and then in an order that both parts share.
   std::vector<BorderFace> border_faces(std::int32_t number) const;
 
  private:
@@ -93,11 +91,11 @@ class MeshParts {
   std::int32_t n_parts_;
   GivenPart given_;
   bool is_given_ = false;
-  // For a given part: the number of the first cell of each region, by region id - 1.
+  // For a single part: number in the whole mesh of the first cell of each region, by region id - 1.
   std::vector<std::size_t> first_of_region_;
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
-  std::vector<std::size_t> first_;  // first entry in parts_at_, by node
+  std::vector<std::size_t> first_;  // for each node: first entry in the list of parts
   std::vector<std::int32_t> parts_at_;
   std::vector<std::vector<std::size_t>> own_, ghosts_;  // cells by part
 };

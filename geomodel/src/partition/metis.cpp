@@ -20,10 +20,10 @@ namespace {
 /// Number of parts up to which METIS' recursive bisection cuts fewer faces than its k-way method.
 constexpr std::int32_t most_parts_by_bisection = 8;
 
-/// Largest sum of all weights that METIS is given, because its numbers may have 32 bits.
+/// Largest sum of all weights that are passed to METIS, because its integers may have 32 bits.
 constexpr double most_weight = 1e9;
 
-/// Returns integers from 1 in the same ratios, as far as the limit allows.
+/// Converts weights to integers from 1 in the same ratios, as far as the limit on their sum allows.
 std::vector<idx_t> whole_weights(const std::vector<double>& weights) {
   double sum = 0;
   for (const double w : weights) sum += w;
@@ -47,7 +47,7 @@ std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>& across, 
     refuse("there are " + std::to_string(n) + " tetrahedra for " + std::to_string(n_parts) + " parts");
   std::vector<idx_t> first{0}, neighbours, part(n, 0);
   first.reserve(n + 1);
-  std::vector<double> cuts;  // weights of faces, in the order of `neighbours`
+  std::vector<double> cuts;  // weights of the faces between neighbours, in the order of `neighbours`
   for (std::size_t t = 0; t < n; ++t) {
     for (std::size_t i = 0; i < 4; ++i) {
       if (across[t][i] == no_neighbour) continue;

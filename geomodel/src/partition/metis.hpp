@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Divides a mesh into parts for processors with METIS.
+/// Divides a mesh into parts for several processors, with METIS.
 #pragma once
 
 #include <array>
@@ -11,16 +11,17 @@
 
 namespace geomesh::geomodel {
 
-/// Weights of cells and faces. Each part gets about the same sum of cell weights, and as little as possible of face
-/// weights is cut.
+/// Weights for dividing a mesh into parts. Each part gets about the same sum of cell weights, and the sum of the
+/// weights of faces between parts is as small as possible.
 struct PartWeights {
-  std::vector<double> of_cell;                 ///< weight by tetrahedron, 1 or more; empty: all equal
-  std::vector<std::array<double, 4>> of_face;  ///< weight of the face to each neighbour, the same from both sides
+  std::vector<double> of_cell;  ///< weight of each tetrahedron, 1 or more; empty: all are equal
+  /// Weights of the four faces of each tetrahedron; both sides of a face have the same weight.
+  std::vector<std::array<double, 4>> of_face;
 };
 
-/// Returns the part of each tetrahedron, from 0: parts of about equal size that share few faces (Karypis and Kumar
-/// 1998). The same mesh gives the same parts. `across` as from tetrahedra_across(). Throws Error{usage} if the program
-/// was built without METIS, Error{cannot_mesh} if a part would have no tetrahedron.
+/// Divides a mesh into parts of about equal size that share few faces (Karypis and Kumar 1998), and returns the part of
+/// each tetrahedron, from 0. The same mesh gives the same parts. `across` is the result of tetrahedra_across(). Throws
+/// Error{usage} if the program was built without METIS, Error{cannot_mesh} if a part would have no tetrahedron.
 std::vector<std::int32_t> parts_by_metis(const std::vector<Neighbours>& across, std::int32_t n_parts,
                                          const PartWeights& weights = {});
 

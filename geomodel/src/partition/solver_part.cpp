@@ -7,10 +7,10 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Number of each solid of the whole mesh in the part, or no_cell. Solids are numbered block by block.
+/// Solids of a mesh, numbered block by block, and their numbers in one part.
 struct Solids {
-  std::vector<std::size_t> row;      ///< tetrahedron of each solid
-  std::vector<std::uint32_t> local;  ///< number of each solid in the part
+  std::vector<std::size_t> row;      ///< row of the tetrahedron of each solid
+  std::vector<std::uint32_t> local;  ///< number of each solid in the part, or no_cell if the part does not have it
 };
 
 Solids solids_of(const SolverMesh& whole, const MeshPart& part) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A part of a mesh in the form needed by solver files.
+/// Makes a part of a mesh in the form in which solver files are written.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,22 @@
 
 namespace geomesh::geomodel {
 
-/// Blocks, groups and names are those of the whole mesh in every part, so that numbers agree between files. Blocks
-/// contain only the cells of the part, and may be empty.
+/// A part of a mesh for solver files. Blocks of cells, groups and names are those of the whole mesh in every part, so
+/// that numbers agree between files. Blocks contain only the cells of the part, and may be empty.
 struct SolverPart {
   MeshPart part;
-  SolverMesh mesh;  ///< the part's mesh with nodes numbered in the part
-  /// For each block: which cells of the whole mesh's block are in the part.
+  SolverMesh mesh;  ///< the mesh of the part, with nodes numbered in the part
+  /// For each block of the whole mesh, the rows in it of the cells that the part has.
   std::vector<std::vector<std::size_t>> cells;
   std::vector<std::vector<std::int32_t>> owner;  ///< of these
 };
 
-/// Solids: all of the part. Faces: those at an element of the part, owned together with the element that the
-/// normal points away from (at the boundary, the only one). Edges and points: those whose nodes all belong to the part,
-/// owned by the lowest owner of their nodes.
+/// Makes the part of a mesh for solver files. It has all solids of the part. It has the faces of these solids; the
+/// owner of a face is that of the solid from which the normal points away (at the boundary, the only one). It has the
+/// edges and points whose nodes all belong to the part; their owner is the lowest owner of their nodes.
 SolverPart part_of(const SolverMesh& whole, const MeshParts& parts, std::int32_t number, Ghosts ghosts);
 
-/// Returns the nodes of a group of the whole mesh that belong to the part, numbered in the part.
+/// Returns those nodes of a group of the whole mesh that belong to the part, as numbered in the part.
 std::vector<VertexIndex> nodes_in_part(const std::vector<VertexIndex>& nodes_of_whole, const MeshPart& part);
 
 }  // namespace geomesh::geomodel

@@ -11,17 +11,15 @@
 
 namespace geomesh::geomodel {
 
-/// Notes and warnings are kept for the report, in the order in which stages give them, and are passed to the log
-/// immediately.
+/// Collects notes and warnings for the report, in the order in which stages give them, and logs them immediately.
 class Journal {
  public:
-  /// The context must outlive the journal.
   explicit Journal(const RunContext& context) : context_(context) {}
 
-  /// Returns the caller's context: log, progress, cancellation, threads.
+  /// Returns the caller's context, which provides log, progress, cancellation and threads.
   const RunContext& context() const { return context_; }
 
-  /// Adds a finding before meshing, or a change by rules.
+  /// Adds a note: a finding in the surfaces before meshing, or a change made by rules.
   void note(std::string text) {
     context_.note(LogLevel::info, text);
     notes_.push_back(std::move(text));
@@ -33,7 +31,7 @@ class Journal {
   void warn_all(std::vector<std::string> texts) {
     for (std::string& text : texts) warn(std::move(text));
   }
-  /// Keeps warnings that were already passed to the log.
+  /// Adds warnings that were already passed to the log.
   void keep_warnings(const std::vector<std::string>& texts) {
     warnings_.insert(warnings_.end(), texts.begin(), texts.end());
   }

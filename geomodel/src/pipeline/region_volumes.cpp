@@ -25,7 +25,7 @@ bool is_side_alone(const ModelMesh& mesh, const ModelMesh::Face& face) {
   });
 }
 
-/// Returns by region id the area of the faces that can have moved. Row 0 is the outside.
+/// Returns for each region id the area of the faces that can have moved. Entry 0 is the outside.
 std::vector<double> movable_areas(const ModelMesh& mesh) {
   std::vector<CompensatedSum> sums(mesh.regions.size() + 1);
   std::vector<signed char> is_side(mesh.surface_sets.size(), -1);
@@ -85,7 +85,7 @@ void require_volumes_within(const ModelMesh& mesh, double tolerance) {
 }
 
 std::vector<std::string> volume_changes(const ModelMesh& mesh, double tolerance) {
-  constexpr double worth_telling = 0.01;  // change that matters for estimates of reserves
+  constexpr double worth_telling = 0.01;  // change of a unit's volume that matters for estimates of reserves
   struct Volumes {
     CompensatedSum now, given;
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Measures the stages of a job for the report while passing everything to the caller's context.
+/// Measures time and memory of the stages of a job for the report, and passes messages on to the caller's context.
 #pragma once
 
 #include <chrono>
@@ -12,19 +12,19 @@
 
 namespace geomesh::geomodel {
 
-/// Thrown at the beginning of the stage after the one to stop after. Internal to the pipeline; it never leaves it.
+/// Thrown at the beginning of the stage after the one to stop after. The pipeline catches it.
 struct StopRequested {};
 
-/// Must be kept alive as long as `context()` is in use.
+/// Measures the stages of a job. It must be kept alive as long as `context()` is in use.
 class StageRecorder {
  public:
-  /// `stop_after` is empty to run to the end.
+  /// `stop_after` names the last stage to run; empty to run to the end.
   StageRecorder(const RunContext& outer, std::string stop_after);
   StageRecorder(const StageRecorder&) = delete;
   StageRecorder& operator=(const StageRecorder&) = delete;
 
   const RunContext& context() const { return inner_; }
-  /// Returns one record per stage name, in the order of their first start; a stage that ran twice is summed.
+  /// Returns one record for each stage name, in the order of first starts; the times of a repeated stage are summed.
   const std::vector<StageRecord>& records() const { return records_; }
   const std::string& stop_after() const { return stop_after_; }
 

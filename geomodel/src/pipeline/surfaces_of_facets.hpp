@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Describes the surfaces to which facets of the complex belong.
+/// Names the surfaces to which facets of the piecewise linear complex belong.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the names of the surfaces in the order of the project, separated by commas.
+/// Returns the names of the surfaces to which facets belong, in the order of the project and separated by commas.
 std::string surfaces_of_facets(const std::vector<Index>& facets, const Arranged& arranged);
 
 }  // namespace geomesh::geomodel

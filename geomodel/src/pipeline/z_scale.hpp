@@ -11,9 +11,9 @@
 
 namespace geomesh::geomodel {
 
-/// Powers of two are applied and undone exactly. Other factors round once in each direction; given heights are restored
-/// exactly, because the height of each scaled one is stored. If two neighbouring heights scale to the same double, the
-/// first is kept. Precondition: factor > 0.
+/// Multiplies heights by a factor and restores them. Powers of two are applied and undone exactly. Other factors round
+/// once in each direction; input heights are restored exactly, because the original of each scaled height is stored. If
+/// two neighbouring heights scale to the same double, the first is kept. Precondition: factor > 0.
 class ZScale {
  public:
   explicit ZScale(double factor) : factor_(factor) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Detects a box that is far larger than its horizons suggest, or one horizon that makes it so; declared in
-// plausibility/doubts.hpp.
+// Detects a box that is far larger than its horizons suggest, or one horizon that is far larger than all others;
+// declared in plausibility/doubts.hpp.
 #include <algorithm>
 
 #include "geomesh/geomodel/words.hpp"
@@ -9,8 +9,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Largest ratio of the box to the data of its horizons, and of one horizon to all others together. A box that leaves
-/// room for stresses to decay, or for waves to leave, is about ten times as long.
+/// Largest plausible ratio of the box's length to that of its horizons, and of one horizon to all others together. A
+/// box that leaves room for stresses to decay, or for waves to leave, is about ten times as long as its horizons.
 constexpr double most_times = 50;
 
 struct Extent {
@@ -19,7 +19,7 @@ struct Extent {
   double along(std::size_t axis) const { return box.max[axis] - box.min[axis]; }
 };
 
-/// Returns the extents of all horizons; empty if one horizon says how it is extended, or that it ends.
+/// Returns the extents of all horizons; empty if the project states for a horizon how it is extended, or that it ends.
 std::vector<Extent> extents_of_horizons(const Inspected& model) {
   std::vector<Extent> found;
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
@@ -47,7 +47,7 @@ class BoxDoubts {
   BoxDoubts(const Inspected& model, std::vector<Finding>& findings)
       : model_(model), horizons_(extents_of_horizons(model)), findings_(findings) {}
 
-  /// Compares a box whose limits are written in the project.
+  /// Compares the box with the horizons if the project gives the limits of the box.
   void compare_box() {
     for (std::size_t axis = 0; axis < 2 && !horizons_.empty(); ++axis) {
       const double of_box = model_.volume->max[axis] - model_.volume->min[axis], of_data = length_of(horizons_, axis);
@@ -61,13 +61,13 @@ class BoxDoubts {
     }
   }
 
-  /// Compares horizons if the box is placed around the data. Horizons that were already reported as misplaced, or in
-  /// another unit, are ignored.
+  /// Compares the horizons with each other if the box is placed around the data. Horizons that were already reported as
+  /// misplaced, or in another unit, are ignored.
   void compare_horizons() {
     std::erase_if(horizons_, [&](const Extent& e) {
       return std::ranges::any_of(findings_, [&](const Finding& f) { return std::ranges::count(f.inputs, e.name) > 0; });
     });
-    if (horizons_.size() < 3) return;  // with two horizons it is unknown which is right
+    if (horizons_.size() < 3) return;  // With two horizons, it is unknown which of them is wrong.
     for (std::size_t axis = 0; axis < 2; ++axis) {
       std::vector<Extent> rest = horizons_;
       const auto longest = std::ranges::max_element(rest, {}, [&](const Extent& e) { return e.along(axis); });

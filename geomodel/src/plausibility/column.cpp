@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks horizons against the column, declared in plausibility/doubts.hpp.
+// Compares the order of horizons with the stratigraphic column, declared in plausibility/doubts.hpp.
 #include <algorithm>
 #include <functional>
 #include <utility>
@@ -10,15 +10,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_samples = 500;  // number of triangles sampled on a horizon outside the column
-/// Share of the samples that must be on one side of a horizon of the column for the two not to cross.
+constexpr std::size_t most_samples = 500;  // number of triangles sampled on each horizon that is not in the column
+/// Two horizons count as not crossing if at least this share of the samples lies on one side.
 constexpr double nearly_all = 0.98;
 
 using HeightMap = std::function<double(double)>;
 double as_given(double z) { return z; }
 
-/// Returns 1 if the surface is above, -1 if below, 0 if the two cross or do not overlap in the map. Heights of the
-/// surface are converted first.
+/// Returns 1 if the surface is above the other one, -1 if below, 0 if they cross or do not overlap in the map. Heights
+/// of the surface are converted by `map` first.
 int side_of(const TriangulatedSurface& surface, const MapLocator& other, const HeightMap& map = as_given) {
   const std::size_t step = 1 + surface.triangles.size() / most_samples;
   std::size_t above = 0, below = 0;
@@ -51,13 +51,13 @@ std::vector<MapLocator> locators_of(const std::vector<const TriangulatedSurface*
   return locators;
 }
 
-/// In a deep model, a horizon in feet that is read as metres still lies inside the box: only the column reveals the
-/// error.
+/// Finds horizons whose heights are in feet but were read as metres. In a deep model such a horizon still lies inside
+/// the box: only its order in the column reveals the error.
 void doubt_units(const Inspected& model, std::vector<Finding>& findings) {
   const std::vector<const TriangulatedSurface*> horizons = horizons_in_column(model);
-  if (horizons.size() < 3) return;  // with two horizons it is unknown which is meant
+  if (horizons.size() < 3) return;  // With two horizons, it is unknown which of them is wrong.
   const std::vector<MapLocator> locators = locators_of(horizons);
-  // whether two horizons have the opposite order to that in the column
+  // whether two horizons are in another order than in the column
   const auto is_against = [&](std::size_t one, std::size_t other, const HeightMap& map) {
     return side_of(*horizons[one], locators[other], map) == (other < one ? 1 : -1);
   };
@@ -102,7 +102,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
   for (const TriangulatedSurface& s : surfaces) {
     const bool is_named = std::find(column.begin(), column.end(), s.name) != column.end();
     if (s.kind != SurfaceKind::horizon || is_named || s.ends_model || s.triangles.empty()) continue;
-    std::string above, below;  // the nearest horizons of the column
+    std::string above, below;  // names of the nearest column horizons above and below
     bool in_order = true;
     for (std::size_t k = 0; in_order && k < locators.size(); ++k) {
       const int side = side_of(s, locators[k]);
@@ -110,7 +110,7 @@ void doubt_column(const Inspected& model, std::vector<Finding>& findings) {
       if (side < 0) above = names[k];
       if (side > 0 && below.empty()) below = names[k];
     }
-    if (!in_order) continue;  // it crosses the horizons: an isotherm, or a contact of fluids
+    if (!in_order) continue;  // a surface that crosses the horizons is an isotherm, or a contact of fluids
     left_out.push_back(s.name);
     places += (places.empty() ? "" : ", ") + s.name +
               (above.empty()   ? " above " + below

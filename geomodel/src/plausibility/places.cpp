@@ -28,14 +28,15 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
 
 struct Factor {
   double factor;
-  const char* words;  ///< the unit that the coordinates would then have
+  const char* words;  ///< text that names the mistaken unit of length
 };
 constexpr Factor factors[] = {{foot, "feet where metres were understood"},
                               {1 / foot, "metres where feet were understood"},
                               {1000, "kilometres where metres were understood"},
                               {0.001, "metres where kilometres were understood"}};
 
-/// A possible reason for the position of an input, and the remedy. Coordinates include the project's origin.
+/// A possible cause for the wrong position of an input, with the remedy. The causes are tested in coordinates that
+/// include the project's origin.
 struct Guess {
   std::string cause, text, remedy;
 };
@@ -58,7 +59,7 @@ std::optional<Guess> guess_in_map(const Box3& b, const Box3& model) {
     if (over_each_other(mapped(b, [&](const Vec3& p) { return Vec3{f.factor * p.x, f.factor * p.y, p.z}; }), model))
       return Guess{"unit", std::string("it would lie over the box if its coordinates were in ") + f.words,
                    "if so, give 'unit' in its entry"};
-  // Eastings are often written with the number of the zone in front: 32432500.
+  // Eastings are often written with the number of the UTM zone in front, as in 32432500.
   const double zone = std::round((0.5 * (b.min.x + b.max.x) - 0.5 * (model.min.x + model.max.x)) / 1e6);
   if (zone != 0 && std::abs(zone) <= 60 &&
       over_each_other(mapped(b,
@@ -100,12 +101,12 @@ struct Placed {
   Extend extend = Extend::none;
 };
 
-/// Inputs for which the same guess is made.
+/// Inputs whose wrong position has the same suspected cause.
 struct Outside {
   Guess guess;
   std::vector<std::string> names;
   Box3 bounds;
-  bool of_map = false;  ///< whether the input lies outside the box on the map; if not, its heights do
+  bool of_map = false;  ///< whether the input lies outside the box in the map, rather than above or below it
 };
 
 std::string range(double from, double to) { return short_words(from) + " to " + short_words(to); }
@@ -129,7 +130,7 @@ std::vector<Placed> placed_inputs(const Inspected& model) {
   return placed;
 }
 
-/// Returns whether a surface that is continued to the box may reach it, because it is not absurdly far away.
+/// Returns whether a surface that is continued to the box may reach it, because it is not too far away.
 bool may_come_in(const Placed& input, const Box3& box) {
   if (input.extend == Extend::none) return false;
   const Box3& b = input.bounds;
@@ -146,8 +147,8 @@ double share_within(double a, double b, const Box3& box) {
   return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);
 }
 
-/// A well begins near the top of the box, so one with depths instead of elevations touches the box: most of its path
-/// lies above, and would lie inside with the opposite direction of z.
+/// Returns whether a well seems to have depths instead of elevations. Wells begin near the top of the box, so such a
+/// well touches the box: most of its path lies above it, and would lie inside with the opposite direction of z.
 bool is_well_upside_down(const Placed& input, const Box3& box) {
   constexpr double few = 0.1, most = 0.5;
   const Box3& b = input.bounds;
@@ -171,8 +172,7 @@ void add_outside(const Placed& input, const Box3& model, std::vector<Outside>& g
   group->bounds.add(input.bounds.max);
 }
 
-/// Returns whether the box is a thousandth of the surfaces in size, and would contain them if it were given in
-/// kilometres.
+/// Returns whether the box is a thousandth of the surfaces in size, and would contain them with limits in kilometres.
 bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
   Box3 all;
   bool any = false, every = true;
@@ -183,7 +183,7 @@ bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
     all.add(input.bounds.min);
     all.add(input.bounds.max);
   }
-  constexpr double least = 50;  // a box may be a part of the area of the surfaces, but not a thousandth of it
+  constexpr double least = 50;  // A box may cover a part of the area of the surfaces, but not a thousandth of it.
   return any && every && all.max.x - all.min.x > least * (box.max.x - box.min.x) &&
          all.max.y - all.min.y > least * (box.max.y - box.min.y);
 }
@@ -201,7 +201,7 @@ Finding finding_of(const Outside& group, const Box3& box, const std::string& uni
   return finding;
 }
 
-/// Returns a text if the model would contain no horizon of its column, or nothing at all.
+/// Returns a text if all horizons of the column, or all surfaces, lie outside the model; empty otherwise.
 std::string nothing_left(const Inspected& model, const std::vector<std::string>& outside) {
   const auto is_outside = [&](const std::string& name) {
     return std::find(outside.begin(), outside.end(), name) != outside.end();
@@ -247,7 +247,8 @@ void doubt_places_in(const Inspected& model, const std::vector<Placed>& inputs, 
   }
 }
 
-/// If the box is placed around the data: finds a surface beside all others, with a reason that would move it to them.
+/// Finds a surface beside all others if the box is placed around the data, and if a change of coordinates or unit would
+/// move the surface to the others.
 void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>& findings, const std::string& unit) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     Box3 others;
@@ -267,7 +268,7 @@ void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>&
                         map_range(others) + ", " + unit + "); " + guess->text,
                     guess->remedy};
     findings.push_back(std::move(finding));
-    if (inputs.size() == 2) return;  // one of the two is misplaced, and it is unknown which
+    if (inputs.size() == 2) return;  // With two inputs, it is unknown which of them is misplaced.
   }
 }
 

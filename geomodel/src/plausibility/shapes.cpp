@@ -24,8 +24,8 @@ constexpr double upright = 0.17;
 constexpr double steep = 0.6, most_of_height = 0.5, little_of_map = 0.35;
 /// A fault counts as horizontal if its mean dip is below 5 degrees over nearly all of the map.
 constexpr double level = 0.996, all_of_map = 0.95;
-/// How far inside the box an open end may lie to count as leaving the box: some edges of the end, within these shares
-/// of the box's diagonal. Coarse bodies have edges as long as the body.
+/// Tolerances within which an open end of a body counts as leaving the box: its distance from the box side may be some
+/// edge lengths of the end, limited by these shares of the box's diagonal. Coarse bodies have long edges.
 constexpr double most_edges_inside = 3, least_share_inside = 0.01, most_share_inside = 0.03;
 /// A closed surface with a smaller volume than this, relative to the cube of its diagonal, encloses nothing.
 constexpr double least_volume = 1e-12;
@@ -74,7 +74,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  const bool is_fracture = s.file == "fractures";  // the kind of a fracture was not chosen by the user
+  const bool is_fracture = s.file == "fractures";  // the program chose the kind of a fracture, not the user
   if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",
@@ -83,7 +83,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         "if it is one, give kind: horizon, and its place in the column"});
 }
 
-/// Border edges of a surface, with equal coordinates merged.
+/// Border edges of a surface, after merging points with equal coordinates.
 struct Border {
   std::vector<std::pair<VertexIndex, VertexIndex>> edges;
 };
@@ -107,7 +107,7 @@ Border border_of(const TriangulatedSurface& s) {
   return border;
 }
 
-/// One open end: its border, and how far it lies inside the side of the box to which the whole of it is nearest.
+/// An open end of a body: its border, and the largest distance of its points from the side of the box nearest to it.
 struct OpenEnd {
   Box3 bounds;
   double length = 0;
@@ -152,7 +152,8 @@ void doubt_open_body(const Inspected& model, const TriangulatedSurface& s, const
         std::clamp(most_edges_inside * mean_edge, least_share_inside * diagonal, most_share_inside * diagonal);
     if (inside <= allowed) continue;
     const Vec3 middle = 0.5 * (end.bounds.min + end.bounds.max);
-    // Salt whose roots were not interpreted ends in this way too: it is extruded to the box, and a warning says so.
+    // Salt whose roots were not interpreted ends in the model, too, so this is a warning: the body is extruded to the
+    // box.
     findings.push_back({Finding::Sureness::probable,
                         "open body",
                         {s.name},
@@ -237,7 +238,8 @@ void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vec
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
-  std::set<std::string> elsewhere;  // in other units the shape would differ: one cause, one finding
+  // Inputs with other findings are left out: in another unit the shape would differ, and each cause is reported once.
+  std::set<std::string> elsewhere;
   for (const Finding& finding : findings) elsewhere.insert(finding.inputs.begin(), finding.inputs.end());
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = model.inputs.surfaces[s];

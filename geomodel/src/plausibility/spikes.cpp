@@ -12,17 +12,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double least_over_steps = 10;    ///< height of a spike divided by the height differences around it
-constexpr double least_over_range = 0.25;  ///< height of a spike divided by the range of most heights
-constexpr double part_of_each_end = 0.05;  ///< share of the heights excluded from that range at each end
+constexpr double least_over_steps = 10;    ///< least height of a spike, relative to the height differences around it
+constexpr double least_over_range = 0.25;  ///< least height of a spike, relative to the range of most heights
+constexpr double part_of_each_end = 0.05;  ///< share of the extreme heights left out of the range, at each end
 constexpr std::size_t least_neighbours = 3;
-constexpr std::size_t least_vertices = 100;  ///< a surface of few triangles may have a summit
+constexpr std::size_t least_vertices = 100;  ///< smaller surfaces are left out, because they may have a real summit
 
-/// Heights of a vertex relative to its neighbours.
+/// Heights of one vertex relative to its neighbours.
 struct Around {
-  double above = std::numeric_limits<double>::infinity();  ///< least height above a neighbour
-  double below = std::numeric_limits<double>::infinity();  ///< least depth below a neighbour
-  double step = 0;                                         ///< largest height difference between two neighbours
+  double above = std::numeric_limits<double>::infinity();  ///< least height of the vertex above a neighbour
+  double below = std::numeric_limits<double>::infinity();  ///< least depth of the vertex below a neighbour
+  double step = 0;  ///< largest height difference between two neighbours of the vertex
   std::size_t n_triangles = 0;
 };
 
@@ -40,7 +40,7 @@ std::vector<Around> surroundings(const TriangulatedSurface& s) {
   return around;
 }
 
-/// Returns the value below which the given share of all values lies; reorders the values.
+/// Returns the value below which the given share of all values lies. Reorders the values.
 double quantile(std::vector<double>& values, double part) {
   const auto row = static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + row, values.end());

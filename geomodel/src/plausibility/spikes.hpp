@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds single vertices of a horizon far above or below all of their neighbours, caused by a wrong digit or a bad
-/// pick.
+/// Finds single vertices of a horizon far above or below all neighbours, caused by a wrong digit or a bad pick.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +12,18 @@ namespace geomesh::geomodel {
 
 struct Spikes {
   std::size_t n = 0;
-  Vec3 place;         ///< the vertex that stands out most
-  double height = 0;  ///< its vertical distance from the nearest neighbour; negative if it is below all neighbours
-  double around = 0;  ///< largest vertical step between adjacent neighbours of that vertex
+  Vec3 place;         ///< the spike that stands out most
+  double height = 0;  ///< vertical distance of the spike from its nearest neighbour; negative if below all
+  double around = 0;  ///< largest vertical step between adjacent neighbours of the spike
 };
 
-/// Returns inner vertices that lie above all of their neighbours, or below all. Their vertical distance to the nearest
-/// neighbour is at least ten times the steps between these neighbours, ten times the median step on the surface, and a
-/// quarter of the range of the surface's heights without the most extreme tenth. This excludes smeared faults, peaks
-/// among mountains, noise, and surfaces with fewer than 100 vertices. Linear in the triangles, up to sorting.
+/// Returns inner vertices that lie far above, or far below, all of their neighbours. The vertical distance of such a
+/// vertex to the nearest neighbour is at least ten times the steps between these neighbours, ten times the median step
+/// on the surface, and a quarter of the range of the surface's heights without the most extreme tenth. This excludes
+/// smeared faults, peaks among mountains, noise, and surfaces with fewer than 100 vertices. Linear up to sorting.
 Spikes find_spikes(const TriangulatedSurface& surface);
 
-/// Formats the finding: "2 vertices stand far above or below all of their neighbours, ...", with the place moved by
-/// `origin`.
+/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` moves coordinates.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
 /// Advice that follows a message about spikes.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mistakes in a project file, collected so that one run reports all of them.
+/// Collects the mistakes in a project file, so that one run reports all of them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Line and column from 1; 0 if not known.
+/// Line and column in the project file, from 1; 0 if not known.
 struct Place {
   int line = 0, column = 0;
 };
@@ -21,7 +21,7 @@ class Problems {
   explicit Problems(std::string file) : file_(std::move(file)) {}
   void add(Place place, const std::string& message);
   bool empty() const { return list_.empty(); }
-  /// Throws Error{usage} with one line per problem, in the order of the file; returns if there are none.
+  /// Throws Error{usage} with one line per problem, in the order of the project file; returns if there are none.
   void throw_if_any() const;
 
  private:

@@ -25,7 +25,8 @@ std::optional<bool> read_direction(const YamlValue& value) {
   return word ? std::optional(*word == "depth") : std::nullopt;
 }
 
-/// Reads a coordinate system; text that is not understood at all is a problem, a system known only by name is not.
+/// Reads a coordinate system. Text that cannot be interpreted at all is reported as a problem; a system of which only
+/// the name is known is accepted.
 void read_system(const YamlValue& value, std::string& text) {
   const auto word = value.text();
   if (!word) return;

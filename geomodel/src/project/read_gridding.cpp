@@ -40,7 +40,7 @@ void read_method(const YamlValue& value, SurfaceSpec& spec) {
   }
 }
 
-/// Reads one length for all axes, or one for each.
+/// Reads the grid spacing of a field: one length for all axes, or one for each.
 std::optional<Vec3> read_spacing(const YamlValue& value) {
   std::optional<Vec3> spacing;
   if (value.is_list()) {
@@ -134,7 +134,7 @@ void refuse_keys_of_first_entry(const YamlMap& map, const SurfaceSpec& first) {
 
 namespace {
 
-/// Reads the domains of the fields of one surface.
+/// Reads the domains in which the fields of one surface are valid.
 class DomainReader {
  public:
   DomainReader(const YamlValue& root, Project& project, SurfaceSpec& spec)
@@ -164,7 +164,7 @@ class DomainReader {
   void problem(const std::string& text) const { root_.problem("surface '" + spec_.name + "': " + text); }
 
   static bool overlap(const FieldPart& a, const FieldPart& b) {
-    if (a.block && b.block) return false;  // whether both places lie in the same block is checked later
+    if (a.block && b.block) return false;  // domains of two points in blocks are compared later
     for (const auto& [fault, is_above] : a.sides)
       for (const auto& [other, is_other_above] : b.sides)
         if (fault == other && is_above != is_other_above) return false;

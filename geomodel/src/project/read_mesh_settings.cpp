@@ -16,7 +16,7 @@ void read_positive(const YamlValue& value, double& target) {
   target = *number;
 }
 
-/// Reads a size, or {size: S, radius: R}.
+/// Reads a target size S, or a map {size: S, radius: R}.
 AskedSize read_asked(const YamlValue& value) {
   AskedSize asked;
   if (!value.is_map()) {
@@ -29,7 +29,7 @@ AskedSize read_asked(const YamlValue& value) {
   return asked;
 }
 
-/// Reads NAME: size, or NAME: {size, radius}. If `known` is empty, names can only be checked later.
+/// Reads target sizes by name: NAME: size, or NAME: {size, radius}. If `known` is empty, names are checked later.
 void read_named(const YamlValue& value, const std::vector<std::string_view>& known, const char* what,
                 std::map<std::string, AskedSize>& sizes) {
   for (const auto& [name, entry] : named_entries(value, "NAME: size")) {
@@ -41,7 +41,7 @@ void read_named(const YamlValue& value, const std::vector<std::string_view>& kno
   }
 }
 
-/// Reads `at`: [x, y, z], or the name of an entry of `points`.
+/// Reads the position of a target size from `at`: [x, y, z], or the name of an entry of `points`.
 bool read_place(const YamlValue& value, const Project& project, Vec3& place) {
   if (value.is_list()) {
     const auto p = value.point();
@@ -94,7 +94,7 @@ void read_background(const YamlValue& value, const Project& project, NamedSizes&
     value.problem("there is no file '" + *text + "' (looked for as " + sizes.background.string() + ")");
 }
 
-/// Reads a frequency: 5 or 5 Hz.
+/// Reads a frequency in hertz, written as 5 or 5 Hz.
 void read_frequency(const YamlValue& value, double& frequency) {
   const std::string text = value.scalar();
   const std::size_t end = text.find_last_not_of(" Hhz");
@@ -105,7 +105,7 @@ void read_frequency(const YamlValue& value, double& frequency) {
   frequency = number;
 }
 
-/// Reads [[depth, size], ...] with ascending depths.
+/// Reads a table of target sizes by depth, [[depth, size], ...], with ascending depths.
 void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
   for (const YamlValue& row : value.items()) {
     const std::vector<YamlValue> pair = row.items();
@@ -119,8 +119,8 @@ void read_by_depth(const YamlValue& value, NamedSizes& sizes) {
   }
 }
 
-/// Elements across a layer by default, if surfaces have a tolerance: edges are at most two and a half times as long as
-/// a layer is thick.
+/// Default number of elements across the gap between two surfaces if surfaces have a tolerance: edges are at most two
+/// and a half times as long as the gap is wide.
 constexpr double default_gap_layers = 0.4;
 
 const std::vector<std::string_view>& size_keys() {
@@ -132,7 +132,7 @@ const std::vector<std::string_view>& size_keys() {
   return keys;
 }
 
-/// Which keys of `size` are given among those whose default depends on whether surfaces are kept exactly.
+/// Whether the project gives those keys of `size` whose default depends on whether surfaces are kept exactly.
 struct SizeKeysGiven {
   bool input_edges = false, gap_layers = false, gradation = false;
 };
@@ -178,7 +178,7 @@ SizeKeysGiven read_size(const YamlValue& value, const Project& project, Refineme
   return {map.find("input_edges").has_value(), map.find("gap_layers").has_value(), map.find("gradation").has_value()};
 }
 
-/// Returns the value of `honour`; empty if it is not given.
+/// Reads the key `honour` into the settings. Returns its value; empty if it is not given.
 std::optional<std::string> read_honour(const YamlMap& mesh, RefinementSettings& settings,
                                        std::vector<std::string>& notes) {
   const auto honour = mesh.find("honour"), tolerance = find_renamed(mesh, "surfaces_within", "tolerance", notes);
@@ -225,14 +225,13 @@ const std::vector<std::string_view>& refinement_keys() {
 
 namespace {
 
-/// Returns whether the project requests something that is incompatible with a refinement that moves surfaces within a
-/// tolerance.
+/// Returns whether the project requests something incompatible with moving surfaces within a tolerance.
 bool excludes_default(const Project& project) {
   const RecoverOptions& recover = project.mesh.options.recover;
   return recover.mode == MeshMode::conforming || recover.preserve_boundary || project.crs.z_scale != 1;
 }
 
-/// Allows surfaces to be remeshed according to the sizes, without regard to the edges of the input.
+/// Lets the mesher remesh surfaces according to the target sizes, without regard to the edges of the input.
 void follow_sizes(const SizeKeysGiven& given, RefinementSettings& settings) {
   SizeOptions& base = settings.size.base;
   settings.refine = true;

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns whether another format already writes a file with the same name, so that the second is refused.
+/// Returns whether a format chosen earlier writes a file with the same name, so that the later one is refused.
 bool is_taken(const std::vector<std::string>& chosen, const std::string& name) {
   const Format* const format = format_of_name(name);
   return format && std::any_of(chosen.begin(), chosen.end(), [&](const std::string& other) {
@@ -119,7 +119,7 @@ void read_options(const YamlMap& map, const Project& project, WriteOptions& opti
   }
 }
 
-/// Returns whether VTU files have an array of that name which is not a field.
+/// Returns whether VTU files already have an array of this name that is not a field of the project.
 bool is_array_of_ours(const std::string& name) {
   const std::vector<std::string>& cells = known_cell_arrays();
   static const std::vector<std::string> others{"region",         "MaterialIDs",  "attribute",    "kind",
@@ -147,7 +147,7 @@ void read_fields(const YamlValue& value, const std::filesystem::path& folder, Wr
   }
 }
 
-/// Finds what the chosen formats cannot hold before anything is meshed.
+/// Reports before meshing what the chosen file formats cannot represent.
 void check_formats(const YamlValue& value, const OutputSpec& output) {
   for (const std::string& name : output.formats) {
     const Format* const format = format_of_name(name);

@@ -10,7 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// `folder` is that of the project file. The surfaces were already read, since `split` names some of them.
+/// Reads the key `output`. `folder` is that of the project file. Precondition: surfaces were read before, because
+/// `split` names some of them.
 void read_output(const YamlValue& value, const std::filesystem::path& folder, Project& project);
 
 }  // namespace geomesh::geomodel

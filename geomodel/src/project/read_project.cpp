@@ -20,7 +20,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the most frequent cause of a YAML syntax error near that line (counted from 0).
+/// Returns advice on the most frequent cause of a YAML syntax error near the given line (counted from 0).
 std::string yaml_advice(const std::string& text, int line) {
   std::size_t begin = 0;
   std::string near;
@@ -39,8 +39,8 @@ std::string yaml_advice(const std::string& text, int line) {
   return "; keys of one entry begin in the same column, and brackets and quotes are closed";
 }
 
-/// For messages about a text that a program composed: replaces `NAME:LINE:COLUMN: ` at the beginning of a line by
-/// `NAME: `.
+/// Replaces `NAME:LINE:COLUMN: ` at the beginning of each line of messages by `NAME: `. This is for texts that a
+/// program composed, whose line numbers mean nothing to the user.
 std::string without_places(const std::string& messages, const std::string& name) {
   std::string result;
   const auto is_of_place = [](char c) { return c == ':' || std::isdigit(static_cast<unsigned char>(c)) != 0; };
@@ -109,7 +109,7 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
-    // A wrong box is reported when it is read.
+    // A box with errors is reported when it is read, so an empty one takes its place.
     if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
@@ -143,15 +143,16 @@ class ProjectReader {
     if (const auto v = map.find("output")) read_output(*v, folder_, project_);
   }
 
-  /// Returns " (line 7)", or nothing if a program composed the text, since its line numbers mean nothing to the user.
+  /// Returns a text such as " (line 7)". If a program composed the project text, returns nothing, because its line
+  /// numbers mean nothing to the user.
   std::string on_line(int line) const {
     std::string text;
     if (!given_) text.append(" (line ").append(std::to_string(line)).append(")");
     return text;
   }
 
-  /// Names appear in files of many formats and in file names, so they must not be too long, or contain control
-  /// characters, quotes, commas or blanks at the ends.
+  /// Reads a name. Names appear in files of many formats and in file names, so they must not be too long, or contain
+  /// control characters, quotes, commas or blanks at the ends.
   static bool read_name(const YamlValue& value, std::string& name) {
     const auto text = value.text();
     if (!text) return false;
@@ -163,7 +164,7 @@ class ProjectReader {
                     " holds a quote, a comma, a slash, a control character or a blank at its end");
       return false;
     }
-    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added
+    constexpr std::size_t longest_name = 200;  // file systems allow 255 bytes, and suffixes are added to names
     if (text->size() > longest_name) {
       value.problem("the name " + in_quotes(*text) + " has " + std::to_string(text->size()) + " bytes; at most " +
                     std::to_string(longest_name) + " are taken, as files are named by it");
@@ -173,7 +174,7 @@ class ProjectReader {
     return true;
   }
 
-  /// Surfaces, box sides, wells and points must have distinct names.
+  /// Reports a name that is already in use, because surfaces, box sides, wells and points must have distinct names.
   void claim_name(const YamlValue& value, const std::string& name) {
     if (std::find(box_sides.begin(), box_sides.end(), name) != box_sides.end()) {
       value.problem("'" + name + "' is the name of a side of the box; choose another");
@@ -182,7 +183,7 @@ class ProjectReader {
     }
   }
 
-  /// Resolves the path against the project's folder; reports a missing file.
+  /// Resolves a path against the project's folder; reports a missing file.
   void read_file(const YamlValue& value, std::filesystem::path& file, std::string& as_written) {
     const auto text = value.text();
     if (!text) return;
@@ -197,7 +198,7 @@ class ProjectReader {
     }
   }
 
-  /// Reads where the content of an entry (a surface, a well) comes from: its file, or an input given in memory.
+  /// Reads where the data of an entry (a surface, a well) come from: its file, or an input given in memory.
   template <class Spec>
   void read_content(const YamlMap& map, const char* what, Spec& spec) {
     const auto given = given_ ? given_->find(spec.name) : GivenInputs::const_iterator{};
@@ -211,14 +212,14 @@ class ProjectReader {
     }
   }
 
-  /// Returns the function that a program gave for the surface; null if none.
+  /// Returns the function that a calling program gave for the surface; null if none.
   std::shared_ptr<FieldFunction> given_field(const std::string& name) const {
     if (!given_fields_) return nullptr;
     const auto at = given_fields_->find(name);
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Returns the earlier entry with the same name, if both have fields with domains; null if none.
+  /// Returns the earlier entry with the same name, if both entries have fields with domains; null if there is none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });
@@ -227,7 +228,7 @@ class ProjectReader {
     return is_further ? &*first : nullptr;
   }
 
-  /// Reads a further field of a surface, which is valid on another side of a fault than the previous ones.
+  /// Reads a further field of a surface, which is valid on another side of a fault than its previous fields.
   void read_further_field(const YamlMap& map, SurfaceSpec& first) {
     refuse_keys_of_first_entry(map, first);
     if (const auto v = map.require("kind", "horizon, fault or body"))
@@ -241,8 +242,8 @@ class ProjectReader {
     if (!spec.level_sets.empty()) first.file_as_written += ", " + spec.file_as_written;
   }
 
-  /// Reads how the surface is defined: by triangles or points, or as a level set of a field. `entry` is the number,
-  /// from 1, among the entries of one name.
+  /// Reads how the surface is defined: by triangles or points, or as a level set of a field. `entry` counts the entries
+  /// with the surface's name, from 1.
   void read_shape(const YamlMap& map, SurfaceSpec& spec, std::size_t entry = 1) {
     const auto field = map.find("field");
     const std::shared_ptr<FieldFunction> function = given_field(further_field(spec.name, entry));
@@ -274,7 +275,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // until the kind is known, keys cannot be checked against it
+    spec.kind = SurfaceKind::surface;  // Keys are only checked against the kind once it is known.
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)
@@ -366,7 +367,7 @@ class ProjectReader {
     project_.points.push_back(std::move(point));
   }
 
-  /// Reads the column: unit, horizon, unit, ..., unit.
+  /// Reads the stratigraphic column as a list: unit, horizon, unit, ..., unit.
   void read_column(const YamlValue& value) {
     const std::vector<YamlValue> items = value.items();
     if (!value.is_list()) return;

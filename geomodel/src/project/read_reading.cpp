@@ -12,8 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads `columns`. A list gives the meaning of each column in order ("-": none); a map gives the column of each
-/// meaning.
+/// Reads the key `columns`: a list of the meaning of each column ("-": none), or a map with the column of each meaning.
 void read_columns(const YamlValue& value, ReadOptions& options) {
   if (value.is_list()) {
     const std::vector<YamlValue> items = value.items();

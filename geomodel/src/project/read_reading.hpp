@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads the keys of an entry that describe its file and how a surface is made from it: columns, no_data, gridding,
-/// below, extrude, object: "*".
+/// Reads the keys of a surface entry in a project file that describe its data file and how a surface is made from it:
+/// columns, no_data, gridding, below, extrude, object: "*".
 #pragma once
 
 #include "geomesh/geomodel/project.hpp"
@@ -9,25 +9,26 @@
 
 namespace geomesh::geomodel {
 
-/// Reads the keys gridding, resample and smooth.
+/// Reads the keys gridding, resample and smooth of a surface entry.
 void read_gridding(const YamlMap& map, SurfaceSpec& spec);
 
-/// Reads the keys columns and no_data.
+/// Reads the keys columns and no_data of an entry, which describe its data file.
 void read_reading(const YamlMap& map, ReadOptions& options);
 
-/// Reads the keys below and extrude of a surface, and thickness if it belongs to below. `read_file` reads a value as
-/// the path of the entry's file.
+/// Reads the keys below and extrude of a surface entry, and thickness if it belongs to below. `read_file` reads a value
+/// as the path of the entry's file.
 template <class ReadFile>
 void read_made_surface(const YamlMap& map, SurfaceSpec& spec, const ReadFile& read_file);
 
-/// Returns whether the text is a number, as YAML reads it without quotes.
+/// Returns whether YAML reads the text as a number if it is written without quotes.
 bool is_number(const std::string& text);
 
 /// Key extrude.
 void read_extrude(const YamlValue& value, SurfaceSpec& spec);
 
-/// Returns one entry for each surface and point set of the entry's file, named ENTRY.OBJECT, with its part of the
-/// contents in place of the file. Throws as the readers, and Error{invalid_input} if the file contains none.
+/// Returns one entry for each surface and point set in the file of an entry with `object: "*"`. Each is named
+/// ENTRY.OBJECT and has its part of the file's contents in place of the file. Throws the same errors as the readers of
+/// the file, and Error{invalid_input} if the file contains no object.
 std::vector<SurfaceSpec> entries_of_all_objects(const SurfaceSpec& spec);
 
 /// Reports a `below` that does not name a horizon of the project, or that forms a cycle.

@@ -22,7 +22,7 @@ std::vector<std::string> read_names(const YamlValue& value) {
   return names;
 }
 
-/// Reads `as_given`, `to_box`, `to_fault NAME` or `to_horizon NAME`.
+/// Reads the extent of a surface: `as_given`, `to_box`, `to_fault NAME` or `to_horizon NAME`.
 void read_extent(const YamlValue& value, SurfaceSpec& spec) {
   const auto text = value.text();
   if (!text) return;
@@ -201,7 +201,7 @@ void read_colours(const YamlValue& value, Project& project) {
   for (const auto& [name, colour] : named_entries(value, "UNIT or SURFACE: colour")) {
     const std::string unit = unit_of_part(name.substr(0, name.find(".zone")));
     const bool is_known = std::find(known.begin(), known.end(), unit) != known.end();
-    // Without a column, regions have names that cannot be checked here.
+    // Without a column, the names of regions are not known yet and cannot be checked here.
     if (!is_known && !project.column.empty())
       colour.problem("no unit, body or surface is named '" + unit + "'" + was_meant(unit, known));
     if (const auto c = read_colour(colour)) project.colours[name] = *c;

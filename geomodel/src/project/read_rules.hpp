@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads the rules of a project file (docs/model-building.md), for single surfaces and for the model.
+/// Reads the geological rules of a project file (docs/model-building.md), for single surfaces and for the model.
 #pragma once
 
 #include "geomesh/geomodel/project.hpp"
@@ -14,7 +14,7 @@ const std::vector<std::string_view>& surface_rule_keys();
 /// Reads the key cuts: `all` or `none` for bodies; `all` or a list of units for faults.
 void read_cuts(const YamlValue& value, SurfaceSpec& spec);
 
-/// Reads the other keys of surface_rule_keys() for an entry whose name and kind are known.
+/// Reads all keys of surface_rule_keys() except `cuts`, for an entry whose name and kind are known.
 void read_surface_rules(const YamlMap& map, SurfaceSpec& spec);
 
 /// Key `rules`.
@@ -27,8 +27,8 @@ void read_attributes(const YamlValue& value, Project& project);
 /// Reads the key `colours`, after units and surfaces are known.
 void read_colours(const YamlValue& value, Project& project);
 
-/// Checks what requires the whole project: names in rules, and the box if a rule needs it. Fills project.rules from the
-/// rest.
+/// Checks rules that refer to other parts of the project: names in rules, and the box if a rule needs it. Fills
+/// project.rules from the rest of the project.
 void finish_rules(const YamlValue& root, Project& project);
 
 }  // namespace geomesh::geomodel

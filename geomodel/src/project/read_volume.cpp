@@ -55,7 +55,7 @@ bool read_polygon(const YamlValue& value, VolumeSpec& spec) {
     if (const auto corner = read_pair(item, "[x, y]")) spec.polygon.push_back(*corner);
   if (spec.polygon.size() > 1 && spec.polygon.front().x == spec.polygon.back().x &&
       spec.polygon.front().y == spec.polygon.back().y)
-    spec.polygon.pop_back();  // closed by repeating the first corner, as many programs write polygons
+    spec.polygon.pop_back();  // The polygon repeats its first corner at the end, as many programs write it.
   if (value.is_list() && spec.polygon.size() < 3) value.problem("at least three corners [x, y] were expected");
   return true;
 }
@@ -72,7 +72,7 @@ bool read_turned(const YamlMap& map, VolumeSpec& spec) {
   return true;
 }
 
-/// Reads a height, or the name of a horizon.
+/// Reads the top or bottom of a volume: a height, or the name of a horizon.
 void read_end(const YamlMap& map, const char* key, std::optional<double>& height, std::string& surface) {
   const auto value = map.find(key);
   if (!value) return;
@@ -84,7 +84,7 @@ void read_end(const YamlMap& map, const char* key, std::optional<double>& height
   }
 }
 
-/// The keys of each shape of the volume; the first one identifies the shape.
+/// The keys that describe each shape of the model volume; the first key identifies the shape.
 struct ShapeKeys {
   VolumeSpec::Shape shape;
   std::vector<std::string_view> keys;

@@ -9,10 +9,10 @@
 
 namespace geomesh::geomodel {
 
-/// Returns nothing if the key is wrong (which is reported).
+/// Reads the key `box`. Returns nothing if it has errors, which are reported.
 std::optional<VolumeSpec> read_volume(const YamlValue& value);
 
-/// Resolves names in it after the surfaces are known. Passes surfaces that close the volume to project.naming.
+/// Resolves the surfaces named in the key `box`. Surfaces that close the volume are stored in project.naming.
 void finish_volume(const YamlValue& root, Project& project);
 
 }  // namespace geomesh::geomodel

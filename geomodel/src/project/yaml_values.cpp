@@ -19,7 +19,7 @@ Place place_of(const YAML::Node& node, Place fallback) {
   return mark.is_null() || mark.line < 0 ? fallback : Place{mark.line + 1, mark.column + 1};
 }
 
-/// Maps under which a key is also known, because users write keys of rules in surfaces and vice versa.
+/// Keys and the map to which they belong, for messages: users write keys of rules in surfaces and vice versa.
 const std::vector<std::pair<std::string_view, std::vector<std::string_view>>> homes{
     {"rules",
      {"on_crossing", "trim_overshoot", "topography", "fault_blocks", "min_volume", "small_regions", "min_thickness",
@@ -43,13 +43,13 @@ std::string home_of(std::string_view key) {
   return {};
 }
 
-/// Numbers such as 010 are refused, because some YAML readers take them as 8 and others as 10.
+/// Returns whether a number has a leading zero. Some YAML readers take 010 as 8 and others as 10, so it is refused.
 bool has_leading_zero(std::string_view s) {
   if (!s.empty() && (s.front() == '-' || s.front() == '+')) s.remove_prefix(1);
   return s.size() > 1 && s[0] == '0' && std::isdigit(static_cast<unsigned char>(s[1]));
 }
 
-/// Returns whether the bytes are UTF-8 (RFC 3629: shortest forms only, no surrogates).
+/// Returns whether the bytes are valid UTF-8 (RFC 3629: shortest forms only, no surrogates).
 bool is_utf8(std::string_view s) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
   for (std::size_t i = 0; i < s.size();) {
@@ -73,7 +73,7 @@ bool is_utf8(std::string_view s) {
 
 bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
-/// Skips the contents of a document.
+/// Receives the events of a YAML document and ignores them, to skip the document.
 class NoEvents : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark&) override {}

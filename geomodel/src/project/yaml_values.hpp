@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Typed reading of YAML with a place for every error message. Included by the few files that read the project.
+/// Typed reading of YAML values, which keep their line and column for error messages.
 #pragma once
 
 #include <yaml-cpp/yaml.h>
@@ -15,8 +15,8 @@
 
 namespace geomesh::geomodel {
 
-/// A node with its path in the project ("surfaces[2].file"). Each reading function reports what is wrong and then
-/// returns nothing.
+/// A YAML node with its path in the project ("surfaces[2].file"). Its functions report mistakes and return nothing
+/// then.
 class YamlValue {
  public:
   YamlValue(Problems& problems, YAML::Node node, std::string name, Place fallback);
@@ -29,15 +29,14 @@ class YamlValue {
   std::string scalar() const { return node_.IsScalar() ? node_.Scalar() : std::string(); }
   void problem(const std::string& message) const { problems_->add(place_, name_ + ": " + message); }
 
-  /// Returns any scalar that is not empty.
+  /// Returns the text of any scalar that is not empty.
   std::optional<std::string> text() const;
-  /// Returns a finite decimal number; a leading zero (octal in older YAML) and quotes are refused.
+  /// Returns a finite decimal number; reports numbers with a leading zero (octal in older YAML) or in quotes.
   std::optional<double> number() const;
   std::optional<bool> boolean() const;
   std::optional<std::string> choice(const std::vector<std::string_view>& words) const;
   /// [x, y, z].
   std::optional<Vec3> point() const;
-  /// Returns the items of a list.
   std::vector<YamlValue> items() const;
 
   const YAML::Node& node() const { return node_; }
@@ -52,8 +51,8 @@ class YamlValue {
   Place place_;
 };
 
-/// A map with known keys. The constructor reports duplicates, unknown keys (with the most similar known one) and keys
-/// of a later version.
+/// A YAML map with a list of known keys. The constructor reports duplicate keys, unknown keys (with the most similar
+/// known one) and keys of a later version.
 class YamlMap {
  public:
   YamlMap(const YamlValue& value, const std::vector<std::string_view>& known,
@@ -61,7 +60,7 @@ class YamlMap {
 
   bool is_map() const { return is_map_; }
   std::optional<YamlValue> find(std::string_view key) const;
-  /// Reports an error if the key is missing.
+  /// Returns the value of a key; reports an error if the key is missing.
   std::optional<YamlValue> require(std::string_view key, const char* what) const;
   Place place() const { return value_.place(); }
   const YamlValue& value() const { return value_; }
@@ -72,21 +71,21 @@ class YamlMap {
   std::vector<std::pair<std::string, YamlValue>> entries_;
 };
 
-/// Finds a key that was renamed: under its name or its former one, for which a note is recorded. Reports an error if
-/// both are given.
+/// Finds the value of a renamed key under its present or its former name; for the former name, a note is recorded.
+/// Reports an error if both are given.
 std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name, std::string_view former,
                                       std::vector<std::string>& notes);
 
-/// Returns the entries of a map whose keys are names chosen by the user; `expected` is reported if it is not a map.
+/// Returns the entries of a map whose keys are user-chosen names; if it is no map, reports that `expected` was
+/// expected.
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
-  YAML::Node first;  ///< null if there is none
+  YAML::Node first;  ///< the first document, or null if the text has none
   bool has_more = false;
 };
 
-/// Reads at most two documents, since yaml-cpp (0.7) finds empty documents without end if a comma begins one. Throws
-/// YAML::Exception.
+/// Reads at most two YAML documents: yaml-cpp (0.7) finds endless empty ones after a comma. Throws YAML::Exception.
 YamlDocuments read_yaml_documents(const std::string& text);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The readers, one for each format. `is_...` examines the content (and the extension only if the content does not
-/// decide); `read_...` throws Error{invalid_input} with file and line.
+/// The readers of surface files, one for each format. `is_...` examines the content (and the extension only if the
+/// content does not decide); `read_...` throws Error{invalid_input} with file and line.
 #pragma once
 
 #include "geomesh/geomodel/readers.hpp"
@@ -80,8 +80,9 @@ FileContents read_charisma(const InputFile& file);
 bool is_xyz(const InputFile& file);
 FileContents read_xyz(const InputFile& file);
 
-/// Reads the wells of a table: one polyline for each name in its column of wells, or a single one. Throws
-/// Error{invalid_input} if the columns are not known, or if a survey has no head.
+/// Reads wells from a table: one polyline for each name in the column of well names, or a single polyline if there is
+/// no such column. Throws Error{invalid_input} if the columns are not known, or if the position of the head of a
+/// deviation survey is not known.
 FileContents read_well_table(const InputFile& file, const WellReading& reading);
 
 }  // namespace geomesh::geomodel

@@ -25,7 +25,7 @@ FileContents with_surface(const FileContents& contents, const TriangulatedSurfac
   return part;
 }
 
-/// Returns one object for the lines of each name, in the order in which the names first occur.
+/// Divides a file of polylines into objects, one for the lines of each name, in the order of the names in the file.
 std::vector<FileContents> objects_of_lines(const FileContents& contents) {
   std::vector<FileContents> objects;
   std::map<std::string, std::size_t> row_of;

@@ -9,11 +9,11 @@
 
 namespace geomesh::geomodel {
 
-/// Returns one FileContents for each surface and each point set, with the file's format and frame; the file's warnings
-/// and notes are in the first one.
+/// Returns the contents of one file as several, one for each surface and each point set. All have the format and the
+/// frame of the file; its warnings and notes are in the first one.
 std::vector<FileContents> objects_of_file(const FileContents& contents);
 
-/// Returns the contents with only the surface or point set of this name; without objects if there is none.
+/// Returns the contents of a file with only the surface or point set of this name; without any object if there is none.
 FileContents object_named(const FileContents& contents, const std::string& name);
 
 }  // namespace geomesh::geomodel

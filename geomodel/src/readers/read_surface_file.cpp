@@ -21,8 +21,8 @@ struct Format {
   FileContents (*read)(const InputFile&);
 };
 
-/// In the order in which they are tried: formats that identify themselves before those that are recognised by the form
-/// of their lines.
+/// Formats of surface files in the order in which they are tried: formats that identify themselves come before those
+/// that are recognised by the form of their lines.
 constexpr std::array formats{
     Format{"GOCAD", ".ts .ml .pl .vs .wl .mx .gp", is_gocad, read_gocad},
     Format{"PLY", ".ply", is_ply, read_ply},
@@ -50,7 +50,6 @@ constexpr std::array formats{
     Format{"points (XYZ, CSV)", ".xyz .csv .txt .dat .pts", is_xyz, read_xyz},
 };
 
-/// Returns the format that belongs to the extension, or nullptr.
 const Format* by_extension(const InputFile& file) {
   const std::string wanted = file.extension();
   if (wanted.empty()) return nullptr;
@@ -61,7 +60,7 @@ const Format* by_extension(const InputFile& file) {
   return nullptr;
 }
 
-/// Formats from which no surface can be read, and what to do with them.
+/// A file format from which no surface can be read, with advice on what to do instead.
 struct Stranger {
   std::string_view begins;  ///< first bytes of the file; empty if only the extension identifies it
   const char* extensions;   ///< blank-separated
@@ -109,7 +108,6 @@ void refuse_strangers(const InputFile& file) {
 
 namespace {
 
-/// Removes the points that no triangle uses; the others keep their order.
 void keep_used_points(TriangulatedSurface& surface) {
   std::vector<VertexIndex> row(surface.points.size(), no_vertex);
   for (const Triangle& t : surface.triangles)
@@ -125,9 +123,9 @@ void keep_used_points(TriangulatedSurface& surface) {
   surface.points = std::move(kept);
 }
 
-/// Returns whether the triangles without these heights are most of a surface that has one height over each place of the
-/// map, like a horizon. Otherwise the flat base of a fault or of a body, which is far from its other vertices too,
-/// would be removed.
+/// Returns whether a surface is a layer: the triangles without these heights are most of it, and have one height over
+/// each place of the map, like a horizon. Only then are the heights removed; otherwise the flat base of a fault or
+/// body, which is far from its other vertices too, would be lost.
 bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& heights,
                       std::span<const OddHeight> odd) {
   const auto is_odd = [&](VertexIndex v) {
@@ -145,7 +143,7 @@ bool is_layer_without(const TriangulatedSurface& s, const std::vector<double>& h
   return std::abs(signed_area) > nearly_all * area && area_without > most * area;
 }
 
-/// Returns heights in the numbers of the file: formats other than grids and tables convert while reading.
+/// Returns heights as the numbers in the file, because formats other than grids and tables convert units while reading.
 std::vector<double> heights_in_file(const std::vector<Vec3>& points, const SourceFrame& frame) {
   const std::string& unit = frame.z_unit.empty() ? frame.unit : frame.z_unit;
   const double factor = length_unit_in_metres(unit).value_or(1) * (frame.depth ? -1 : 1);
@@ -162,7 +160,7 @@ void keep_no_data_alone(std::vector<OddHeight>& odd) {
   std::erase_if(odd, [](const OddHeight& o) { return o.kind != OddHeight::Kind::no_data; });
 }
 
-/// Adds the message on unusual heights to the warnings, once.
+/// Adds a message on unusual heights to the warnings, unless the same message is there already.
 void tell_odd(const std::string& name, const std::vector<Vec3>& points, const std::vector<OddHeight>& odd,
               const char* what, FileContents& contents) {
   for (std::string& text :
@@ -171,8 +169,8 @@ void tell_odd(const std::string& name, const std::vector<Vec3>& points, const st
       contents.warnings.push_back(std::move(text));
 }
 
-/// Removes points on lines whose heights mean "no value". Heights of all lines are examined together, because one line
-/// may have few points.
+/// Removes the points of polylines whose heights mean "no value". The heights of all polylines are examined together,
+/// because a single line may have few points.
 void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
   std::vector<Vec3> points;
   for (const Polyline& line : contents.polylines) points.insert(points.end(), line.points.begin(), line.points.end());
@@ -187,8 +185,8 @@ void drop_no_data_of_lines(const InputFile& file, FileContents& contents) {
   std::erase_if(contents.polylines, [](const Polyline& line) { return line.points.size() < 2; });
 }
 
-/// Removes vertices and points whose heights mean "no value", and reports others that are implausible. For grids and
-/// tables this was done while reading.
+/// Removes vertices and points whose heights mean "no value", and reports heights that are implausible. The readers of
+/// grids and tables have done this before.
 void drop_no_data(const InputFile& file, FileContents& contents) {
   for (TriangulatedSurface& surface : contents.surfaces) {
     const bool from_grid = std::any_of(contents.grids.begin(), contents.grids.end(),
@@ -205,7 +203,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     });
     if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
     keep_used_points(surface);
-    contents.regions.clear();  // regions refer to triangles by their rows
+    contents.regions.clear();  // regions refer to triangles by rows, which have changed
   }
   for (PointSet& set : contents.point_sets) {
     const std::vector<double> heights = heights_in_file(set.points, contents.frame);
@@ -217,7 +215,6 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
   drop_no_data_of_lines(file, contents);
 }
 
-/// Converts names and messages to UTF-8, whatever the file's encoding.
 void names_in_utf8(FileContents& contents) {
   const auto fix = [](std::string& text) { text = as_utf8(text); };
   for (auto& s : contents.surfaces) fix(s.name);
@@ -235,7 +232,7 @@ void names_in_utf8(FileContents& contents) {
 static InputFile load(const std::filesystem::path& path, const ReadOptions& options) {
   InputFile file = load_input_file(path);
   file.options = options;
-  // The byte order mark that Windows writes before UTF-8.
+  // UTF-8 files from Windows begin with a byte order mark, which is removed.
   if (file.text().starts_with("\xef\xbb\xbf")) file.bytes.erase(0, 3);
   return file;
 }

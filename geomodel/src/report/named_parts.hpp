@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The named parts of a mesh, as reports list them.
+/// Lists the named regions, surfaces and curves of a mesh for reports.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns `regions`, `surfaces` and `curves` (including named points) with ids, kinds and measures.
+/// Returns the report's members `regions`, `surfaces` and `curves` (including named points), with ids and measures.
 nlohmann::ordered_json named_parts_json(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -40,7 +40,7 @@ std::string degrees(double angle) {
   return text;
 }
 
-/// Names of the two things that meet or face each other.
+/// Names of the surfaces or curves that cause a poor element, because they meet or face each other.
 class CauseNames {
  public:
   CauseNames(const PolygonSoup& soup, const ModelPlc& plc, const std::vector<TriangulatedSurface>& surfaces)
@@ -54,7 +54,7 @@ class CauseNames {
     const auto& curves = plc_.segment_curves[s];
     return curves.empty() ? "segment " + std::to_string(s) : "curve " + plc_.curves[curves.front()].name;
   }
-  /// Returns "between A and B", or "between two facets of A" if both are the same.
+  /// Returns a text such as "between A and B", or "between two facets of A" if both are the same.
   std::string between(const WorstElement& w) const {
     const std::string a = w.segment_a != no_index ? segment(w.segment_a)
                           : w.facet_a != no_index ? facet(w.facet_a)
@@ -165,7 +165,7 @@ json quality_json(const QualityReport& quality, const ModelMesh* mesh) {
   return root;
 }
 
-json refinement_json(const RefineStatistics& s) {
+json refinement_json(const RefineStatistics& s, const QualityReport* quality) {
   return {{"estimated_tetrahedra", s.estimated_elements},
           {"runs", s.runs},
           {"off_before", s.off_before},
@@ -182,7 +182,7 @@ json refinement_json(const RefineStatistics& s) {
           {"improving_insertions", s.improving_insertions},
           {"passes", s.passes},
           {"sizes_on_surfaces", s.sizes_on_surfaces},
-          {"edges_within_size", s.edges_within_size},
+          {"edges_within_size", quality ? quality->measured.whole.share_within_size() : 1.0},
           {"deviation_result_to_input", s.deviation_result_to_input},
           {"deviation_input_to_result", s.deviation_input_to_result},
           {"out_of_time", s.out_of_time}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Element quality in words and in JSON.
+/// Formats element quality as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 /// Returns the member `quality` of the report. `mesh` gives the names of regions.
 nlohmann::ordered_json quality_json(const QualityReport& quality, const ModelMesh* mesh);
-/// The member `refinement`.
-nlohmann::ordered_json refinement_json(const RefineStatistics& statistics);
+/// Returns the member `refinement` of the report; `quality` may be null.
+nlohmann::ordered_json refinement_json(const RefineStatistics& statistics, const QualityReport* quality);
 
 }  // namespace geomesh::geomodel

@@ -7,7 +7,6 @@
 #include "geomesh/geomodel/warnings.hpp"
 #include "geomesh/geomodel/writers.hpp"
 #include "naming/sums.hpp"
-#include "report/mean_edge.hpp"
 #include "report/named_parts.hpp"
 #include "report/quality.hpp"
 
@@ -50,7 +49,7 @@ json voronoi_json(const VoronoiDual& d) {
           {"least_relative_area", d.least}};
 }
 
-/// Returns the names of the input surfaces and box sides by row.
+/// Returns the names of the input surfaces and box sides, by surface index.
 std::vector<std::string> surface_names(const Report& report) {
   if (!report.surface_names.empty() || !report.mesh) return report.surface_names;
   std::vector<std::string> names;
@@ -81,7 +80,7 @@ json spots_json(const std::vector<Spot>& spots, const std::vector<std::string>& 
   return list;
 }
 
-/// Returns what each surface lost to bodies, to the box and to rules; surfaces that lost nothing are left out.
+/// Returns the area that each surface lost to bodies, to the box and to rules; surfaces that lost nothing are left out.
 json clipping_json(const ArrangementResult& a, const std::vector<std::string>& names) {
   json list = json::array();
   CompensatedSum by_bodies, by_box, by_rules;
@@ -121,7 +120,7 @@ void add_arrangement(const ArrangementResult& a, const std::vector<std::string>&
                           {"spots", spots_json(a.spots, names)}};
 }
 
-/// Returns the surfaces that were continued to what bounds them, and gaps that were filled.
+/// Returns the surfaces that were continued to the surfaces that bound them, and the gaps that were filled.
 json continued_json(std::span<const ContinuedSurface> continued) {
   json list = json::array();
   for (const ContinuedSurface& c : continued) {
@@ -165,7 +164,8 @@ json tolerance_json(const ToleranceLedger& ledger) {
           {"uses", std::move(uses)}};
 }
 
-/// The tolerance is also listed in the input, as the largest distance that was requested.
+/// Adds to the report the part of the tolerance that each stage used. The requested tolerance is also listed in
+/// `input`.
 void add_tolerance(const ToleranceLedger& ledger, json& root) {
   if (root.contains("input") && root["input"].contains("mesh") && ledger.requested() > 0)
     root["input"]["mesh"]["tolerance"] = ledger.requested();
@@ -276,8 +276,10 @@ std::string to_json(const Report& report) {
   if (report.mesh && !report.mesh->open_borders.empty())
     root["open_borders"] = open_borders_json(report.mesh->open_borders);
   if (!report.tops.empty()) root["tops"] = tops_json(report.tops, report.mesh ? report.mesh->origin : Vec3{});
-  if (report.refinement) root["refinement"] = refinement_json(*report.refinement);
-  if (report.refinement && report.mesh) root["refinement"]["mean_edge"] = mean_edge(*report.mesh);
+  if (report.refinement) {
+    const QualityReport* const quality = report.quality ? &*report.quality : nullptr;
+    root["refinement"] = refinement_json(*report.refinement, quality);
+  }
   if (report.quality) root["quality"] = quality_json(*report.quality, report.mesh);
   if (report.solver) root["solver"] = json::parse(to_json(*report.solver));
   if (report.voronoi_dual) root["voronoi_dual"] = voronoi_json(*report.voronoi_dual);

@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::string_view left_out = "...";  ///< replaces names and numbers
+constexpr std::string_view left_out = "...";  ///< replaces names and numbers when warnings are grouped
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {
@@ -28,7 +28,7 @@ std::vector<std::string_view> words_of(std::string_view text) {
   return words;
 }
 
-/// Returns the text after the colon of prefixes such as "top.ts: the file says" and "polyline W2: a length".
+/// Returns a message without a prefix that ends with a colon, such as "top.ts: the file says" or "polyline W2:".
 std::string_view without_prefix(std::string_view text) {
   const std::size_t colon = text.find(": ");
   const bool is_name = colon != std::string_view::npos && words_of(text.substr(0, colon)).size() <= 2;
@@ -53,7 +53,7 @@ std::string warning_cause(std::string_view warning) {
 std::string warning_statement(std::string_view warning) {
   const std::size_t said_at = warning.size() - without_prefix(warning).size();
   std::string_view statement = warning.substr(0, warning.find_first_of(ends_of_statement, said_at));
-  for (const std::string_view end : {" ", ", near"})  // the end of "..., near (x, y, z)"
+  for (const std::string_view end : {" ", ", near"})  // the end of a message such as "..., near (x, y, z)"
     while (statement.ends_with(end)) statement.remove_suffix(end.size());
   return std::string(statement.empty() ? warning : statement);
 }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double picture_width = 760, margin_left = 70, margin_bottom = 40, margin_top = 12, margin_right = 30;
 
-/// Transformation from the section's coordinates to those of the picture, y downwards.
+/// Transformation from coordinates in a section to those of the picture, with y downwards.
 struct Frame {
-  Vec2 low, high;  ///< bounds of the model in the plane
+  Vec2 low, high;  ///< bounds of the model in the plane of the section
   double scale_u, scale_v;
 
   double u(double x) const { return margin_left + (x - low.x) * scale_u; }
@@ -38,7 +38,7 @@ Frame frame_of(const Section& section, const Box3& bounds) {
   return frame;
 }
 
-/// Returns a round step that gives three to eight ticks over the range.
+/// Returns a round step between ticks, so that an axis over the range has three to eight ticks.
 double tick_step(double range) {
   const double rough = range / 5, power = std::pow(10.0, std::floor(std::log10(rough)));
   for (double factor : {1.0, 2.0, 5.0})
@@ -109,7 +109,7 @@ std::string number(double value) {
     std::snprintf(text, sizeof text, "%.4g", value);
     return text;
   }
-  std::snprintf(text, sizeof text, "%.3e", value);  // rounded to four digits
+  std::snprintf(text, sizeof text, "%.3e", value);  // text of the number rounded to four digits
   const double rounded = std::strtod(text, nullptr);
   const int power = static_cast<int>(std::floor(std::log10(std::abs(rounded))));
   std::snprintf(text, sizeof text, "%.*f", std::max(0, 3 - power), rounded);

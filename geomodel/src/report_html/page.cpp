@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes the report as a page, declared in geomesh/geomodel/report.hpp.
+// Makes the report as an HTML page, declared in geomesh/geomodel/report.hpp.
 #include <algorithm>
 #include <array>
 
@@ -37,7 +37,7 @@ std::string cell(const std::string& text, bool is_number = false) {
 }
 
 std::string regions_table(const ModelMesh& mesh, const MeshColours& colours) {
-  std::vector<std::string> bodies(mesh.regions.size());  // the bodies in which each region lies, except itself
+  std::vector<std::string> bodies(mesh.regions.size());  // names of other bodies that contain each region
   for (std::size_t i = 0; i < mesh.regions.size(); ++i)
     for (const std::string& body : mesh.regions[i].inside)
       if (body != mesh.regions[i].name) bodies[i] += (bodies[i].empty() ? "" : ", ") + body;
@@ -91,7 +91,7 @@ std::string sections(const ModelMesh& mesh, const Box3& bounds, const MeshColour
   return out;
 }
 
-/// If there is more than one, warnings are collapsed under a line with their number, so that the model is seen first.
+/// Lists the warnings. Several are collapsed under a line with their number, so that the reader sees the model first.
 std::string warnings(const Report& report) {
   std::string out;
   for (const std::string& w : report.warnings) out += "<div class=\"warning\">" + escape(w) + "</div>\n";
@@ -100,7 +100,7 @@ std::string warnings(const Report& report) {
          out + "</details>\n";
 }
 
-/// Collapses the notes if there are more than a few.
+/// Lists the notes, collapsed if there are more than a few.
 std::string notes(const Report& report) {
   if (report.notes.empty()) return {};
   constexpr std::size_t few = 5;

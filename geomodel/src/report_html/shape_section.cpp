@@ -11,7 +11,7 @@ namespace geomesh::geomodel::page {
 namespace {
 
 constexpr std::size_t most_elements_shown = 10;
-/// Number of regions up to which histograms are drawn beside the table.
+/// Largest number of regions for which histograms are drawn beside the table.
 constexpr std::size_t most_regions_drawn = 24;
 
 std::string numeric(const std::string& text) { return "<td class=\"n\">" + text + "</td>"; }
@@ -74,7 +74,7 @@ std::string edges_against_size(const ShapeStatistics& s) {
   return out + "</tr></table></div>\n";
 }
 
-/// Formats a place with digits down to a millionth of `range`.
+/// Formats a position with digits down to a millionth of `range`.
 std::string place_words(const Vec3& place, double range) {
   return coordinate(place.x, range) + ", " + coordinate(place.y, range) + ", " + coordinate(place.z, range);
 }

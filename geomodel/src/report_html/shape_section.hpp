@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The page's section on the shape of the elements.
+/// Writes the sections of the HTML report on element shapes and on solvers.
 #pragma once
 
 #include <string>
@@ -9,12 +9,13 @@
 
 namespace geomesh::geomodel::page {
 
-/// Returns a table with statistics of the whole mesh and of each region; histograms of the whole mesh, and of the least
-/// angles by region. Those of the whole mesh are least dihedral angles as in the paper's Figure 11, all dihedral
-/// angles, radius ratios, and edges relative to the target size; then the worst elements with place and cause.
+/// Returns a section with a table of shape statistics for the whole mesh and each region, histograms, and the worst
+/// elements with position and cause. The histograms of the whole mesh show the least dihedral angles as in the paper's
+/// Figure 11, all dihedral angles, radius ratios, and edges relative to the target size; those of regions show the
+/// least dihedral angles.
 std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
 
-/// Returns the section on what solvers will do with the mesh.
+/// Returns the section on the limits that the mesh imposes on solvers.
 std::string solver_section(const SolverVerdict& verdict);
 
 }  // namespace geomesh::geomodel::page

@@ -15,7 +15,7 @@ namespace {
 constexpr double picture_width = 300;
 constexpr std::size_t n_shades = 12;
 
-/// Returns shades from pale to dark; shade 0 is for places where the unit is absent.
+/// Returns shades from pale to dark; shade 0 marks positions where the unit is absent.
 std::string shade(std::size_t row) {
   const double t = static_cast<double>(row) / static_cast<double>(n_shades);
   const auto mix = [t](double from, double to) { return static_cast<int>(from + t * (to - from)); };
@@ -29,7 +29,7 @@ std::size_t shade_of(double thickness, double largest) {
   return 1 + std::min(n_shades - 1, static_cast<std::size_t>(thickness / largest * static_cast<double>(n_shades)));
 }
 
-/// Consecutive cells of one shade in a row are drawn as one rectangle.
+/// Draws the cells of a thickness map. Consecutive cells of one shade in a row become one rectangle.
 std::string draw_cells(const ThicknessMaps& maps, const std::vector<double>& values, double largest, double scale) {
   std::string out;
   for (std::size_t j = 0; j < maps.n_rows; ++j)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The settled stack on the page: thickness maps with pinch-out lines, and what was changed.
+/// Writes the report's section on the settled stack of horizons: thickness maps with pinch-outs, and changes.
 #pragma once
 
 #include <string>

@@ -32,7 +32,7 @@ Keys: arrows turn, with shift move; + and - zoom; c, x, y, z cut, [ and ] move t
 <div class="side"><div class="card" role="region" aria-label="What was clicked" aria-live="polite"></div><div class="list" tabindex="0" role="group" aria-label="What is shown"></div></div></div>
 )html";
 
-/// Returns a picture of the initial view, which is shown until the script has drawn the model, or permanently.
+/// Returns a still picture of the initial view, shown until the script has drawn the model, or if it cannot run.
 std::string poster(const ModelMesh& mesh, const Box3& bounds, const MeshColours& colours) {
   const double stretch = vertical_exaggeration(bounds);
   std::string text = "The model with a corner cut away";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Applies the rules before the arrangement in their order, declared in geomesh/geomodel/model_rules.hpp.
+// Applies, in order, the rules that precede the arrangement, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
 
 #include "geomesh/core/error.hpp"
@@ -17,8 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the box enlarged, in the map, by the horizons with throw, so that no sheet continues around a fault's
-/// extension beyond the box.
+/// Returns the box enlarged in the map by horizons with throw, so that none continues around a fault's extension.
 Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules) {
   Box3 reach = *rules.box;
   for (std::size_t s = 0; s < built.surfaces.size(); ++s)
@@ -27,8 +26,7 @@ Box3 reach_of_continuations(const BuiltSurfaces& built, const ModelRules& rules)
   return reach;
 }
 
-/// Faults across which a horizon has throw, and which are otherwise kept as given, are extended if they end inside the
-/// box.
+/// Extends faults that end inside the box, if a horizon has throw across them and no other rule extends them.
 void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
   built.rows.first_only_parting.assign(built.surfaces.size(), no_index);
   if (!rules.box) return;
@@ -43,11 +41,12 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
       if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
-        part.resize(fault.triangles.size(), 0);  // as if given: remove_continuations() removes the extension
+        // The extension counts as original, because remove_continuations() removes it later.
+        part.resize(fault.triangles.size(), 0);
     }
 }
 
-/// Closes a body at the box, or makes it from a sheet.
+/// Closes a body at the box, or makes it from a surface with a thickness.
 void build_body(TriangulatedSurface& body, const SurfaceRules& rule, const std::optional<Box3>& box,
                 const BuildLog& log) {
   if (rule.thickness > 0) {
@@ -104,7 +103,8 @@ BuiltSurfaces build(const std::vector<TriangulatedSurface>& surfaces, const Mode
     if ((rule.extend != Extend::none || rule.has_throw()) && !rules.box)
       throw Error(ErrorKind::usage,
                   "surface " + surface.name + ": extend needs a box to extend to; give the project a box");
-    if (built.rows.first_only_parting[s] != no_index) continue;  // already continued and filled above
+    // Skips faults that were extended, and their holes filled, before this loop.
+    if (built.rows.first_only_parting[s] != no_index) continue;
     if (rule.fill_holes > 0) fill_holes(surface, rule.fill_holes, log);
     if (surface.kind == SurfaceKind::body) {
       build_body(surface, rule, rules.box, log);

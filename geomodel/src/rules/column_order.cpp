@@ -8,10 +8,10 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_samples = 2000;  // number of triangles of the younger horizon that are sampled
+constexpr std::size_t most_samples = 2000;  // number of triangles of the younger horizon that are sampled at most
 constexpr double nearly_everywhere = 0.9;
 
-/// Counts how many centres of the younger horizon's triangles lie above or below the older one.
+/// Counts the sampled triangle centres of the younger horizon that lie above and below the older one.
 struct Tally {
   std::size_t above = 0, below = 0;
 };
@@ -29,7 +29,7 @@ Tally compare(const TriangulatedSurface& younger, const TriangulatedSurface& old
   return tally;
 }
 
-/// Returns whether all of the surface lies above the box, or all of it below.
+/// Returns whether the surface lies entirely above the box, or entirely below it.
 bool is_beyond(const TriangulatedSurface& surface, const Box3& box) {
   return std::all_of(surface.points.begin(), surface.points.end(), [&](const Vec3& p) { return p.z > box.max.z; }) ||
          std::all_of(surface.points.begin(), surface.points.end(), [&](const Vec3& p) { return p.z < box.min.z; });
@@ -47,13 +47,12 @@ void warn_of_column_order(const std::vector<TriangulatedSurface>& surfaces, cons
   };
   for (std::size_t i = 1; i + 2 < rules.column.size(); i += 2) {
     const std::size_t younger = row_of(rules.column[i]), older = row_of(rules.column[i + 2]);
-    // Missing horizons are reported when the column is read.
+    // Horizons of the column that do not exist were reported when the column was read.
     if (younger == surfaces.size() || older == surfaces.size()) continue;
     if (rules.column[i] == rules.topography || rules.of(younger).base == BaseRule::erode ||
         rules.of(older).base == BaseRule::onlap)
       continue;
-    // A horizon entirely above or below the model most often has another unit or direction of z, which was reported
-    // already.
+    // Skips horizons entirely above or below the model: usually their z is wrong, which was reported already.
     if (rules.box && (is_beyond(surfaces[younger], *rules.box) || is_beyond(surfaces[older], *rules.box))) continue;
     const Tally tally = compare(surfaces[younger], surfaces[older]);
     if (static_cast<double>(tally.below) > nearly_everywhere * static_cast<double>(tally.above + tally.below))

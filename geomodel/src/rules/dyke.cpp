@@ -15,8 +15,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Largest move of a vertex as a factor on half of the thickness, which is too short a move where triangles are
-/// inclined to the vertex's normal. The limit corresponds to an inclination of 60 degrees.
+/// Largest distance by which a vertex moves, as a multiple of half the thickness. A vertex must move farther than half
+/// the thickness if its triangles are inclined to its normal; the limit corresponds to an inclination of 60 degrees.
 constexpr double longest_miter = 2;
 
 Vec3 area_vector(const std::vector<Vec3>& points, const Triangle& t) {
@@ -31,7 +31,7 @@ double angle_between(const Vec3& u, const Vec3& v) { return std::atan2(norm(cros
                                             to_text(sheet.points[sheet.triangles[triangle][0]]));
 }
 
-/// Checks that each edge has one triangle, or two on opposite sides.
+/// Checks that each edge has one or two triangles, and that no triangle has equal corners.
 void require_sheet(const TriangulatedSurface& sheet, const std::vector<VertexIndex>& merged) {
   std::map<std::pair<VertexIndex, VertexIndex>, int> uses;
   for (Index t = 0; t < sheet.triangles.size(); ++t)
@@ -42,7 +42,7 @@ void require_sheet(const TriangulatedSurface& sheet, const std::vector<VertexInd
     }
 }
 
-/// Flips triangles so that all of a sheet have the same orientation.
+/// Flips triangles so that all triangles of each connected part have the same orientation.
 void orient_as_one(TriangulatedSurface& sheet) {
   const UpwardSides sides = orient_upward(sheet);
   if (sides.n_unorientable_sheets > 0)
@@ -51,8 +51,8 @@ void orient_as_one(TriangulatedSurface& sheet) {
     if (!sides.as_stored[t]) std::swap(sheet.triangles[t][1], sheet.triangles[t][2]);
 }
 
-/// Returns, by merged row, the vector that moves a vertex to the mean distance `half` from the planes of its triangles.
-/// Throws at a vertex where they are inclined too much for that.
+/// Returns for each vertex the vector that moves it to the mean distance `half` from the planes of its triangles;
+/// points with equal coordinates share one vector. Throws at a vertex whose triangles are inclined too much for that.
 std::vector<Vec3> offsets(const TriangulatedSurface& sheet, const std::vector<VertexIndex>& merged, double half) {
   struct Corner {
     VertexIndex vertex;

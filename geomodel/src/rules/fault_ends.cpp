@@ -15,7 +15,7 @@ std::array<Vec3, 3> corners_of(const TriangulatedSurface& s, std::size_t t) {
   return {s.points[v[0]], s.points[v[1]], s.points[v[2]]};
 }
 
-/// Returns whether some of the triangle lies in the box, by clipping it.
+/// Returns whether some part of the triangle lies in the box, by clipping it.
 bool reaches_into(const Box3& box, const std::array<Vec3, 3>& t) {
   std::vector<Vec3> polygon(t.begin(), t.end());
   for (std::size_t k = 0; k < 3; ++k)

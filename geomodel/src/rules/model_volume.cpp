@@ -27,7 +27,7 @@ struct Turn {
   Vec2 map(double u, double v) const { return {u * x.x + v * y.x, u * x.y + v * y.y}; }
 };
 
-/// Returns the bounds of all points of the surfaces in the rotated frame. Heights are those of the data.
+/// Returns the bounds in the map of all points of the surfaces, in the rotated frame, and the range of their heights.
 Box3 data_bounds(const std::vector<TriangulatedSurface>& surfaces, const Turn& turn) {
   Box3 bounds;
   for (const TriangulatedSurface& s : surfaces)
@@ -39,7 +39,7 @@ Box3 data_bounds(const std::vector<TriangulatedSurface>& surfaces, const Turn& t
   return bounds;
 }
 
-/// Returns a height that is clear of the named surface: beyond its extreme by a twentieth of the data's height.
+/// Returns a height above or below all of the named surface, with a margin of a twentieth of the height of all data.
 double clear_of(const std::vector<TriangulatedSurface>& surfaces, const std::string& name, bool above) {
   const Box3 all = data_bounds(surfaces, Turn(0));
   for (const TriangulatedSurface& s : surfaces) {
@@ -117,7 +117,7 @@ ModelVolume along_axes(const Box3& box) {
   return result;
 }
 
-/// Returns the box between two opposite corners in the rotated frame.
+/// Returns the box between two opposite corners that are given in the rotated frame.
 ModelVolume turned_box(const VolumeSpec& spec, Vec2 own_min, Vec2 own_max, const Heights& h) {
   if (spec.azimuth == 0) return along_axes({{own_min.x, own_min.y, h.bottom}, {own_max.x, own_max.y, h.top}});
   const Turn turn(spec.azimuth);

@@ -20,12 +20,12 @@ double map_area(Vec2 a, Vec2 b, Vec2 c) {
 /// Places where a layer is thinner than required, at the points of the common triangulation of its two horizons.
 struct ThinPlaces {
   double area = 0;   ///< area in the map of triangles that are thin at all corners
-  double least = 0;  ///< least thickness there; negative where the horizons cross
+  double least = 0;  ///< least thickness of the layer; negative where the horizons cross
   Vec3 place;
   bool any = false;
 };
 
-/// Returns whether a layer is thin but not pinched out: where horizons coincide, the absence of the layer is intended.
+/// Returns whether a layer is thin but not pinched out; where its horizons coincide, its absence is intended.
 bool is_thin(double thickness, double wanted) { return thickness != 0 && std::abs(thickness) < wanted; }
 
 void note_thin(ThinPlaces& thin, double thickness, const Vec3& place) {
@@ -42,10 +42,10 @@ std::string told(const std::string& unit, const ModelRules& rules, const ThinPla
          " m near " + to_text(thin.place) + ")";
 }
 
-/// A horizon interpolated on the triangles of the overlay.
+/// A horizon interpolated on the common triangulation of several horizons in the map.
 struct Draped {
-  std::vector<bool> has;       ///< for each triangle of the overlay, whether the horizon is present
-  std::vector<double> height;  ///< for each point; NaN if no triangle needs it
+  std::vector<bool> has;       ///< for each triangle of the common triangulation, whether the horizon is present
+  std::vector<double> height;  ///< for each point of the triangulation; NaN if no triangle needs it
   bool overhangs = false;
 };
 
@@ -68,7 +68,7 @@ Draped drape(const PlanarOverlay& overlay, const TriangulatedSurface& horizon) {
   return draped;
 }
 
-/// Measures thin places, only inside the box if there is one.
+/// Measures where the layer between two horizons is thin, only inside the box if there is one.
 ThinPlaces measure(const TriangulatedSurface& top, const TriangulatedSurface& base, const ModelRules& rules) {
   const PlanarOverlay overlay = overlay_in_map({&top, &base});
   const Draped above = drape(overlay, top), below = drape(overlay, base);
@@ -94,12 +94,12 @@ ThinPlaces measure(const TriangulatedSurface& top, const TriangulatedSurface& ba
   return thin;
 }
 
-/// Points closer than `wanted` to the older horizon take its height; returns the largest move.
+/// Moves points of the younger horizon closer than `wanted` to the older one onto it; returns the largest move.
 double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
     const double gap = younger.height[v] - older.height[v];
-    if (!(std::abs(gap) < wanted)) continue;  // also if one of them is absent
+    if (!(std::abs(gap) < wanted)) continue;  // true also for NaN, if one of the horizons is absent
     largest = std::max(largest, std::abs(gap));
     younger.height[v] = older.height[v];
   }
@@ -141,8 +141,7 @@ double collapsed_area(const PlanarOverlay& overlay, const Draped& a, const Drape
   return area;
 }
 
-/// Collapses horizons rows[first] .. rows[last] of the column, youngest first, between which each layer is too thin
-/// somewhere.
+/// Collapses the layers between the horizons rows[first] .. rows[last], youngest first, each too thin somewhere.
 void collapse_run(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& rows, std::size_t first,
                   std::size_t last) {
   std::vector<const TriangulatedSurface*> run;

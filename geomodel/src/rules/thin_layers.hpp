@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Layers of the column that are thinner than the project requires.
+/// Handles layers of the column that are thinner than the project requires.
 #pragma once
 
 #include "geomesh/geomodel/model_rules.hpp"
@@ -8,12 +8,10 @@
 namespace geomesh::geomodel {
 
 /// Applies ModelRules::min_thickness to consecutive horizons of the column, as far as both lie over the same place in
-/// the map.
-///
-/// With `collapse`, horizons that come too close to each other somewhere get one common triangulation of the map, with
-/// all edges of all of them. From the oldest up, each point closer than min_thickness to the next older horizon takes
-/// its height: there both coincide, and the layer pinches out. Horizons that overhang or are given block by block are
-/// not changed, with a warning. With `error`, throws Error{invalid_input} if a layer is too thin.
+/// the map. With `collapse`, horizons that come too close to each other somewhere get one common triangulation of the
+/// map with the edges of all. From the oldest up, each point closer than min_thickness to the next older horizon takes
+/// that horizon's height: both coincide there, and the layer pinches out. Horizons that overhang or are given block by
+/// block are not changed, with a warning. With `error`, throws Error{invalid_input} if a layer is too thin.
 void apply_min_thickness(BuiltSurfaces& built, const ModelRules& rules);
 
 }  // namespace geomesh::geomodel

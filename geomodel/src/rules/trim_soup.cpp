@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Applies the rules after the arrangement in their order, declared in geomesh/geomodel/model_rules.hpp.
+// Applies, in order, the rules that follow the arrangement, declared in geomesh/geomodel/model_rules.hpp.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -25,16 +25,16 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Least ratio of the shorter to the longer of two lengths: along which a fault's piece is above a horizon, and along
-/// which it is below.
+/// Least ratio of the shorter to the longer of two lengths, at which a piece of a fault counts as a step between two
+/// blocks: the lengths along which the piece is above a horizon, and along which it is below.
 constexpr double share_of_step = 0.5;
-/// Least ratio if the part beyond is left out: a piece that continues there does no harm. Such a piece lies between two
-/// blocks and continues beyond them, for example where a body separates one block from the fault.
+/// Least ratio of the lengths above and below the topography or base at which a piece of a fault counts as a step
+/// between two blocks. It is small, because a piece that is kept beyond the model does no harm. Such a piece lies
+/// between two blocks and continues beyond them, for example where a body separates one block from the fault.
 constexpr double share_at_end = 0.1;
 
-/// Returns whether a fault's piece lies between two blocks of the horizon: above one and below the other, along lengths
-/// whose ratio is at least that share. Without the piece, the units above and below the horizon would be connected
-/// there.
+/// Returns whether a piece of a fault lies between two blocks of a horizon: above one and below the other, along
+/// lengths whose ratio is at least `least_share`. It separates the units above and below the horizon.
 bool is_step(const Piece& piece, double least_share) {
   return piece.above > 0 && piece.below > 0 &&
          std::min(piece.above, piece.below) >= least_share * std::max(piece.above, piece.below);
@@ -70,8 +70,8 @@ struct Trimming {
     return area;
   }
 
-  /// Returns the faults other than x. Blocks end at them, so x may lie above y on one side of a fault and below y on
-  /// the other.
+  /// Returns the faults other than x, at which blocks end: x may lie above a horizon on one side and below on the
+  /// other.
   std::vector<Index> faults_but(Index x) const {
     std::vector<Index> faults;
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -79,8 +79,7 @@ struct Trimming {
     return faults;
   }
 
-  /// Returns the faults other than x at which the blocks of y end. The topography and the base may have a scarp at any
-  /// fault.
+  /// Returns the faults other than x at which horizon y is divided. Topography and base may have a scarp at any fault.
   std::vector<Index> dividers_of(Index y, Index x) const {
     const bool is_end = surfaces[y].name == rules.topography || surfaces[y].name == rules.floor;
     if (is_end || rules.of(y).fills_blocks()) return faults_but(x);
@@ -89,14 +88,14 @@ struct Trimming {
     return faults;
   }
 
-  /// y may end on other horizons: x continues beyond that end, and may lie on the other side of y when it meets it
-  /// again.
+  /// Adds the other horizons of the column to the dividers of x and y. If y ends on one of them, x continues beyond
+  /// that end, and may lie on the other side of y where it meets y again.
   void add_others_of_column(Index x, Index y, std::vector<Index>& dividers) const {
     for (std::size_t i = 1; i < rules.column.size(); i += 2)
       if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
   }
 
-  /// Returns 1 if most of the piece lies above y, -1 if below, 0 if unknown.
+  /// Returns 1 if most of the piece lies above surface y, -1 if below, 0 if unknown.
   int side_of_piece(const Piece& piece, Index y, const std::optional<HeightVote>& heights, bool is_divided) {
     const int by_height = heights ? heights->side_of(piece) : 0;
     if (by_height != 0) return by_height;
@@ -104,7 +103,7 @@ struct Trimming {
     return is_beyond_a_fault ? 0 : side_of(working, piece, y, sides_of(y));
   }
 
-  /// Removes the pieces of x on one side of y (1 above, -1 below).
+  /// Removes the pieces of surface x on one side of surface y (1 above, -1 below).
   void clip(Index x, Index y, int side, const std::string& because, double least_of_step = share_of_step) {
     double area = 0;
     Index largest = no_index;
@@ -138,7 +137,7 @@ struct Trimming {
   }
 };
 
-/// Removes pieces beyond the target that consist only of the extension.
+/// Removes those pieces of a surface beyond the target that consist only of its extension.
 void stop_at(Trimming& work, Index s, Index target) {
   double area = 0;
   std::size_t n = 0;
@@ -154,8 +153,8 @@ void stop_at(Trimming& work, Index s, Index target) {
                          std::to_string(n) + " continued pieces beyond it removed (area " + to_text(area) + ")");
 }
 
-/// Applies stop_at, targets first: a surface that ends on another one must not continue beyond the remaining part of
-/// that one.
+/// Applies the rule stop_at to all surfaces, to its target before the surface itself: a surface that ends on another
+/// one must not continue beyond what remains of it.
 void stop_continuations(Trimming& work) {
   std::vector<bool> done(work.n_given(), false);
   const std::function<void(Index)> stop = [&](Index s) {
@@ -169,7 +168,7 @@ void stop_continuations(Trimming& work) {
   for (Index s = 0; s < work.n_given(); ++s) stop(s);
 }
 
-/// Applies cut_units: removes pieces of a fault above or below the units that it cuts.
+/// Applies the rule cut_units, by which a fault cuts some units only: removes its pieces above and below these.
 void cut_units_alone(Trimming& work, Index s) {
   const std::vector<std::string> units = work.rules.of(s).cut_units;
   if (units.empty()) return;
@@ -192,12 +191,12 @@ void cut_units_alone(Trimming& work, Index s) {
   }
 }
 
-/// Removes the parts of all other surfaces on one side of the named one; sides of the box are removed together with the
-/// tetrahedra.
+/// Removes the parts of all other surfaces on one side of the named surface. Sides of the box are not cut here; they
+/// are removed together with the tetrahedra beyond the surface.
 void end_at(Trimming& work, const std::string& name, int side, const std::string& because) {
   if (name.empty()) return;
   const Index end = work.row_of(name);
-  for (const bool are_faults : {false, true})  // faults divide the others and are therefore cut last
+  for (const bool are_faults : {false, true})  // faults divide the other surfaces and are therefore cut last
     for (Index s = 0; s < work.surfaces.size(); ++s)
       if (s != end && work.surfaces[s].kind != SurfaceKind::box &&
           (work.surfaces[s].kind == SurfaceKind::fault) == are_faults)
@@ -237,8 +236,7 @@ BuiltSurfaces built_surfaces(const Trimming& work) {
   return built;
 }
 
-/// Returns why the younger of two horizons cuts the older one where they cross, or is cut by it; empty if no rule says
-/// so.
+/// Returns, for a note, why one of two horizons cuts the other where they cross; empty if no rule applies.
 std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keeper keeper) {
   const bool younger_stays = keeper == Keeper::younger;
   const auto is_in = [&](const std::vector<std::string>& names, Index row) {
@@ -257,7 +255,7 @@ std::string reason_to_cut(const Trimming& work, Index younger, Index older, Keep
   return "";
 }
 
-/// Applies the rules of each pair of horizons in the order of deposition: each horizon is cut by the older ones that
+/// Applies the rules of each pair of horizons in the order of deposition: each horizon is cut by those older ones that
 /// are kept, then cuts the others, starting with the oldest. Parts that were eroded before a horizon was deposited do
 /// not cut that horizon.
 void order_horizons(Trimming& work) {
@@ -277,8 +275,8 @@ void order_horizons(Trimming& work) {
       }
 }
 
-/// For fields that are not valid everywhere: removes the parts of surface `s` outside their domain, except those that
-/// order_horizons and part_blocks remove.
+/// Removes the parts of surface `s` outside the domain of its field, if that is not valid everywhere, except the parts
+/// that order_horizons() and part_blocks() remove.
 void end_at_domain(Trimming& work, Index s) {
   const auto& column = work.rules.column;
   const auto is_of_column = [&](Index row) {
@@ -293,8 +291,7 @@ void end_at_domain(Trimming& work, Index s) {
     }
 }
 
-/// Determines whether places lie in the domain of a field of surface `s`. A place near a bound may be assigned to
-/// either side.
+/// Determines whether points lie in the domain of a field of surface `s`; near a bound of it, either may result.
 class DomainSides {
  public:
   DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)
@@ -336,7 +333,8 @@ class DomainSides {
   std::vector<std::pair<std::unique_ptr<MapLocator>, bool>> horizons_;
 };
 
-/// Warns of what was not proven about a field, if the model keeps some of it. Parts outside its domain do not matter.
+/// Reports the doubts about fields (what was not proven when they were contoured), if the model keeps the triangles or
+/// places concerned. Parts outside a field's domain do not matter.
 void warn_of_doubts(Trimming& work, const Parting& parting) {
   for (Index s = 0; s < work.n_given(); ++s) {
     const std::vector<FieldPart> parts = work.rules.of(s).field_parts;
@@ -357,7 +355,7 @@ void warn_of_doubts(Trimming& work, const Parting& parting) {
 
 /// Removes, from horizons that fill their fault blocks, the data beyond the fault at which they should end.
 void end_data_at_faults(Trimming& work) {
-  std::optional<BlockFramework> blocks;  // made if a surface overshoots
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first surface overshoots
   for (Index s = 0; s < work.n_given(); ++s) {
     if (!work.rules.of(s).fills_blocks()) continue;
     MeantEnd end{s, work.faults_but(s), work.rules.continuation.within_of_horizons, part_of(work.built, s)};
@@ -368,7 +366,7 @@ void end_data_at_faults(Trimming& work) {
   }
 }
 
-/// Applies trim_overshoot to horizons and faults, relative to all other surfaces.
+/// Applies the rule trim_overshoot to horizons and faults, relative to all other surfaces.
 void trim_overshoots(Trimming& work) {
   for (Index s = 0; s < work.surfaces.size(); ++s) {
     if (work.surfaces[s].kind != SurfaceKind::horizon && work.surfaces[s].kind != SurfaceKind::fault) continue;
@@ -385,7 +383,7 @@ void trim_overshoots(Trimming& work) {
 TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                       const ModelRules& rules) {
   Trimming work{WorkingSoup(soup), surfaces, built, rules, std::vector<double>(surfaces.size(), 0)};
-  std::optional<BlockFramework> blocks;  // made if a field is valid in one of the blocks
+  std::optional<BlockFramework> blocks;  // fault blocks, computed when the first field is valid in one of them
   const auto in_one_block = [&](const Vec3& p, const Vec3& q) {
     if (!blocks) blocks.emplace(built_surfaces(work), rules);
     return blocks->block_at(p) == blocks->block_at(q);
@@ -393,14 +391,16 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings, in_one_block};
   const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
   for (Index s = 0; s < work.n_given(); ++s)
-    if (is_end(s)) part_blocks(parting, s);  // surfaces that end at it end at the remaining parts of its blocks
+    // Surfaces that end at the topography or base end at the remaining parts of its blocks.
+    if (is_end(s)) part_blocks(parting, s);
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
   stop_continuations(work);
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
-  for (Index s = 0; s < built.part_of_triangle.size(); ++s)  // these end at the remaining parts of the faults
+  // Continued horizons end at the remaining parts of the faults.
+  for (Index s = 0; s < built.part_of_triangle.size(); ++s)
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);
   for (Index s = 0; s < work.n_given(); ++s)

@@ -18,16 +18,17 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Returns a bound on the rounding of distances and planes at a place.
+/// Returns a bound on the rounding errors of distances and planes near a place.
 double rounding_at(const Vec3& p) {
-  constexpr double share = 1e-12;  // share of the largest coordinate
+  constexpr double share = 1e-12;  // rounding error as a share of the largest coordinate
   return share * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
-/// The mean plane of a side, in long doubles so that a point moved onto it is off only by its own rounding.
+/// The mean plane of a side of the model, in long doubles, so that a point that is moved onto the plane is off it only
+/// by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< height of the plane above the point
+  long double height = 0;  ///< signed distance of the plane above the point
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;
@@ -42,15 +43,17 @@ struct Plane {
   }
 };
 
-/// The surfaces at an edge of faces.
+/// An edge of mesh faces, with the surfaces on which it lies and the target of its midpoint.
 struct EdgeOnSurfaces {
   VertexIndex a, b;
-  std::vector<std::int32_t> surfaces;              ///< without sides of the model, ascending
-  std::array<bool, 3> fixed{false, false, false};  ///< coordinates that are fixed because of a side along the axes
-  const Plane* slanting = nullptr;                 ///< the plane of a side that is not along the axes
+  std::vector<std::int32_t> surfaces;  ///< ids of the surfaces at the edge without sides of the model, ascending
+  /// Coordinates of the midpoint that are fixed by a side of the model along the axes.
+  std::array<bool, 3> fixed{false, false, false};
+  const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  int halvings = 0;  ///< number of times that the way to the target was halved; `stays`: the edge is straight
+  /// Number of times that the distance of the midpoint from the straight edge was halved; `stays`: it is straight.
+  int halvings = 0;
   static constexpr int stays = 4;
 
   Vec3 middle() const {
@@ -59,7 +62,7 @@ struct EdgeOnSurfaces {
 };
 
 constexpr std::size_t tetrahedron_edges[6][2] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-/// Number of alternating projections onto surfaces that meet in an edge.
+/// Number of alternating projections of a midpoint onto the surfaces that meet in its edge.
 constexpr int n_projections = 6;
 
 class EdgeCurver {
@@ -81,7 +84,7 @@ class EdgeCurver {
     find_side_planes();
     find_edges();
     for (EdgeOnSurfaces& edge : edges_) aim(edge);
-    // A face whose edges were made less curved has changed, and is proven again.
+    // Halving the curvature of edges changes their faces, which must then be proven again.
     do straighten_far_faces();
     while (straighten_unproven());
     std::vector<CurvedEdge> result;
@@ -158,7 +161,8 @@ class EdgeCurver {
         if (!(std::abs(plane.height_of(mesh_.points[v])) <= rounding_at(mesh_.points[v]))) return std::nullopt;
     return plane;
   }
-  /// An edge on a side remains in its plane; on two oblique sides at once it remains straight.
+  /// Restricts the midpoint of an edge on a side of the model to the plane of this side. An edge on two oblique sides
+  /// at once remains straight.
   void fix_side(std::int32_t id, EdgeOnSurfaces& edge) const {
     const auto plane = sides_.find(id);
     if (plane == sides_.end()) {
@@ -206,7 +210,7 @@ class EdgeCurver {
     return half_way(mesh_.points[p], mesh_.points[q]);
   }
 
-  /// Straightens the edges of faces that are not proven to be within the tolerance.
+  /// Straightens the edges of all faces that are not proven to be within the tolerance.
   void straighten_far_faces() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -237,7 +241,7 @@ class EdgeCurver {
     });
   }
 
-  /// Returns true if an edge was made less curved.
+  /// Halves the curvature of the edges of elements whose Jacobian is not proven positive. Returns true if any.
   bool straighten_unproven() {
     bool any = false;
     for (bool changed = true; changed;) {
@@ -267,9 +271,10 @@ class EdgeCurver {
   double tolerance_;
   std::map<std::int32_t, SurfaceKind> kind_of_;
   std::map<std::int32_t, SurfaceDistance> nearest_;
-  std::map<std::int32_t, Plane> sides_;     // planes of those sides of the model that are plane
-  std::vector<EdgeOnSurfaces> edges_;       // by ends, ascending
-  std::vector<std::array<int, 3>> proven_;  // for each face: how curved its edges were when it was proven
+  std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
+  std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
+  // for each face: how often its edges had been halved in curvature when it was last proven
+  std::vector<std::array<int, 3>> proven_;
 };
 
 }  // namespace

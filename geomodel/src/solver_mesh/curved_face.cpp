@@ -14,7 +14,8 @@ double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
 enum class Verdict { within, beyond, open };
 
-/// Tests with `n` pieces per edge; `off` is the distance of the face from these.
+/// Approximates a second-order face by flat triangles with `n` pieces on each edge, and tests these against the
+/// surface. `off` is the largest distance of the face from the triangles.
 Verdict judge(const std::array<Vec3, 6>& nodes, const SurfaceDistance& surface, double limit, int n, double off) {
   const auto place = [&](int i, int j) {
     return place_on_face(nodes,
@@ -44,7 +45,8 @@ Vec3 place_on_face(const std::array<Vec3, 6>& nodes, const std::array<double, 3>
 
 bool is_face_within(const std::array<Vec3, 6>& nodes, const SurfaceDistance& surface, double limit) {
   constexpr int most_pieces = 16;
-  constexpr double most_off = 0.25;  // share of the limit: with more pieces, the time exceeds the benefit
+  // Largest `off` as a share of the limit: with more pieces, the time exceeds the benefit.
+  constexpr double most_off = 0.25;
   double bend = 0;
   for (std::size_t i = 0; i < 3; ++i)
     bend = std::max(bend, length(nodes[3 + i] - 0.5 * (nodes[i] + nodes[(i + 1) % 3])));

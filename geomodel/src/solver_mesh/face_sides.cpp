@@ -25,8 +25,8 @@ Sorted sorted(Triangle t) {
   return {t, even};
 }
 
-/// Pairs faces in portions, by their smallest vertices, because a list of all faces would take five times the memory of
-/// the mesh.
+/// Finds the neighbours of tetrahedra by sorting faces. Faces are sorted in portions, by their smallest vertices,
+/// because a list of all faces would take five times the memory of the mesh.
 class AcrossFaces {
  public:
   AcrossFaces(const std::vector<Tetrahedron>& tetrahedra, std::span<const TetrahedronRows> pieces)
@@ -63,7 +63,8 @@ class AcrossFaces {
  private:
   struct Use {
     Triangle vertices;
-    std::uint32_t code;  ///< four times the tetrahedron, plus the face; meshes have fewer than 2^30 cells
+    /// Number of the face: four times the tetrahedron plus 0 to 3; meshes have fewer than 2^30 cells.
+    std::uint32_t code;
   };
   template <class F>
   void for_each(F&& f) const {
@@ -73,9 +74,10 @@ class AcrossFaces {
     for (const TetrahedronRows& piece : pieces_)
       for (const VertexIndex t : piece) f(number++, tetrahedra_[t]);
   }
-  /// Three faces of a tetrahedron have its smallest vertex as theirs, the fourth has the second smallest.
+  /// Returns the two smallest vertices of a tetrahedron. The smallest vertex of three of its faces is the first of
+  /// these, that of the fourth face is the second.
   static std::pair<VertexIndex, VertexIndex> two_smallest(const Tetrahedron& v) {
-    // Written without branches, because which vertex is smaller is unpredictable.
+    // Minimum and maximum avoid branches, because it is unpredictable which vertex is smaller.
     const VertexIndex a = std::min(v[0], v[1]), c = std::min(v[2], v[3]);
     return {std::min(a, c), std::min(std::max(a, c), std::min(std::max(v[0], v[1]), std::max(v[2], v[3])))};
   }
@@ -135,7 +137,7 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
   std::sort(list.begin(), list.end(), [](const Face& a, const Face& b) {
     return a.vertices != b.vertices ? a.vertices < b.vertices : a.row < b.row;
   });
-  std::vector<std::size_t> first(n_vertices + 1, 0);  // number of faces by their smallest vertex
+  std::vector<std::size_t> first(n_vertices + 1, 0);  // number of faces with each vertex as the smallest one
   for (const Face& face : list) ++first[face.vertices[0] + 1];
   for (std::size_t v = 0; v < n_vertices; ++v) first[v + 1] += first[v];
   std::vector<std::array<TetrahedronSide, 2>> sides(faces.size(), {{{no_side, 0}, {no_side, 0}}});
@@ -147,8 +149,8 @@ std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vecto
       const auto end = list.begin() + static_cast<std::ptrdiff_t>(first[s.vertices[0] + 1]);
       auto face = std::lower_bound(list.begin() + static_cast<std::ptrdiff_t>(first[s.vertices[0]]), end, s.vertices,
                                    [](const Face& a, const Triangle& b) { return a.vertices < b; });
-      // The normal of a tetrahedron's own face points inwards, so a face with the same orientation points to this
-      // tetrahedron.
+      // Faces of a tetrahedron are listed with normals that point inwards, so the normal of a face with the same
+      // orientation points to this tetrahedron.
       for (; face != end && face->vertices == s.vertices; ++face)
         sides[face->row][face->even == s.even ? 1 : 0] = {t, static_cast<unsigned>(i)};
     }

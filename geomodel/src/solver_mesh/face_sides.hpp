@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the tetrahedra at a face.
+/// Finds the tetrahedra on both sides of faces.
 #pragma once
 
 #include <array>
@@ -13,24 +13,23 @@
 namespace geomesh::geomodel {
 
 struct TetrahedronSide {
-  std::size_t tetrahedron;  ///< row of the tetrahedron; no_side if there is none
-  unsigned opposite;        ///< the vertex opposite the face
+  std::size_t tetrahedron;  ///< row of the tetrahedron; no_side if there is no tetrahedron on that side of the face
+  unsigned opposite;        ///< position (0 to 3) in the tetrahedron of the vertex opposite the face
 };
 inline constexpr std::size_t no_side = SIZE_MAX;
 
-/// Returns for each face the tetrahedron that its normal points away from, and the one that it points to.
+/// Returns for each face the tetrahedron that its normal points away from, and the one that its normal points to.
 std::vector<std::array<TetrahedronSide, 2>> tetrahedra_at_faces(const std::vector<Tetrahedron>& tetrahedra,
                                                                 const std::vector<Triangle>& faces);
 
-/// The tetrahedra across the faces of one tetrahedron: the row across the face opposite each vertex, no_neighbour at
-/// the boundary.
+/// The four neighbours of one tetrahedron: the row of the tetrahedron across the face opposite each vertex, or
+/// no_neighbour at the boundary.
 using Neighbours = std::array<std::uint32_t, 4>;
 inline constexpr std::uint32_t no_neighbour = UINT32_MAX;
 
-/// Rows of some tetrahedra.
 using TetrahedronRows = std::span<const VertexIndex>;
-/// Returns the neighbours of the tetrahedra of all pieces, numbered consecutively; without pieces, of all tetrahedra in
-/// their order. O(n log n); takes about 3 bytes per tetrahedron besides the result.
+/// Returns the neighbours of the tetrahedra in `pieces`, which are numbered consecutively; without pieces, of all
+/// tetrahedra in their order. O(n log n); takes about 3 bytes per tetrahedron besides the result.
 std::vector<Neighbours> tetrahedra_across(const std::vector<Tetrahedron>& tetrahedra,
                                           std::span<const TetrahedronRows> pieces = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Orients a fault consistently, so that each of its two sides is the same everywhere.
+/// Orients the faces of faults consistently, so that each side of a fault is the same everywhere.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,12 @@
 
 namespace geomesh::geomodel {
 
-/// A face's normal points from the lower region to the higher one, so along a fault with throw it changes sides.
-/// Returns which faces must be inverted so that all faces of a fault have their normal on one side. `fault_of` is the
-/// id of each face's fault, 0 if it is on none. Faces are joined across edges at which exactly two faces of the fault
-/// meet. Pieces that are not connected are oriented like the largest piece, which keeps the orientation of most of its
-/// area. Faces of a sheet with only one side are not changed. O(n log n) in the faces of faults.
+/// Returns which faces must be inverted so that all faces of a fault have their normals on the same side. In the mesh,
+/// a face's normal points from the lower region id to the higher one, so along a fault with throw it changes sides.
+/// `fault_of` is the id of each face's fault, 0 if it is on none. Faces are joined across edges at which exactly two
+/// faces of the fault meet. Pieces that are not connected are oriented like the largest piece, which keeps the
+/// orientation of most of its area. Faces of a connected piece that is one-sided, like a Moebius strip, are not
+/// changed. O(n log n) in the faces of faults.
 std::vector<bool> turned_faces(const ModelMesh& mesh, const std::vector<std::int32_t>& fault_of);
 
 }  // namespace geomesh::geomodel

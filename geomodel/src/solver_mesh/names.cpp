@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Letters U+00C0 to U+017F, which European languages use.
+/// ASCII spellings of the letters U+00C0 to U+017F, which European languages use.
 constexpr std::array<std::string_view, 192> letters{
     "A",  "A", "A",  "A", "Ae", "A", "Ae", "C",  "E",  "E", "E",  "E",  "I", "I", "I",  "I",  "D",  "N", "O",  "O",
     "O",  "O", "Oe", "_", "Oe", "U", "U",  "U",  "Ue", "Y", "Th", "ss", "a", "a", "a",  "a",  "ae", "a", "ae", "c",
@@ -38,7 +38,7 @@ std::string transliterated(const std::string& text) {
       result += text[i++];
       continue;
     }
-    std::size_t n = 1;  // number of bytes of this character
+    std::size_t n = 1;  // number of bytes of the current UTF-8 character
     while (i + n < text.size() && (static_cast<unsigned char>(text[i + n]) & 0xC0u) == 0x80u) ++n;
     const std::uint32_t code =
         n == 2 ? (lead & 0x1Fu) << 6 | (static_cast<unsigned char>(text[i + 1]) & 0x3Fu) : 0xFFFFFFFFu;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Makes names that solvers accept.
+/// Makes names that the file formats of solvers accept.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace geomesh::geomodel {
 
-/// Longest names by format.
+/// Greatest length of names in each file format.
 inline constexpr std::size_t name_limit_abaqus = 80, name_limit_med = 80, name_limit_gmsh = 80, name_limit_exodus = 256,
                              name_limit_plain = 80;
 
-/// Returns names that match [A-Za-z][A-Za-z0-9_.-]*, have at most `limit` characters and are distinct even if case is
-/// ignored. Accented letters are written without accents (ae for ä, e for é), other characters as `_`. A name that had
-/// to be shortened or is taken gets a number at its end. Use one object for each name space of a file.
+/// Makes the names of one name space of a file. They match [A-Za-z][A-Za-z0-9_.-]*, have at most `limit` characters and
+/// are distinct even if case is ignored. Accented letters are written without accents (ae for ä, e for é), other
+/// characters as `_`. A name that had to be shortened, or that was used before, gets a number at its end.
 class SolverNames {
  public:
   explicit SolverNames(std::size_t limit) : limit_(limit) {}
@@ -26,7 +26,7 @@ class SolverNames {
   std::set<std::string> taken_;  // in lower case
 };
 
-/// Converts UTF-8 to ASCII: ä ae, ß ss, é e, Ø Oe; characters without such a spelling become one `_`.
+/// Converts UTF-8 to ASCII: ä becomes ae, ß ss, é e, Ø Oe; other characters without such a spelling become one `_`.
 std::string transliterated(const std::string& text);
 
 }  // namespace geomesh::geomodel

@@ -21,7 +21,7 @@ struct Edge {
 };
 Edge edge(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// A value with a bound on its error: every operation adds half a unit in the last place of its result.
+/// A number with a bound on its rounding error. Every operation adds half an ulp of its result to the bound.
 struct Bounded {
   double value, error;
 };
@@ -48,10 +48,11 @@ Bounded determinant(const Vector& a, const Vector& b, const Vector& c) {
 double half_way(double a, double b) { return a / 2 + b / 2; }
 Vec3 half_way(const Vec3& a, const Vec3& b) { return {half_way(a.x, b.x), half_way(a.y, b.y), half_way(a.z, b.z)}; }
 
-/// Each derivative of the map is linear and given by four vectors at the corners. The determinant's Bezier coefficient
-/// for the corners i <= j <= k is the mean over all assignments of i, j and k to the three derivatives.
+/// The Jacobian's determinant is computed from its Bezier coefficients. Each derivative of the quadratic map is linear
+/// and given by four vectors at the corners, so the coefficient for the corners i <= j <= k is the mean over all
+/// assignments of i, j and k to the three derivatives.
 bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
-  // Bezier points of the quadratic map: corners, and 2 m - (a + b) / 2 on the edges.
+  // Bezier points of the quadratic map: the corners, and 2 m - (a + b) / 2 for the edge ab with midpoint m.
   const auto at = [&](std::size_t i, std::size_t j, std::size_t k) -> Bounded {
     if (i == j) return {nodes[i][k], 0};
     for (std::size_t e = 0; e < 6; ++e)
@@ -60,7 +61,7 @@ bool jacobian_is_positive(const std::array<Vec3, 10>& nodes) {
                Bounded{0.5, 0} * (Bounded{nodes[i][k], 0} + Bounded{nodes[j][k], 0});
     return {0, 0};
   };
-  std::array<std::array<Vector, 4>, 3> derivative;  // derivative by direction, at the corners
+  std::array<std::array<Vector, 4>, 3> derivative;  // derivative of the map along three directions, at the four corners
   for (std::size_t d = 0; d < 3; ++d)
     for (std::size_t c = 0; c < 4; ++c)
       for (std::size_t k = 0; k < 3; ++k) derivative[d][c][k] = at(d + 1, c, k) - at(0, c, k);

@@ -122,7 +122,8 @@ class SolverMeshBuilder {
   static CellGroup group_of_block(const CellBlock& block, std::size_t row) {
     return {block.id, dimension_of(block.shape), block.full_name, {row}, block.members};
   }
-  /// Makes groups by surface and curve; solids and points are their own groups.
+  /// Makes a group of cell blocks for each surface and each curve. Each block of solids and each named point is a
+  /// group.
   void group_wholes() {
     const bool pieces = options_.groups != GroupChoice::whole, wholes = options_.groups != GroupChoice::pieces;
     std::map<std::int32_t, std::vector<std::size_t>> of_member;
@@ -147,7 +148,7 @@ class SolverMeshBuilder {
     }
   }
 
-  /// Blocks on several surfaces or curves at once get a group of their own.
+  /// Gives each block one label. Blocks on several surfaces or curves at once have a label of their own.
   void label_blocks() {
     if (options_.groups == GroupChoice::pieces) {
       result_.labels = result_.groups;
@@ -165,7 +166,6 @@ class SolverMeshBuilder {
       result_.labels[entry->second].blocks.push_back(b);
     }
   }
-  /// Returns the names of the block's members joined by `+`.
   std::string name_of(const CellBlock& block) const {
     if (block.shape != CellShape::triangle && block.shape != CellShape::edge) return block.full_name;
     std::string name;

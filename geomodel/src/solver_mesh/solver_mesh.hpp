@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// The mesh in the form needed by solver files: blocks of cells of one kind, each cell in one block, and named groups
-/// of blocks. Every solver format is written from this.
+/// of blocks. All solver formats are written from this form.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ int dimension_of(CellShape shape);
 
 inline constexpr std::uint32_t no_cell = std::numeric_limits<std::uint32_t>::max();
 
-/// The position of a face at a solid: the solid's number from 0 (SolverMesh::n_solids), and the vertex opposite the
-/// face.
+/// One side of a face: the number of the solid there, from 0 (SolverMesh::n_solids), and the vertex of this solid
+/// opposite the face.
 struct FaceSide {
   std::uint32_t solid = no_cell;
   unsigned opposite = 0;
@@ -31,21 +31,21 @@ struct FaceSide {
 /// between the same two regions, the edges on the same curves, a named point.
 struct CellBlock {
   CellShape shape;
-  std::int32_t id;  ///< id, distinct for all blocks
+  std::int32_t id;  ///< id of the block, distinct from the ids of all other blocks
   std::string full_name;
-  std::vector<std::int32_t> members;  ///< ids of the region, surfaces, curves or the point
+  std::vector<std::int32_t> members;  ///< ids of the region, the surfaces, the curves or the point of the block
   std::int32_t region_minus = 0, region_plus = 0;
   std::size_t nodes_per_cell;
   std::vector<VertexIndex> nodes;              ///< in VTK's order
-  std::vector<std::array<FaceSide, 2>> sides;  ///< for faces: minus side, plus side
-  std::vector<VertexIndex> rows;  ///< for faces and tetrahedra: rows in the ModelMesh, which have 32 bits too
+  std::vector<std::array<FaceSide, 2>> sides;  ///< for blocks of faces: minus side and plus side of each face
+  /// for blocks of faces and tetrahedra: their rows in the ModelMesh, as 32-bit numbers
+  std::vector<VertexIndex> rows;
   std::size_t n_cells() const {
     if (!rows.empty()) return rows.size();
     return nodes_per_cell == 0 ? 0 : nodes.size() / nodes_per_cell;
   }
 };
 
-/// A named group of blocks.
 struct CellGroup {
   std::int32_t id;
   int dimension;
@@ -56,14 +56,15 @@ struct CellGroup {
 
 struct SolverMesh {
   const ModelMesh* source;
-  std::vector<CellBlock> blocks;  ///< solids (regions by id, then cohesive layers), faces, edges, points
-  /// The requested groups: whole surfaces and curves, their pieces, or both; two groups may share blocks.
+  /// All blocks of cells: solids (regions by id, then cohesive layers), faces, edges, points.
+  std::vector<CellBlock> blocks;
+  /// Groups that the options request: whole surfaces and curves, their pieces, or both. Groups may share blocks.
   std::vector<CellGroup> groups;
-  /// Groups for formats in which a cell has one number: no two share a block. Faces on several surfaces form a group of
-  /// their own, named `a+b`.
+  /// Groups for formats in which a cell has only one number, so that no two groups share a block. Faces on several
+  /// surfaces form a group of their own, named `a+b`.
   std::vector<CellGroup> labels;
-  std::vector<CellGroup> region_groups;  ///< groups of regions as named in the project
-  std::vector<VertexIndex> rows;         ///< for a part of a mesh: its nodes; empty for a whole mesh
+  std::vector<CellGroup> region_groups;  ///< groups of regions with their names in the project
+  std::vector<VertexIndex> rows;  ///< for a part of a mesh: rows of its nodes in the whole mesh; empty for a whole mesh
 
   std::size_t n_nodes() const {
     return rows.empty() ? source->points.size() + source->midpoints.points.size() : rows.size();
@@ -80,7 +81,7 @@ struct SolverMesh {
 /// Whether blocks of tetrahedra store their nodes, or only their rows, which takes a fifth of the memory.
 enum class TetrahedronNodes { listed, by_rows };
 
-/// The mesh must outlive the result.
+/// Converts a mesh to the form in which solver files are written. The mesh must outlive the result.
 SolverMesh make_solver_mesh(const ModelMesh& mesh, const WriteOptions& options,
                             TetrahedronNodes nodes = TetrahedronNodes::listed);
 

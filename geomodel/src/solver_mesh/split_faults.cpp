@@ -55,7 +55,7 @@ class FaultSplitter {
   const std::vector<std::int32_t>& set_of(const ModelMesh::Face& face) const {
     return before_.surface_sets[static_cast<std::size_t>(face.surface_set)];
   }
-  /// Returns the first chosen surface on which the face lies; 0 if there is none.
+  /// Returns the id of the first surface to be split on which a face lies; 0 if there is none.
   std::int32_t chosen_on(const ModelMesh::Face& face) const {
     for (const std::int32_t id : set_of(face))
       if (std::find(chosen_.begin(), chosen_.end(), id) != chosen_.end()) return id;
@@ -81,14 +81,15 @@ class FaultSplitter {
         throw Error(ErrorKind::usage, "split: the surface \"" + surface.name + "\" has no face inside the mesh");
   }
 
-  /// Makes a node for each sector: tetrahedra at the node that are connected through faces which are not split.
+  /// Makes one node for each sector at each node on split faces. A sector consists of the tetrahedra at the node that
+  /// are connected through faces which are not split.
   void double_nodes() {
     const std::size_t n = before_.points.size();
     std::vector<bool> touched(n, false);
     for (std::size_t f = 0; f < before_.faces.size(); ++f)
       if (is_split(f))
         for (const VertexIndex v : before_.faces[f].vertices) touched[v] = true;
-    std::vector<std::vector<std::size_t>> at(n);  // corners 4 t + i at each node on split faces
+    std::vector<std::vector<std::size_t>> at(n);  // for each node on split faces: its tetrahedron corners, as 4 t + i
     for (std::size_t t = 0; t < before_.tetrahedra.size(); ++t)
       for (std::size_t i = 0; i < 4; ++i)
         if (touched[before_.tetrahedra[t][i]]) at[before_.tetrahedra[t][i]].push_back(4 * t + i);
@@ -127,7 +128,7 @@ class FaultSplitter {
     }
   }
 
-  /// Returns the current vertices of a face in the tetrahedron.
+  /// Returns the vertices that a face has in the tetrahedron after nodes were doubled.
   Triangle vertices_at(std::size_t f, std::size_t tetrahedron) const {
     Triangle result = before_.faces[f].vertices;
     for (VertexIndex& v : result)
@@ -181,7 +182,7 @@ class FaultSplitter {
     }
     mesh_.faces.insert(mesh_.faces.end(), plus_faces_.begin(), plus_faces_.end());
   }
-  /// An edge of a curve remains with the first tetrahedron that has it.
+  /// Updates the nodes of curves. An edge of a curve remains with the first tetrahedron that has it.
   void move_curves() {
     std::map<std::pair<VertexIndex, VertexIndex>, std::vector<ModelMesh::CurveEdge*>> edges;
     for (auto& e : mesh_.curve_edges) edges[{std::min(e.a, e.b), std::max(e.a, e.b)}].push_back(&e);
@@ -200,7 +201,7 @@ class FaultSplitter {
           edges.erase(found);
         }
   }
-  /// A curved edge has the same curvature on both sides.
+  /// Updates the nodes of curved edges. Copies of an edge on both sides of a fault have the same curvature.
   void move_curved_edges() {
     if (before_.curved_edges.empty()) return;
     std::map<std::pair<VertexIndex, VertexIndex>, const CurvedEdge*> before, now;
@@ -214,7 +215,8 @@ class FaultSplitter {
     for (const auto& [ends, edge] : now)
       mesh_.curved_edges.push_back({ends.first, ends.second, edge->middle, edge->values});
   }
-  /// Adds no prism where all three nodes are at a tip, because nothing opens there.
+  /// Adds cohesive prisms between the two sides of split faces, except where all three nodes of a face are at a tip,
+  /// because nothing opens there.
   void add_prisms() {
     std::map<std::int32_t, std::int32_t> layer_of;
     for (const NamedSurface& surface : before_.surfaces)
@@ -236,7 +238,7 @@ class FaultSplitter {
   std::int32_t next_id_;
   std::vector<std::int32_t> chosen_, split_of_;
   std::vector<std::array<TetrahedronSide, 2>> sides_;
-  std::vector<unsigned> blocked_;  // for each tetrahedron: bits of its split faces
+  std::vector<unsigned> blocked_;  // for each tetrahedron: a bit for each of its faces that is split
   std::vector<Neighbours> across_;
   std::set<std::size_t> done_;
   std::vector<bool> turned_;           // by face

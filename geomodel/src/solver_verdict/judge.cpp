@@ -17,7 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 
-/// Computes the volume in the same way as a solver.
+/// Computes the volume of a tetrahedron in the same way as a solver.
 double volume(const std::array<Vec3, 4>& p) { return dot(cross(p[1] - p[0], p[2] - p[0]), p[3] - p[0]) / 6; }
 
 double with_16_digits(double x) {
@@ -39,7 +39,7 @@ double greatest_face_area(const std::array<Vec3, 4>& p) {
 
 Vec3 centroid(const std::array<Vec3, 4>& p) { return 0.25 * ((p[0] + p[1]) + (p[2] + p[3])); }
 
-/// Vector of the shortest edge, and the length of the longest.
+/// Vectors and lengths of edges: the vector of an element's shortest edge, and the length of its longest edge.
 struct Edges {
   Vec3 middle;
   double shortest, longest;
@@ -57,13 +57,12 @@ Edges edges_of(const std::array<Vec3, 4>& p) {
   return edges;
 }
 
-/// Measurements of elements, except time steps, which need all elements.
+/// Results of the checks on some elements, without time steps, which need all elements.
 struct Tally {
   Tally() { v.least_volume = v.least_volume_16_digits = v.least_edge = v.min_dihedral = infinity; }
   SolverVerdict v;
   double least_over_size = infinity;
 
-  /// Adds the results of later elements.
   void join(const Tally& o) {
     if (o.v.least_volume < v.least_volume) v.flattest = o.v.flattest;
     if (o.v.min_dihedral < v.min_dihedral) v.sharpest = o.v.sharpest;
@@ -152,7 +151,7 @@ class Judge {
     if (size > enough) tally.least_over_size = std::min(tally.least_over_size, edges.shortest / size);
   }
 
-  /// Returns 1 if the velocity is not known.
+  /// Returns the velocity in a tetrahedron; 1 if it is not known.
   double velocity(std::size_t t, SolverVerdict& verdict) const {
     const double v = mesh_.velocity ? mesh_.velocity(t) : 0;
     verdict.has_velocities |= v > 0;
@@ -178,7 +177,7 @@ class Judge {
   const MeshForSolver& mesh_;
   const SolverLimits& limits_;
   std::vector<Vec3> rounded_;
-  std::vector<double> step_;  // time step of each element; judge_steps changes the order
+  std::vector<double> step_;  // time step of each element; judge_steps changes their order
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns the velocity of the region's own name, else of its unit (the name without the suffix).
+/// Returns the velocity given for a region's own name, else for its unit (the name without suffix).
 double velocity_of(const std::string& region, const Velocities& velocities) {
   if (const auto own = velocities.find(region); own != velocities.end()) return own->second;
   const auto unit = velocities.find(region.substr(0, region.rfind("__")));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh check --solver`: checks for solvers a mesh as it is in a file.
+/// `geomesh check --solver`: checks a mesh in a file for use with solvers.
 #pragma once
 
 #include <map>
@@ -11,10 +11,10 @@
 
 namespace geomesh::geomodel {
 
-/// Velocities by unit or region.
+/// Velocities by the name of the unit or region.
 using Velocities = std::map<std::string, double>;
 
-/// Sets result.solver; adds a fault `unfit_for_solvers` if the mesh does not pass.
+/// Checks a mesh in a file for use with solvers and sets result.solver. Adds a fault `unfit_for_solvers` if it fails.
 void check_for_solvers(const checking::MeshFile& file, const Velocities& velocities, CheckResult& result);
 
 }  // namespace geomesh::geomodel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Formats a verdict: to_lines and to_json of geomesh/geomodel/solver_verdict.hpp.
+// Formats a solver verdict as text and as JSON: to_lines and to_json of geomesh/geomodel/solver_verdict.hpp.
 #include "geomesh/geomodel/words.hpp"
 
 #include <nlohmann/json.hpp>

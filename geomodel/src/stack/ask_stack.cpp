@@ -37,14 +37,14 @@ TriangulatedSurface box_surface(const Box3& b) {
 
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume) {
   if (!refinement.refine || refinement.honour != Honour::tolerance || volume.bounds.empty()) return;
-  // The level set of a field continues beyond the faults that bound its domain until the arranged model is cut there. A
-  // common triangulation of the map would treat that continuation as data.
+  // A surface contoured from a field continues beyond the faults that bound the field's domain until the arranged model
+  // is cut there. A common triangulation of the map would treat that continuation as data, so such models have none.
   if (std::any_of(rules.surfaces.begin(), rules.surfaces.end(),
                   [](const SurfaceRules& rule) { return rule.has_fault_domain(); }))
     return;
   StackRules& stack = rules.stack;
   stack.tolerance = refinement.tolerance.left();
-  // Triangles cannot be larger than the model: the shorter side of its map is the largest size used there.
+  // Triangles cannot be larger than the model, so the size is at most the shorter side of the model in the map.
   const Box3& b = volume.bounds;
   stack.size = std::min({size_in_map(refinement.size, rules.column), b.max.x - b.min.x, b.max.y - b.min.y});
   stack.outline_is_box = volume.box.has_value();

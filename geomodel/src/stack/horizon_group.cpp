@@ -20,21 +20,26 @@ namespace {
 
 constexpr double lattice_of_size = 2;
 constexpr double area_of_size = 0.43;  // area of an equilateral triangle divided by the square of its edge
-// Factor on the number of triangles that the target size requires, above which a horizon has too many.
+// Ratio of a horizon's number of triangles to the number that the target size requires, above which the horizon has too
+// many.
 constexpr double many_triangles = 4;
-constexpr double few_samples = 0.01;  // share of samples in the wrong order up to which settling is not worth while
-// Least thickness if none is given, as a share of the size; half of the tolerance if that is more.
+// Fraction of samples in the wrong order up to which reordering the horizons is not worthwhile.
+constexpr double few_samples = 0.01;
+// Least thickness of a unit if none is given, as a fraction of the target size; at least half of the tolerance.
 constexpr double thickness_of_size = 1.0 / 150;
 constexpr double room_of_thickness = 2;  // at pinch-out lines
-// Width over which a unit closes, as a multiple of the least thickness: an angle of 5 degrees.
+// Width over which a unit closes towards its pinch-out line, as a multiple of the least thickness: an angle of 5
+// degrees.
 constexpr double row_of_thickness = 12;
-constexpr double most_shift = 0.15;  // shift of pinch-out lines by half of that width, at most this share of the size
-constexpr double edge_of_thickness = 24;  // largest length of edges in a unit, as a multiple of its thickness
-constexpr double joined_of_reach = 0.25;  // lines closer than this share of the border reach are merged
+// Pinch-out lines are shifted by half the width over which a unit closes, at most by this fraction of the target size.
+constexpr double most_shift = 0.15;
+constexpr double edge_of_thickness = 24;  // largest length of edges in a thin unit, as a multiple of its thickness
+// Lines of the map closer than this fraction of MapSamples::border_reach() are merged.
+constexpr double joined_of_reach = 0.25;
 
 double map_area(const MapBounds& b) { return (b.max.x - b.min.x) * (b.max.y - b.min.y); }
 
-/// Returns whether the surfaces have many more triangles within the bounds than the target size requires.
+/// Returns whether the horizons have many more triangles within the bounds than the target size requires.
 bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons, const MapBounds& bounds, double size) {
   std::size_t n = 0;
   for (const TriangulatedSurface* s : horizons)
@@ -43,7 +48,7 @@ bool has_many_triangles(const std::vector<const TriangulatedSurface*>& horizons,
   return static_cast<double>(n) > many_triangles * asked;
 }
 
-/// Adds the border edges of horizons without throw that reach into the bounds, which those along a side do not.
+/// Adds border edges of horizons without throw to the lines of the layout, except those outside or along the bounds.
 void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   const MapBounds near = layout.bounds;
   for (const BlockData& horizon : horizons) {
@@ -58,8 +63,8 @@ void add_borders(const std::vector<BlockData>& horizons, MapLayout& layout) {
   }
 }
 
-/// Settling propagates corrections from vertex to vertex, so that next to a level area (the sea at height 0) they decay
-/// below what exact arithmetic can represent. Such heights are zero up to rounding, and are set to zero.
+/// Sets heights to zero that are zero up to rounding. Corrections are passed on from vertex to vertex, so that next to
+/// a level area (the sea at height 0) they decay below what exact arithmetic can represent.
 void flush_heights_that_vanish(std::vector<Vec3>& points) {
   for (Vec3& p : points)
     if (p.z != 0 && std::isfinite(p.z) && !exponents_are_safe(std::span(&p, 1)) && std::abs(p.z) < 1) p.z = 0;
@@ -152,8 +157,7 @@ TriangulatedSurface HorizonGroup::surface_with_throw(std::size_t horizon) const 
   return s;
 }
 
-/// Returns whether neighbouring horizons, for which no rule says which one cuts the other, are in the wrong order at
-/// more than a few samples.
+/// Returns whether neighbouring horizons are in the wrong order at many samples, without a rule on which one cuts.
 bool HorizonGroup::crosses_by_mistake() const {
   if (rules_.on_crossing != OnCrossing::leave) return false;
   const std::vector<Index>& rows = members_.stack.rows;
@@ -168,7 +172,7 @@ bool HorizonGroup::crosses_by_mistake() const {
   return false;
 }
 
-/// Returns the first horizon with throw that loses a block; the number of horizons if there is none.
+/// Returns the first horizon with throw of which a block would be lost; the number of horizons if there is none.
 std::size_t HorizonGroup::first_lost() const {
   for (std::size_t k = 0; k < sided_.size(); ++k)
     if (has_throw(k) && loses_blocks(members_.data[k], sided_[k], {members_.faults[k], frame_, layout_.bounds}))
@@ -176,16 +180,16 @@ std::size_t HorizonGroup::first_lost() const {
   return sided_.size();
 }
 
-/// Returns the first horizon that would be moved, against the rules, by more than the tolerance because of one without
-/// throw; the number of horizons if there is none.
+/// Returns the first horizon that would be moved by more than the tolerance, against the rules, because of a horizon
+/// without throw; the number of horizons if there is none.
 std::size_t HorizonGroup::first_against_rule() const {
   const auto at = std::find_if(sided_.begin(), sided_.end(),
                                [&](const SidedHorizon& s) { return s.largest_against_rule > rules_.stack.tolerance; });
   return static_cast<std::size_t>(at - sided_.begin());
 }
 
-/// A single horizon is not moved by the order of others, but it is moved where triangles of the target size do not
-/// follow its blocks.
+/// Returns whether a single horizon would move by more than the tolerance. The order of others does not move it, but
+/// triangles of the target size may not follow its blocks.
 bool HorizonGroup::moves_alone() const {
   const SettledHorizon& told = told_.horizons.front();
   return members_.stack.units.empty() && has_throw() &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A group of horizons that are settled together over one part of the map.
+/// A group of horizons that are settled (put in stratigraphic order) together over one part of the map.
 #pragma once
 
 #include <functional>
@@ -17,46 +17,45 @@
 
 namespace geomesh::geomodel {
 
-/// The horizons of a group, youngest first, and the area of the map where they are settled.
+/// The horizons of a group, youngest first, and the area of the map over which they are put in order.
 struct GroupMembers {
   Stack stack;
   std::vector<BlockData> data;        ///< data of each horizon, in the coordinate frame of the map
   std::vector<HorizonFaults> faults;  ///< one a horizon
   MapBounds bounds;                   ///< in the frame
-  /// Returns whether a place of the model counts for the areas, moves and volumes in the report. Empty: all places
+  /// Returns whether a place of the model counts for the areas, moves and volumes in the report. If empty, all places
   /// count.
   std::function<bool(const Vec3&)> counts{};
 };
 
 enum class Settling {
   settled,
-  not_needed,  ///< the group needs no settling
-  refused,     ///< settling is not possible, and a note says why
+  not_needed,  ///< the horizons are in order, so nothing is changed
+  refused,     ///< the horizons cannot be put in order, and a note says why
   overhangs,   ///< a horizon has more than one height over some place of the map
 };
 
 class HorizonGroup {
  public:
-  /// `built` receives notes and holds the names of the horizons. All arguments except the members must outlive this
+  /// `built` receives notes and holds the names of the horizons. All arguments except `members` must outlive this
   /// object.
   HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame);
 
-  /// Returns whether a horizon ends inside the model. It may end exactly on a fault or body, and moving it would break
-  /// that contact.
+  /// Returns whether a horizon ends inside the model, perhaps exactly on a fault, which it would leave when moved.
   bool ends_inside() const { return !layout_.lines.empty() || strips_.is_open; }
   /// Returns the first horizon with more than one height over some place of the map; the number of horizons if there is
   /// none.
   std::size_t first_that_overhangs() const;
   Settling settle();
 
-  // The functions below require that the group was settled.
+  // The functions below may only be called after settle() has returned Settling::settled.
 
   SettledStack& told() { return told_; }
-  /// Returns a horizon without throw, in model coordinates and with its original orientation.
+  /// Returns a settled horizon without throw, in model coordinates and with its original orientation.
   TriangulatedSurface sheet(std::size_t horizon) const;
   bool has_throw(std::size_t horizon) const { return members_.data[horizon].has_throw(); }
   const SidedHorizon& sided(std::size_t horizon) const { return sided_[horizon]; }
-  /// Returns a horizon with throw, in model coordinates and with its original orientation.
+  /// Returns a settled horizon with throw, in model coordinates and with its original orientation.
   TriangulatedSurface surface_with_throw(std::size_t horizon) const;
 
  private:
@@ -68,7 +67,8 @@ class HorizonGroup {
   bool has_throw() const;
   double least_thickness() const;
   MapSheets draw_sheets(const std::vector<ThinArea>& areas, const SheetOptions& options);
-  /// Adds both sides of faults. Returns false, with a note, if triangles of the target size are too coarse.
+  /// Builds horizons with throw from both sides of faults. Returns false, with a note, if the target size is too
+  /// coarse.
   bool add_sides(const SheetOptions& options);
   void ask_for_sizes(double thickness);
   void describe(const std::vector<ThinArea>& areas, const SheetOptions& options);

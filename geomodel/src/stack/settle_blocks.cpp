@@ -19,7 +19,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A given horizon and its continuations, by fault block.
+/// The original part of a horizon and its continuations, divided by fault block.
 class BlockSheets {
  public:
   BlockSheets(TriangulatedSurface continued, Index row, const BuiltRows& rows)
@@ -36,7 +36,7 @@ class BlockSheets {
       }
   }
 
-  /// Finds the part of the horizon that lies in each block, and continues it there.
+  /// Finds the part of the horizon that lies in each fault block, and continues it there.
   void divide(Index row, const ModelRules& rules, const HorizonBlocks& blocks) {
     const BlockFramework& framework = blocks.framework;
     const HorizonDivision division(given_, row, framework, blocks.cutters, {});
@@ -74,20 +74,20 @@ class BlockSheets {
   }
 
   const TriangulatedSurface& continued() const { return continued_; }
-  /// Rows of the triangles of the continued surface that lie in a block.
+  /// Returns the triangles of the continued horizon that lie in a block.
   const std::vector<Index>& rows(Index block) const { return rows_[block]; }
   const std::vector<Index>& part() const { return part_; }
-  /// Returns the block in which a part continues the horizon; no_index for given triangles, and for parts that follow a
-  /// border.
+  /// Returns the block in which a part continues the horizon; no_index for the original part, and for continuations
+  /// along a border that belong to no block.
   Index block_of_part(Index part) const {
     return part == given_part || part > block_of_part_.size() ? no_index : block_of_part_[part - 1];
   }
-  /// Returns the length in m of the border that ends at another surface, or shortly before it.
+  /// Returns the length in m of the horizon's border that ends at surface `other`, or shortly before it.
   double length_at(Index other) const {
     const auto at = ends_at_.find(other);
     return at == ends_at_.end() ? 0 : at->second;
   }
-  /// Returns the part of the horizon in a block, with a margin beyond the walls. Its points get new numbers.
+  /// Returns the part of the horizon in a block, with a margin beyond the block's bounds. Its points are numbered anew.
   TriangulatedSurface sheet(Index block) const {
     const std::vector<Index>& rows = sheets_[block].given;
     const BlockExtension& extension = sheets_[block].extension;
@@ -112,7 +112,7 @@ class BlockSheets {
 
  private:
   struct Sheet {
-    std::vector<Index> given;  ///< rows of given triangles, ascending
+    std::vector<Index> given;  ///< indices of original triangles, ascending
     BlockExtension extension;
   };
   TriangulatedSurface continued_, given_;
@@ -122,24 +122,24 @@ class BlockSheets {
   std::vector<std::vector<Index>> rows_;  ///< per block
 };
 
-/// A fault block in which the stack was settled.
+/// A fault block in which the stack of horizons was put in order.
 struct SettledBlock {
   Index block;
-  std::vector<std::size_t> horizons;  ///< rows of the stack's horizons, in the order of the group
+  std::vector<std::size_t> horizons;  ///< indices of the horizons in the stack, in the order of the group
   std::unique_ptr<HorizonGroup> group;
 };
 
 /// A horizon that is reassembled from its blocks.
 class Rebuilt {
  public:
-  /// `tolerance` is how far the arrangement may move the horizon.
+  /// `tolerance` is how far the arrangement may move vertices of the horizon.
   Rebuilt(const BlockSheets& sheets, const HorizonBlocks& blocks, double tolerance)
       : continued_(sheets.continued()), sheets_(sheets), blocks_(blocks), tolerance_(tolerance), surface_(continued_) {
     surface_.triangles.clear();
     n_parts_ = 1 + *std::ranges::max_element(sheets.part());
   }
 
-  /// Adds the parts in blocks that were not settled. Triangles that reach into another block end at the wall.
+  /// Adds the horizon's parts in unchanged blocks. Triangles that reach into changed blocks end where these begin.
   void keep(const std::set<Index>& settled) {
     std::vector<bool> is_kept(continued_.triangles.size(), false), is_remade = is_kept;
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b)
@@ -152,8 +152,8 @@ class Rebuilt {
     }
   }
 
-  /// Adds the settled sheet of a block. Triangles that cross the block's walls form a separate part; those beyond are
-  /// left out.
+  /// Adds the new part of the horizon in one block. Triangles that cross the block's bounding surfaces get a separate
+  /// part number; those beyond the bounding surfaces are left out.
   void add(const TriangulatedSurface& sheet, Index block) {
     const Index beyond = n_parts_++;
     const auto shift = static_cast<VertexIndex>(surface_.points.size());
@@ -182,7 +182,7 @@ class Rebuilt {
   }
 
  private:
-  /// Given triangles come first, as in all surfaces that were continued.
+  /// Sorts the triangles by part, so that original ones come first, as in all surfaces that were continued.
   void sort_by_part() {
     std::vector<Index> order(part_.size());
     std::iota(order.begin(), order.end(), Index{0});
@@ -192,8 +192,8 @@ class Rebuilt {
     surface_.triangles = std::move(triangles);
     std::ranges::sort(part_);
   }
-  /// For each triangle of a block's sheet, returns whether some of it lies in the block, or whether it touches such a
-  /// triangle so close to a wall that the arrangement, which moves nearby vertices, might leave a gap without it.
+  /// For each triangle, returns whether some of it lies in the block, or it touches such a triangle so close to a
+  /// bounding surface that the arrangement, which moves nearby vertices, might leave a gap without it.
   std::vector<bool> reaches_walls(const TriangulatedSurface& sheet, Index block) const {
     std::vector<bool> reaches, is_at_wall(sheet.points.size(), false);
     for (const auto& [a, b, c] : sheet.triangles) {
@@ -228,7 +228,7 @@ class Rebuilt {
   std::set<Index> walls_;
 };
 
-/// Settles the stack of a model block by block.
+/// Puts the stack of horizons in order, fault block by fault block.
 class BlockStack {
  public:
   BlockStack(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks)
@@ -244,7 +244,7 @@ class BlockStack {
     }
   }
 
-  /// Settles all blocks or none.
+  /// Puts the horizons in order in all blocks, or, with a note, in none.
   bool settle() {
     for (Index b = 0; b < blocks_.framework.n_blocks(); ++b) settle_block(b);
     if (n_left_ > 0) {
@@ -298,7 +298,7 @@ class BlockStack {
     if (n_left_++ == 0) why_left_ = "horizon " + built_.surfaces[stack_.rows[horizon]].name + " " + why;
   }
 
-  /// A horizon that ends at another one is moved rather than that one, unless a rule says otherwise.
+  /// Returns which horizon of each pair keeps its height: unless a rule decides, the one at which the other ends.
   Keepers keepers(const std::vector<std::size_t>& horizons) const {
     std::vector<Index> rows;
     for (const std::size_t k : horizons) rows.push_back(stack_.rows[k]);
@@ -317,7 +317,7 @@ class BlockStack {
     return who;
   }
 
-  /// Bounds of the block in the map, enlarged by how far its horizons may extend beyond its walls.
+  /// Returns the bounds of a block in the map, enlarged by how far its horizons may extend beyond it.
   MapBounds bounds_of(Index block) const {
     const Box3& box = blocks_.framework.bounds(block);
     MapBounds b;
@@ -328,8 +328,8 @@ class BlockStack {
             {std::min(b.max.x, bounds_.max.x), std::min(b.max.y, bounds_.max.y)}};
   }
 
-  /// Returns whether the sheet has a border inside the block close to a wall, which is typical of continuations. A
-  /// sheet that continues beyond the wall has none there.
+  /// Returns whether the horizon's part has a border inside the block close to a bounding surface, and may therefore
+  /// end at that bounding surface. A part that continues beyond the bounding surface has no border there.
   bool ends_at_wall(const TriangulatedSurface& sheet, Index block) const {
     const double radius = rules_.continuation.within_of_horizons / 2;
     for (const BorderEdge& e : border_edges(sheet)) {
@@ -364,8 +364,8 @@ class BlockStack {
   MapBounds bounds_;
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
-  std::size_t n_left_ = 0;  ///< number of blocks that cannot be settled
-  std::string why_left_;    ///< the reason why the first of these cannot be settled
+  std::size_t n_left_ = 0;  ///< number of blocks that cannot be put in order
+  std::string why_left_;    ///< reason why the first of these blocks cannot be put in order
 };
 
 }  // namespace

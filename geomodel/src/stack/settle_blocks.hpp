@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Settles the stack block by block if its horizons end at walls inside the model.
+/// Settles a stack of horizons (puts it in order) block by block, if horizons end at surfaces inside the model.
 #pragma once
 
 #include "stack/settle_stack.hpp"
@@ -8,15 +8,16 @@
 
 namespace geomesh::geomodel {
 
-/// Returns false for horizons with throw by rule, which have their own blocks, and if a horizon truncates faults.
+/// Returns whether the stack can be put in order block by block. It cannot if a horizon has throw by rule, and
+/// therefore its own blocks, or if a horizon truncates faults.
 bool can_be_settled_in_blocks(const Stack& stack, const BuiltSurfaces& built, const ModelRules& rules);
 
-/// In each block, the horizons with their continuations beyond its walls are settled on their own, as settle_stack does
-/// over the whole map. The parts beyond the walls are marked separately (BuiltRows::part_of_triangle) and are removed
-/// after everything was intersected. A block is left unchanged if it needs no settling, if a horizon has more than one
-/// height over a place of the map, or if a horizon ends exactly at a wall, because a horizon that is moved vertically
-/// would lose that contact. A note gives the number of blocks left for the last two reasons. Returns whether any block
-/// was settled. Cost: as settle_stack, over the contents of each block.
+/// Puts the horizons of each fault block in order, with their continuations beyond the surfaces that bound it, as
+/// settle_stack() does over the whole map. The parts beyond these are marked (BuiltRows::part_of_triangle) and removed
+/// after the intersection of all surfaces. Nothing is changed if in any block a horizon has more than one height over a
+/// place of the map, or ends exactly at one of these, because moving it vertically would break that contact; a note
+/// gives the number of such blocks. Returns whether any block was changed. Cost: as settle_stack(), over the contents
+/// of each block.
 bool settle_in_blocks(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks);
 
 }  // namespace geomesh::geomodel

@@ -10,17 +10,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Share of the size, as margin around an outline that is not a box along the axes.
+// Margin around an outline that is not an axis-aligned box, as a fraction of the target size.
 constexpr double margin_of_size = 0.25;
 
-/// Returns why the stack cannot be settled, in blocks or not; empty if it can.
+/// Returns why the stack cannot be put in order at all, neither block by block nor over the whole map; empty if it can.
 std::string obstacle(const Stack& stack) {
   if (stack.rows.size() > most_horizons) return "it has more than " + std::to_string(most_horizons) + " horizons";
   if (stack.rows.size() != stack.units.size() + 1) return "a horizon of the column is not there";
   return "";
 }
 
-/// Returns why the stack cannot be settled over the whole map at once.
+/// Returns why the stack cannot be put in order over the whole map at once; empty if it can.
 std::string obstacle_in_map(const Stack& stack, const BuiltSurfaces& built) {
   for (const Index row : stack.rows) {
     const TriangulatedSurface& s = built.surfaces[row];
@@ -61,7 +61,8 @@ void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& bu
     SettledHorizon& told = group.told().horizons[k];
     TriangulatedSurface& s = built.surfaces[row];
     told.n_triangles_given = s.triangles.size();
-    built.rows.part_of_triangle[row].clear();  // settled horizons are rebuilt up to their walls
+    // No parts need to be cut off, because settled horizons are rebuilt only up to their bounding surfaces.
+    built.rows.part_of_triangle[row].clear();
     built.rows.continued_to[row].clear();
     if (group.has_throw(k)) {
       s = group.surface_with_throw(k);
@@ -79,8 +80,7 @@ bool can_be_ended_on(const TriangulatedSurface& s) {
   return s.kind == SurfaceKind::fault || s.kind == SurfaceKind::body;
 }
 
-/// Settles the stack over the whole map. If it does not, `why` gives the obstacle; it is empty if nothing had to be
-/// done.
+/// Puts the stack in order over the whole map. Returns false without a change; `why` is the obstacle, if there is one.
 bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, bool may_end_inside,
                 std::string& why) {
   why = obstacle_in_map(stack, built);
@@ -101,8 +101,8 @@ bool settle_map(const Stack& stack, BuiltSurfaces& built, const ModelRules& rule
   return true;
 }
 
-/// Settles the column together with the topography and the base. Returns false if nothing had to be settled or if it
-/// was not possible, which a note explains.
+/// Puts the column in order, together with the topography and the base. Returns false if that was not needed, or was
+/// not possible, which a note explains.
 bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks* blocks) {
   if (stack.rows.empty()) return false;
   std::string why = obstacle(stack);
@@ -117,7 +117,7 @@ bool settle_column_of(const Stack& stack, BuiltSurfaces& built, const ModelRules
   return false;
 }
 
-/// Simplifies horizons that are not in the column but reach through the model.
+/// Simplifies horizons that are not in the column but extend through the whole model.
 void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules) {
   for (Index row = 0; row < built.surfaces.size(); ++row) {
     if (built.surfaces[row].kind != SurfaceKind::horizon ||
@@ -135,7 +135,7 @@ void thin_out_others(const Stack& stack, BuiltSurfaces& built, const ModelRules&
   }
 }
 
-/// Returns false if the rules leave the stack as given in any case.
+/// Returns whether the rules request that the stack is put in order, and contain the options that this needs.
 bool asks_for_settling(const StackRules& rules) {
   return rules.rule != StackRule::keep && rules.tolerance > 0 && rules.size > 0 && !rules.outline.empty();
 }

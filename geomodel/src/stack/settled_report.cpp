@@ -30,7 +30,7 @@ Vec3 centre_of(const MapSheets& sheets, const Triangle& t, std::size_t horizon) 
   return (1.0 / 3) * sum;
 }
 
-/// Sums areas and volumes, which follow from the triangles alone.
+/// Sums the areas and volumes of horizons and units, which follow from the triangles alone.
 void sum_triangles(const MapSheets& sheets, const SettledFrom& from, SettledStack& stack) {
   for (std::size_t f = 0; f < sheets.triangles.size(); ++f) {
     const Triangle& t = sheets.triangles[f];
@@ -55,7 +55,7 @@ void sum_triangles(const MapSheets& sheets, const SettledFrom& from, SettledStac
   for (SettledUnit& unit : stack.units) unit.mean_thickness = unit.area > 0 ? unit.volume / unit.area : 0;
 }
 
-/// Measures how far the input's points were moved. Each represents an equal share of the horizon's area.
+/// Measures how far the input's points were moved. Each point represents an equal share of its horizon's area.
 void measure_moves(const MapSheets& sheets, const SettledFrom& from, const SheetLocator& locator, SettledStack& stack) {
   const MapSamples& samples = from.samples;
   std::vector<std::size_t> n(sheets.n_horizons, 0), n_moved(sheets.n_horizons, 0), n_above(sheets.n_horizons, 0);

@@ -12,9 +12,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double far_over = 4;  // factor on the volume below, from which a horizon counts as lying over another
-constexpr double narrow = 3;    // factor on the size: islands narrower than this many elements cannot be resolved
-// Pi / 4: length of a line divided by the length of the lattice edges that it crosses.
+// Least ratio of the volumes above and below another horizon for a horizon to count as lying over it.
+constexpr double far_over = 4;
+// Width of islands, as a multiple of the target size, below which a mesh cannot resolve them.
+constexpr double narrow = 3;
+// Pi / 4: ratio of a line's length to the total length of the lattice edges that it crosses.
 constexpr double length_of_edges = 0.785;
 
 Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules) {
@@ -40,18 +42,18 @@ Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelR
   return stack;
 }
 
-/// How one horizon lies relative to another.
+/// Position of one horizon relative to another.
 struct Lie {
   double volume_over = 0, volume_under = 0;
-  /// Area where the horizon lies below the other, and length of their crossing lines.
+  /// Area where the horizon lies below the other one, and total length of the lines in which they cross.
   double area_under = 0, crossing = 0;
 
   bool is_over() const { return volume_over > far_over * volume_under; }
-  /// A strip of width w and length l has the area w l and an outline of length 2 l.
+  /// Returns the mean width of islands; a strip of width w and length l has the area w l and an outline of length 2 l.
   double width_of_islands() const { return crossing > 0 ? 2 * area_under / crossing : 0; }
 };
 
-/// Compares two horizons on a lattice over the outline.
+/// Compares the heights of two horizons on a lattice over the model's outline in the map.
 Lie compare(const TriangulatedSurface& upper, const TriangulatedSurface& lower, const StackRules& asked) {
   MapBounds bounds;
   for (const Vec2& p : asked.outline) bounds.add(p);
@@ -86,7 +88,7 @@ bool may_stand(const BuiltSurfaces& built, Index row, const ModelRules& rules) {
          is_single_valued(s);
 }
 
-/// Returns the next horizon above the stack that is not part of it yet; no_index if there is none.
+/// Returns a horizon that lies above the stack but does not belong to it yet; no_index if there is none.
 Index next_over(const BuiltSurfaces& built, const ModelRules& rules, const Stack& stack) {
   const TriangulatedSurface& first = built.surfaces[stack.rows.front()];
   for (Index row = 0; row < built.surfaces.size(); ++row) {

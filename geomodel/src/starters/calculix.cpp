@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a job for CalculiX 2.20: `ccx STEM.job`. Source: its manual, *HEAT TRANSFER and *SOLID SECTION.
+// Writes a starter input for CalculiX 2.20: `ccx STEM.job`. Source: its manual, *HEAT TRANSFER and *SOLID SECTION.
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"
 #include "starters/starters.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a script for dolfinx: `python3 STEM.dolfinx.py`. It runs with dolfinx 0.5; names that later versions changed
-// are tried first.
+// Writes a starter script for dolfinx, run as `python3 STEM.dolfinx.py`. It runs with dolfinx 0.5; functions that later
+// versions renamed are tried under their later names first.
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"
 #include "starters/starters.hpp"

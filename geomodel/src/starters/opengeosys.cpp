@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a project for OpenGeoSys 6: `ogs STEM.ogs.prj`. Source: the documentation of its process "Steady-State
-// Diffusion".
+// Writes a starter project for OpenGeoSys 6, run as `ogs STEM.ogs.prj`. Source: the documentation of its process
+// "Steady-State Diffusion".
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"
 #include "starters/starters.hpp"
@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// OpenGeoSys names a mesh after its file, without the last extension.
+/// Returns the name by which OpenGeoSys refers to a mesh: its file's name without the last extension.
 std::string mesh_name(const std::string& file) { return std::filesystem::path(file).stem().string(); }
 
 void add_meshes(const std::string& bulk, const std::vector<StarterGroup>& sides, TextBuffer& text) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes parameters for PyLith 4: `pylith STEM.pylith.cfg`. The lowest outer surface is fixed, the highest displaced
-// downwards by one unit. Source: PyLith's user guide, "MeshIOCubit", "IsotropicLinearElasticity",
+// Writes starter parameters for PyLith 4, run as `pylith STEM.pylith.cfg`. The lowest outer surface is fixed, the
+// highest is displaced downwards by one unit. Source: PyLith's user guide, "MeshIOCubit", "IsotropicLinearElasticity",
 // "DirichletTimeDependent".
 #include "geomesh/geomodel/writers.hpp"
 #include "starters/starter_model.hpp"

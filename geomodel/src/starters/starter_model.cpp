@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Typical values of a sandstone.
+/// Typical parameters of a sandstone in SI units.
 constexpr double usual_conductivity = 2.5, usual_density = 2400, usual_vp = 3500, usual_vs = 2000;
 
 std::optional<double> attribute(const ModelMesh& mesh, std::int32_t region, std::initializer_list<const char*> names) {
@@ -31,8 +31,8 @@ std::optional<double> attribute(const ModelMesh& mesh, std::int32_t region, std:
 
 MaterialValue or_usual(std::optional<double> given, double usual) { return {given.value_or(usual), given.has_value()}; }
 
-/// Computes velocities of an elastic rock from Young's modulus and Poisson's ratio, if those are given and velocities
-/// are not.
+/// Returns the material of a region. Velocities of an elastic rock are computed from Young's modulus and Poisson's
+/// ratio, if those are given and velocities are not.
 StarterMaterial material_of(const ModelMesh& mesh, std::int32_t region) {
   StarterMaterial material{
       or_usual(attribute(mesh, region, {"conductivity", "thermal_conductivity"}), usual_conductivity),
@@ -79,7 +79,7 @@ void find_outer_surfaces(const ModelMesh& mesh, StarterModel& model) {
 void read_groups(const std::filesystem::path& mesh_file, StarterModel& model) {
   std::ifstream in(mesh_file.string() + ".json");
   const nlohmann::json root = nlohmann::json::parse(in);
-  std::map<std::string, std::vector<std::string>> wholes;  // surfaces by name in the file
+  std::map<std::string, std::vector<std::string>> wholes;  // names of the surfaces that belong to each group
   for (const auto& surface : root.at("surfaces"))
     for (const auto& name : surface.at("groups")) wholes[name].push_back(surface.at("name"));
   for (const auto& group : root.at("groups")) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Data of a starter input: the regions of a mesh with their materials, and the two outer surfaces with boundary
-/// conditions.
+/// Collects the data of a solver's starter input: the regions of a mesh with their materials, and the two outer
+/// surfaces with boundary conditions.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 namespace geomesh::geomodel {
 
-/// A material parameter in SI units, and its source.
+/// A material parameter in SI units, and whether the project gives it.
 struct MaterialValue {
   double value;
-  /// Whether it is an attribute of the project, or computed from some; else it is a typical value of rock.
+  /// Whether the value is an attribute of the project, or computed from some; else it is a typical value of rock.
   bool is_given;
 };
 
@@ -25,7 +25,7 @@ struct StarterMaterial {
   MaterialValue vp, vs;        ///< m/s
 };
 
-/// A group in the file: its name, and its number if the format has numbers.
+/// A group of elements in the mesh file: its name, and its number if the format has numbers.
 struct StarterGroup {
   std::string name, full_name;
   std::int32_t id = 0;
@@ -39,7 +39,7 @@ struct StarterRegion {
 struct StarterModel {
   std::vector<StarterRegion> regions;
   std::string lowest, highest;  ///< full names of the outer surfaces with the least and greatest mean height
-  /// Returns the groups of the file that make up a surface, of one type ("nset", "tag", "mesh", "node set").
+  /// Returns the groups of one type ("nset", "tag", "mesh", "node set") in the file that make up a surface.
   std::vector<StarterGroup> groups_of(const std::string& full_name, const std::string& type) const;
 
   struct Listed {
@@ -48,17 +48,18 @@ struct StarterModel {
     StarterGroup group;
     std::vector<std::string> wholes;  ///< full names of the surfaces to which the group belongs
   };
-  std::vector<Listed> groups;  ///< groups in the JSON file beside the mesh
+  std::vector<Listed> groups;  ///< groups of elements listed in the JSON file beside the mesh
 };
 
-/// Attributes are found by name: conductivity or thermal_conductivity; density; vp; vs; young with poisson. `type` is
-/// that of groups of solids in the file. Throws Error{usage} if no surface bounds the mesh.
+/// Collects the starter data of a mesh. Material parameters are attributes found by name: conductivity or
+/// thermal_conductivity; density; vp; vs; young with poisson. `type` is that of groups of solids in the file. Throws
+/// Error{usage} if no surface bounds the mesh.
 StarterModel starter_model(const ModelMesh& mesh, const std::filesystem::path& mesh_file, const std::string& type);
 
-/// Returns "from the project" or "not given in the project: a usual value of rock".
+/// Describes the source of a material value: "from the project" or "not given in the project: a usual value of rock".
 const char* origin_of(const MaterialValue& value);
 
-/// Boundary temperatures on the highest and the lowest surface, in degrees.
+/// Boundary temperatures on the highest and the lowest outer surface, in degrees Celsius.
 inline constexpr double temperature_above = 10, temperature_below = 100;
 
 }  // namespace geomesh::geomodel

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Starter inputs: small files that a solver runs unchanged, with the names of the given mesh and the project's
-/// attributes as materials. Each function takes the stem of a mesh file that is already written with its JSON, writes
-/// its file beside it and returns its name. Heat flows through the model in steady state, from the lowest outer surface
-/// to the highest; PyLith has no heat flow, so it computes the settling under a load.
+/// Writes starter inputs: small files that a solver runs unchanged, with the names of the given mesh and the project's
+/// attributes as materials. Each function takes the stem of a mesh file that was already written with its JSON file,
+/// writes a file beside it and returns its name. In these problems heat flows through the model in steady state, from
+/// the lowest outer surface to the highest; PyLith has no heat flow, so it computes the settling under a load.
 #pragma once
 
 #include <filesystem>

@@ -14,7 +14,7 @@ namespace {
 
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 
-/// Returns the edges on curves of surfaces, sorted; an edge on several curves occurs several times.
+/// Returns the edges on intersections, borders and tips of surfaces, sorted, once for each curve on which they are.
 std::vector<EdgeKey> edges_of_surface_curves(const ModelMesh& mesh) {
   std::set<std::int32_t> wells;
   for (const NamedCurve& curve : mesh.curves)

@@ -23,7 +23,7 @@ FaceUse make_use(Triangle t, Index row, bool is_listed) {
   return FaceUse(t, row, is_listed, even);
 }
 
-/// Calls visit(use) for the faces of rows [begin, end): those of tetrahedra first, then listed faces.
+/// Calls visit(use) for the faces with indices in [begin, end): faces of tetrahedra first, then listed faces.
 template <class Visit>
 void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, const Visit& visit) {
   const std::size_t n_tetrahedra = mesh.tetrahedra.size();
@@ -37,14 +37,14 @@ void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, con
   }
 }
 
-/// Sorts by the smallest vertex (a counting sort), then the few dozen faces of each vertex.
+/// Sorts faces by their smallest vertex with a counting sort, then the few dozen faces of each vertex.
 void sort_block(std::span<FaceUse> uses) {
   if (uses.empty()) return;
   const auto by_vertex = [](const FaceUse& p, const FaceUse& q) { return p.least_vertex() < q.least_vertex(); };
   const auto [least, greatest] = std::minmax_element(uses.begin(), uses.end(), by_vertex);
   const VertexIndex first = least->least_vertex();
   std::vector<std::uint32_t> end(greatest->least_vertex() - first + std::size_t{2},
-                                 0);  // number of uses before those of a vertex
+                                 0);  // for each vertex, the number of faces with a smaller first vertex
   for (const FaceUse& use : uses) ++end[use.least_vertex() - first + 1];
   for (std::size_t v = 1; v < end.size(); ++v) end[v] += end[v - 1];
   std::vector<FaceUse> sorted(uses.size());
@@ -64,7 +64,7 @@ FaceUses::FaceUses(const ModelMesh& mesh, unsigned threads) {
   const std::size_t n_vertices = std::max<std::size_t>(mesh.points.size(), 1);
   const auto block_of = [&](const FaceUse& use) { return use.least_vertex() * n_blocks / n_vertices; };
 
-  // Counts by chunk and block, then writes to the positions that follow from the counts.
+  // Counts the faces of each block in each chunk, then writes each face to the position that follows from the counts.
   const Chunks chunks(n_rows);
   std::vector<std::vector<std::size_t>> place(chunks.size(), std::vector<std::size_t>(n_blocks, 0));
   chunks.for_each(threads, [&](std::size_t k, std::size_t begin, std::size_t end) {

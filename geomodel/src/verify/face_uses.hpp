@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds which tetrahedra and which listed faces share each triangle of a mesh.
+/// Finds the tetrahedra and listed faces that share each triangle of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,14 @@
 
 namespace geomesh::geomodel {
 
-/// A face of a tetrahedron, or a listed face, in two words, because sorting them takes most of the time of
-/// verification.
+/// A face of a tetrahedron, or a listed face, in two words, because sorting faces takes most of the verification time.
 class FaceUse {
  public:
-  /// Limit on the numbers of points, tetrahedra and listed faces.
+  /// Upper limit on the numbers of points, tetrahedra and listed faces.
   static constexpr std::uint64_t limit = std::uint64_t{1} << 31;
 
-  /// Precondition: vertices ascend; they and the row are below the limit. `even` says whether the original cyclic order
-  /// of the vertices was the ascending one.
+  /// Precondition: the vertices are ascending; vertices and row are below the limit. `even` is whether sorting the
+  /// vertices kept their cyclic order.
   FaceUse(const Triangle& vertices, Index row, bool is_listed, bool even)
       : first_(std::uint64_t{vertices[0]} << 32 | vertices[1]),
         last_(std::uint64_t{vertices[2]} << 33 | std::uint64_t{is_listed} << 32 | std::uint64_t{row} << 1 |
@@ -28,13 +27,13 @@ class FaceUse {
   FaceUse() = default;
 
   VertexIndex least_vertex() const { return static_cast<VertexIndex>(first_ >> 32); }
-  /// Row of the tetrahedron or listed face.
+  /// Index of the tetrahedron or of the listed face.
   Index row() const { return static_cast<Index>((last_ & 0xffffffff) >> 1); }
   bool is_listed() const { return (last_ >> 32 & 1) != 0; }
   bool even() const { return (last_ & 1) != 0; }
   bool same_triangle(const FaceUse& o) const { return first_ == o.first_ && last_ >> 33 == o.last_ >> 33; }
 
-  /// Orders by vertices, then those of tetrahedra first, then by row.
+  /// Orders by vertices; for equal vertices faces of tetrahedra come first, then listed faces, each by index.
   friend bool operator<(const FaceUse& p, const FaceUse& q) {
     return p.first_ != q.first_ ? p.first_ < q.first_ : p.last_ < q.last_;
   }
@@ -43,10 +42,10 @@ class FaceUse {
   std::uint64_t first_ = 0, last_ = 0;
 };
 
-/// All faces of a mesh, divided into blocks by their smallest vertex. Within a block the uses ascend, so that uses of
-/// one triangle are adjacent, tetrahedra first. The blocks depend on the mesh alone. Precondition: all vertex indices
-/// are in range, and counts below FaceUse::limit. O(n), and k log k for the k uses of each smallest vertex; 16 bytes
-/// per use.
+/// All faces of a mesh, divided into blocks by their smallest vertex. Within a block the faces are ascending, so that
+/// equal triangles are adjacent, those of tetrahedra first. The blocks depend on the mesh alone. Precondition: all
+/// vertex indices are in range, and counts are below FaceUse::limit. O(n), and k log k for the k faces with the same
+/// smallest vertex; 16 bytes per face.
 class FaceUses {
  public:
   FaceUses(const ModelMesh& mesh, unsigned threads);
@@ -55,7 +54,7 @@ class FaceUses {
 
  private:
   PodArray<FaceUse> uses_;
-  std::vector<std::size_t> begin_;  ///< first use of each block, and the end
+  std::vector<std::size_t> begin_;  ///< index of the first face of each block, and the end
 };
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Faults of one kind, found chunk by chunk on several threads and reported in the order of rows.
+/// Collects faults of one kind that several threads find chunk by chunk, and reports them in order.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel {
 
-/// Counts faults of one kind and keeps the first few rows. Lists of chunks are joined in the order of the chunks, so
+/// Counts faults of one kind and keeps the first few indices. Lists of chunks are joined in the order of the chunks, so
 /// that messages do not depend on the threads.
 class FaultList {
  public:
@@ -28,7 +28,7 @@ class FaultList {
                  later.rows_.begin() + static_cast<std::ptrdiff_t>(std::min(room, later.rows_.size())));
   }
   const std::string& what() const { return what_; }
-  /// Appends one sentence with the count and the first rows; nothing if there is no fault.
+  /// Appends one sentence with the number of faults and the first indices to `faults`; nothing if there is no fault.
   void flush(std::vector<std::string>& faults) const {
     if (count_ == 0) return;
     std::string text = std::to_string(count_) + " " + what_ + " (rows ";

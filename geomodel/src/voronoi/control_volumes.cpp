@@ -16,7 +16,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Share of the squared length of the edge. A smaller area is that of cospherical points after rounding.
+/// Smallest area of a face of the Voronoi dual, as a share of the squared length of its edge. A smaller area is due to
+/// rounding at cospherical points.
 constexpr double rounding = 1e-12;
 
 double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
@@ -30,7 +31,7 @@ double length_of(const Vec3& v) { return std::sqrt(dot(v, v)); }
               {{}, {}, {}, {place}});
 }
 
-/// Throws if a vertex lies strictly inside the circumsphere of the tetrahedron across a face.
+/// Throws if a vertex lies strictly inside the circumsphere of the tetrahedron across a face from it.
 void require_delaunay(const ModelMesh& mesh) {
   const auto across = tetrahedra_across(mesh.tetrahedra);
   std::size_t n = 0;
@@ -52,7 +53,7 @@ void require_delaunay(const ModelMesh& mesh) {
   if (n > 0) refuse(std::to_string(n) + " faces are not Delaunay", first);
 }
 
-/// Returns the region with the largest share of each point's cell; the first of equal ones.
+/// Returns for each point the region with the largest share of its Voronoi cell; the first one if shares are equal.
 std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
   constexpr std::int32_t none = 0, several = -1;
   std::vector<std::int32_t> largest(mesh.points.size(), none);
@@ -61,7 +62,8 @@ std::vector<std::int32_t> largest_regions(const ModelMesh& mesh) {
       if (largest[v] == none) largest[v] = mesh.tet_region[t];
       if (largest[v] != mesh.tet_region[t]) largest[v] = several;
     }
-  std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;  // rows of tetrahedra at points of several regions
+  // Rows of the tetrahedra at points that belong to several regions.
+  std::map<std::int32_t, std::vector<std::uint32_t>> rows_of;
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     if (const Tetrahedron& v = mesh.tetrahedra[t];
         std::any_of(v.begin(), v.end(), [&](VertexIndex a) { return largest[a] == several; }))

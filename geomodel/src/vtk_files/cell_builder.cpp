@@ -8,7 +8,7 @@ namespace {
 
 std::string cell_name(std::size_t cell) { return "cell " + std::to_string(cell) + " (counted from 0)"; }
 
-/// Returns the number of corners of a cell type; 0 if it varies.
+/// Returns the number of corners of a VTK cell type; 0 if it varies.
 std::size_t n_corners_of(std::int64_t type) {
   constexpr std::array<std::size_t, 37> n{0, 1, 0, 2, 0, 3, 0,  0,  4,  4,  4, 8,  8, 6,  5,  10, 12, 0,
                                           0, 0, 0, 3, 6, 8, 10, 20, 15, 13, 9, 27, 6, 12, 18, 24, 7,  4};
@@ -38,7 +38,7 @@ void require_rising(const InputFile& file, const std::vector<std::int64_t>& ends
   }
 }
 
-/// Precondition: the ends are ascending.
+/// Adds the corners of one cell. Precondition: the ends of the lists are ascending.
 void CellBuilder::add_corners(const CellLists& lists, std::size_t cell, std::size_t first_point) {
   const auto begin = cell == 0 ? std::size_t{0} : static_cast<std::size_t>(lists.ends[cell - 1]);
   const auto end = static_cast<std::size_t>(lists.ends[cell]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Checks cells of VTK files: offsets ascend, corners exist, and their number fits the type.
+/// Checks the cells of VTK files: offsets ascend, corners exist, and the number of corners fits the type.
 #pragma once
 
 #include <array>
@@ -13,28 +13,27 @@ namespace geomesh::geomodel {
 
 /// Lists stored consecutively.
 struct CellLists {
-  std::vector<std::int64_t> ends;  ///< end of each list in `corners`
+  std::vector<std::int64_t> ends;  ///< end in `corners` of the list of each cell
   std::vector<std::int64_t> corners;
 };
 
-/// Throws Error{invalid_input} if they descend or are negative.
+/// Throws Error{invalid_input} if the offsets of cells descend or are negative.
 void require_rising(const InputFile& file, const std::vector<std::int64_t>& ends);
 
-/// Points of an image, with equal steps along three axes.
+/// Points of a VTK image, with equal steps along three axes.
 struct ImageLattice {
   std::array<double, 3> origin{}, spacing{};
-  std::array<double, 9> direction{};  ///< rows of a matrix
+  std::array<double, 9> direction{};  ///< directions of the image's axes, as a matrix in rows
   std::array<std::int64_t, 3> first{};
   std::array<std::size_t, 3> n{};  ///< of points
 };
 
-/// Adds cells to the data of one file. Throws Error{invalid_input} if they are damaged.
 class CellBuilder {
  public:
   enum class Shape { verts, lines, polys, strips };
   CellBuilder(const InputFile& file, VtkData& data) : file_(file), data_(data) {}
 
-  /// `first_point` is the row of the first point to which the lists refer.
+  /// Adds the cells of an unstructured grid. The corners in `lists` count from the point `first_point`.
   void add_grid(const CellLists& lists, const std::vector<std::int64_t>& types, std::size_t first_point);
   void add_poly(Shape shape, const CellLists& lists, std::size_t first_point);
   /// The points too.

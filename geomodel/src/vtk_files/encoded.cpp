@@ -29,7 +29,7 @@ constexpr std::array<std::uint8_t, 256> digits = [] {
   return table;
 }();
 
-/// Returns how many bytes one byte of a compressed block can expand to at most.
+/// Returns the largest number of bytes to which one byte of a compressed block can expand.
 std::size_t most_packed(VtkEncoding::Compressor compressor) {
   switch (compressor) {
     case VtkEncoding::Compressor::zlib:
@@ -43,7 +43,7 @@ std::size_t most_packed(VtkEncoding::Compressor compressor) {
   }
 }
 
-/// Returns false if the block does not expand to exactly so many bytes.
+/// Expands a compressed block. Returns false if it does not expand to exactly `n` bytes.
 bool unpack(VtkEncoding::Compressor compressor, std::string_view packed, char* out, std::size_t n) {
   if (compressor == VtkEncoding::Compressor::zlib) {
     uLongf length = n;
@@ -71,14 +71,14 @@ std::size_t header_number(ByteSource& source, const VtkEncoding& encoding) {
                                     : read_number<std::uint32_t>(bytes, 0, encoding.order);
 }
 
-/// Positions of the blocks in the packed bytes and in the unpacked ones.
+/// Positions of the compressed blocks of an array in the packed bytes and in the unpacked ones.
 struct Blocks {
   std::vector<std::size_t> packed{0}, unpacked{0};
   std::size_t size() const { return packed.size() - 1; }
 };
 
-/// Reads the header of compressed blocks: their number, their size, that of the last one (0: the same), and each one's
-/// packed size.
+/// Reads the header of compressed blocks: number of blocks, their unpacked size, that of the last block (0: the same),
+/// and the packed size of each block.
 Blocks read_blocks(ByteSource& source, const VtkEncoding& encoding) {
   const std::size_t n = header_number(source, encoding), size = header_number(source, encoding),
                     last = header_number(source, encoding);

@@ -12,28 +12,27 @@
 
 namespace geomesh::geomodel {
 
-/// The reason why an array cannot be read, used at the end of a message.
+/// The reason why an array of a VTK file cannot be read, used at the end of a message.
 struct DamagedArray : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How a file encodes its numbers.
 struct VtkEncoding {
   enum class Compressor { none, zlib, lz4, lzma };
   std::endian order = std::endian::little;
-  std::size_t header_bytes = 4;  ///< number of bytes of each number in the headers before the data: 4 or 8
+  std::size_t header_bytes = 4;  ///< number of bytes of the numbers in array headers: 4 or 8
   Compressor compressor = Compressor::none;
 };
 
-/// Reads the bytes of a base64 text, or the text's own bytes. Base64 may contain padding, as it does if header and data
-/// were encoded separately, and blanks.
+/// Reads the bytes that a text contains, in base64 or as they are. Base64 may contain padding inside, as it does if
+/// header and data were encoded separately, and blanks.
 class ByteSource {
  public:
   ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// Returns an upper bound on the number of bytes that are left.
+  /// Returns an upper bound on the number of bytes that have not been read yet.
   std::size_t most_left() const { return base64_ ? text_.size() / 4 * 3 + carried_.size() + 3 : text_.size(); }
-  /// Returns exactly n bytes. Throws DamagedArray if there are fewer, or if a character is not valid base64.
+  /// Reads exactly n bytes. Throws DamagedArray if there are fewer, or if a character is not valid base64.
   std::string take(std::size_t n);
 
  private:
@@ -41,12 +40,12 @@ class ByteSource {
 
   std::string_view text_;
   bool base64_;
-  std::string carried_;  // decoded bytes that were not returned yet: two at most
+  std::string carried_;  // bytes that were decoded but not returned yet: two at most
 };
 
-/// Returns the bytes of one array: its first `wanted` ones, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
-/// there are fewer. Memory is bounded by what the source can contain. Blocks are decompressed on the threads of the
-/// arena.
+/// Returns the bytes of one array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if
+/// there are fewer. Memory is bounded by what the source can contain. Compressed blocks are expanded in parallel on the
+/// threads of the current arena.
 std::string decoded_array(ByteSource source, const VtkEncoding& encoding, std::size_t wanted);
 
 }  // namespace geomesh::geomodel

@@ -13,12 +13,11 @@ namespace {
 
 constexpr std::string_view head = "# vtk DataFile Version ";
 
-/// Reads POINT_DATA, CELL_DATA and fields of a legacy file into its tables.
 class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
 
-  /// Reads what follows POINT_DATA and CELL_DATA, and fields. Returns false for any other keyword.
+  /// Reads attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
   bool take(const std::string& keyword) {
     if (keyword == "metadata") {
       skip_metadata();
@@ -42,7 +41,7 @@ class LegacyAttributes {
     return true;
   }
 
-  /// Reads FIELD NAME n, then n arrays NAME COMPONENTS TUPLES TYPE.
+  /// Reads the field data after the keyword FIELD: a name and a count, then as many arrays NAME COMPONENTS TUPLES TYPE.
   void read_field(VtkTable& table, std::size_t least) {
     words_.name();
     for (std::size_t n = words_.count("arrays"); n > 0; --n) {
@@ -73,7 +72,7 @@ class LegacyAttributes {
     table_->put(words_.values(std::move(name), type, n_, n_components));
     return true;
   }
-  /// Reads NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers omit.
+  /// Reads an array after the keyword SCALARS: NAME TYPE [COMPONENTS], then LOOKUP_TABLE NAME, which some writers omit.
   void read_scalars() {
     std::string name = words_.name();
     const VtkType type = words_.type();
@@ -88,7 +87,7 @@ class LegacyAttributes {
     }
     table_->put(words_.values(std::move(name), type, n_, static_cast<std::size_t>(*n_components)));
   }
-  /// Reads colours: bytes in a binary file; in text numbers from 0 to 1, which VTK converts to bytes.
+  /// Reads an array of colours: bytes in a binary file; in text numbers from 0 to 1, which VTK converts to bytes.
   void read_colours() {
     std::string name = words_.name();
     const std::size_t n_components = words_.count("components");
@@ -103,7 +102,7 @@ class LegacyAttributes {
     }
     table_->put(std::move(given));
   }
-  /// Skips to the next empty line.
+  /// Skips the metadata of an array, up to the next empty line.
   void skip_metadata() {
     words_.line();
     while (!words_.line().empty()) {
@@ -112,7 +111,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // table to which the following attributes belong
+  VtkTable* table_;    // table to which the attributes of a section are added
   std::size_t n_ = 0;  // their tuples
 };
 
@@ -139,13 +138,13 @@ class LegacyReader {
     if (!first.starts_with(head) || !version || !(*version >= 1) || *version >= newest)
       words_.fail("it does not begin as a VTK file of a known version (# vtk DataFile Version 1.0 to 5.1)");
     is_version_5_ = *version >= 5;
-    words_.line();  // a title of any words
+    words_.line();  // skips the title, a line with any words
     const std::string coding = words_.keyword();
     if (coding != "ascii" && coding != "binary")
       words_.fail("its third line says " + in_quotes(coding) + "; ASCII or BINARY was expected");
     words_.binary = coding == "binary";
     words_.line();
-    if (words_.next_keyword() == "field") {  // a file may contain only a field
+    if (words_.next_keyword() == "field") {  // a file may contain field data and nothing else
       words_.keyword();
       attributes_.read_field(data_.field_data, 0);
     }
@@ -157,7 +156,7 @@ class LegacyReader {
     words_.line();
   }
 
-  /// Reads points and cells. Returns false for any other keyword.
+  /// Reads the points or cells after their keyword. Returns false for any other keyword.
   bool take_cells(const std::string& keyword) {
     if (keyword == "points") {
       read_points();
@@ -209,7 +208,7 @@ class LegacyReader {
     if (at != block.size()) words_.fail("its cells do not fill their block of numbers (damaged)");
     return lists;
   }
-  /// Reads cells of versions from 5 on: `n` offsets from 0, then the corners.
+  /// Reads cells as in files of version 5 and later: `n` offsets from 0, then the corners.
   CellLists read_offsets(std::size_t n, std::size_t n_corners) {
     CellLists lists;
     words_.keyword();

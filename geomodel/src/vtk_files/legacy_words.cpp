@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// vtkIdType is written as a 32-bit number in binary files.
+/// Names of number types in legacy VTK files. Binary files store vtkIdType as a 32-bit number.
 constexpr std::pair<std::string_view, VtkType> types[] = {{"bit", VtkType::bit},
                                                           {"char", VtkType::int8},
                                                           {"signed_char", VtkType::int8},
@@ -35,7 +35,7 @@ int hex_digit(char c) {
   return c >= '0' && c <= '9' ? c - '0' : (byte | 0x20) >= 'a' && (byte | 0x20) <= 'f' ? (byte | 0x20) - 'a' + 10 : -1;
 }
 
-/// Replaces %XX by the byte with that number.
+/// Decodes a name: %XX stands for the byte with that hexadecimal number.
 std::string decoded(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -142,7 +142,7 @@ void LegacyWords::read_binary(VtkColumn& column, std::size_t n) {
   to_native_order(column.bytes, size, std::endian::big);
 }
 
-/// Reads a length in 1, 2, 4 or 8 bytes, which the two highest bits of the first byte determine.
+/// Reads the length of a text, which takes 1, 2, 4 or 8 bytes depending on the two highest bits of the first byte.
 std::size_t LegacyWords::length_of_text() {
   const auto head = static_cast<unsigned char>(bytes(1).front());
   std::size_t length = head & 63u;

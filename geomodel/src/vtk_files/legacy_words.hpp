@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// Reads the file from front to back. All functions throw Error{invalid_input} if the file does not contain what is
-/// expected.
+/// Reads a legacy VTK file from front to back. All functions throw Error{invalid_input} if the file does not contain
+/// what is expected.
 class LegacyWords {
  public:
   explicit LegacyWords(const InputFile& file) : file_(file), rest_(file.text()) {}
@@ -24,18 +24,17 @@ class LegacyWords {
   std::string_view line();
   /// Returns the next word in lower case; empty at the end of the file.
   std::string keyword();
-  /// Returns the same as keyword() without advancing.
+  /// Returns the next word in lower case without advancing.
   std::string next_keyword() const;
-  /// Returns the next name, with characters %XX decoded.
+  /// Returns the next name, in which characters encoded as %XX are decoded.
   std::string name();
-  /// Returns a count that is not negative, for items that take at least one bit each.
+  /// Returns the next word as a count of items that take at least one bit each; throws if the file is too short.
   std::size_t count(const char* what);
-  /// Returns a type of numbers; texts and bits are types too.
+  /// Returns the next word as a type of numbers; texts and bits are types too.
   VtkType type();
-  /// Returns the remaining words of this line.
   std::vector<std::string_view> words_of_line();
 
-  /// Returns `n` values of the type, from the next line on if the file is binary.
+  /// Reads an array of `n_tuples` tuples of this type. In a binary file its values begin on the next line.
   VtkColumn values(std::string name, VtkType type, std::size_t n_tuples, std::size_t n_components);
 
  private:

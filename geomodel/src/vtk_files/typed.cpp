@@ -11,14 +11,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns false if the word is not a number of the type.
+/// Converts a word to a number of type T. Returns false if it is none.
 template <class T>
 bool parse(std::string_view word, T& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   if constexpr (std::is_floating_point_v<T>) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc() && end == word.data() + word.size()) return true;
-    const auto other = to_double(word);  // for Fortran's exponents, and numbers outside the type's range
+    const auto other = to_double(word);  // handles Fortran's exponents, and numbers outside the type's range
     value = static_cast<T>(other.value_or(0));
     return other.has_value();
   } else {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One generic body for all types of numbers in VTK files.
+/// Runs one generic body for any type of numbers in VTK files.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace geomesh::geomodel {
 
-/// Calls `f` with a zero of the type; bits and the bytes of texts are 8-bit numbers.
+/// Calls `f` with a zero of the C++ type that stores this VTK type; bits and the bytes of texts are 8-bit numbers.
 template <class F>
 decltype(auto) with_type(VtkType type, F&& f) {
   switch (type) {
@@ -48,10 +48,10 @@ inline void to_native_order(std::span<std::byte> bytes, std::size_t size, std::e
     std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i), bytes.begin() + static_cast<std::ptrdiff_t>(i + size));
 }
 
-/// Unpacks eight bits from each byte, the highest first, into one byte each.
+/// Unpacks `n` bits, the highest of each byte first, into one byte each.
 std::vector<std::byte> unpacked_bits(std::span<const std::byte> packed, std::size_t n);
 
-/// Returns the next word of `text`, which is advanced behind it; empty at the end.
+/// Returns the next word of a text, and shortens the text to what follows; empty at the end.
 inline std::string_view next_word(std::string_view& text) {
   constexpr std::string_view blanks = " \t\n\r\v\f";
   const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
@@ -61,8 +61,9 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// Reads `n` numbers of the type from text, which is advanced behind them. Memory is bounded by the text's length.
-/// Returns fewer numbers if a word is not a number of the type, or if the text ends; `text` then begins at that word.
+/// Reads `n` numbers of the type from a text, and shortens the text to what follows. Memory is bounded by the text's
+/// length. Returns fewer numbers if a word is not a number of the type, or if the text ends; `text` then begins at that
+/// word.
 std::vector<std::byte> numbers_of_text(std::string_view& text, VtkType type, std::size_t n);
 
 /// Returns a * b, or the largest number if that does not fit in 64 bits.

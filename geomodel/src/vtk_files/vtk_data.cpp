@@ -43,7 +43,7 @@ namespace {
 template <class T>
 std::int64_t whole(T value) {
   if constexpr (std::is_floating_point_v<T>) {
-    constexpr double most = 9007199254740992;  // beyond this not every integer is a double
+    constexpr double most = 9007199254740992;  // 2^53, the largest integer up to which all integers are doubles
     const bool is_whole = value >= -most && value <= most && std::floor(value) == value;
     return is_whole ? static_cast<std::int64_t>(value) : -1;
   } else {

@@ -15,7 +15,7 @@
 
 namespace geomesh::geomodel {
 
-/// Cell types that the program uses by name, with VTK's numbers.
+/// VTK's numbers of the cell types that the program uses by name.
 namespace vtk_cell {
 inline constexpr std::uint8_t empty = 0, vertex = 1, poly_vertex = 2, line = 3, poly_line = 4, triangle = 5,
                               triangle_strip = 6, polygon = 7, pixel = 8, quad = 9, tetrahedron = 10, voxel = 11,
@@ -34,13 +34,13 @@ enum class VtkType : std::uint8_t {
   uint64,
   float32,
   float64,
-  bit,  ///< one byte each in memory
+  bit,  ///< bits, each stored as one byte in memory
   text
 };
 
-/// Returns the number of bytes of one value in memory; 1 for texts.
+/// Returns the number of bytes that one value of a VTK type takes in memory; 1 for texts.
 std::size_t size_of(VtkType type);
-/// Returns VTK's name of the type in memory: "double", "unsigned char", "string".
+/// Returns the name of a VTK type as it is in memory: "double", "unsigned char", "string".
 std::string name_of(VtkType type);
 
 /// A named array: tuples of numbers, or texts.
@@ -48,15 +48,16 @@ struct VtkColumn {
   std::string name;
   VtkType type = VtkType::float64;
   std::size_t n_components = 1, n_tuples = 0;
-  std::vector<std::byte> bytes;    ///< bytes of the numbers, in this machine's order
-  std::vector<std::string> texts;  ///< values of an array of texts
+  std::vector<std::byte> bytes;    ///< bytes of all numbers, in the byte order of this machine
+  std::vector<std::string> texts;  ///< the texts, if the array is one of texts
 
   bool is_text() const { return type == VtkType::text; }
-  /// Precondition: numbers, i < n_tuples * n_components.
+  /// Returns number i of the array, counted over all components. Precondition: the array has numbers, and i < n_tuples
+  /// * n_components.
   double number(std::size_t i) const;
   double number(std::size_t tuple, std::size_t component) const { return number(tuple * n_components + component); }
-  /// Returns all values of all components as integers. Numbers with a fraction and those that do not fit in 64 bits
-  /// become -1.
+  /// Returns the numbers of all tuples and components as integers. Numbers with a fraction and those that do not fit in
+  /// 64 bits become -1.
   std::vector<std::int64_t> whole_numbers() const;
   std::vector<double> numbers() const;
 };
@@ -64,17 +65,16 @@ struct VtkColumn {
 struct VtkTable {
   std::vector<VtkColumn> columns;
 
-  /// Returns the array of numbers with that name; null if there is none.
+  /// Returns the array of numbers with this name; null if there is none.
   const VtkColumn* numbers(std::string_view name) const;
-  /// Returns the array of texts with that name; null if there is none.
+  /// Returns the array of texts with this name; null if there is none.
   const VtkColumn* texts(std::string_view name) const;
-  /// Adds the column, replacing one with the same name.
   void put(VtkColumn column);
 };
 
-/// Cells of all types in one list. Their corners are valid rows of points.
+/// Cells of all types in one list. Their corners are rows of existing points.
 struct VtkCells {
-  std::vector<std::size_t> first{0};  ///< for each cell the first entry in `corners`, and the end
+  std::vector<std::size_t> first{0};  ///< for each cell: its first entry in `corners`; at last the end of the last cell
   std::vector<VertexIndex> corners;
   std::vector<std::uint8_t> types;
 
@@ -87,9 +87,9 @@ struct VtkCells {
 struct VtkData {
   enum class Kind { grid, poly, image } kind = Kind::grid;
   std::vector<Vec3> points;
-  bool single_precision = false;  ///< whether the file has 32-bit coordinates
-  /// Cells of PolyData are in VTK's order: vertices, lines, polygons, strips; the type follows from the number of
-  /// corners.
+  bool single_precision = false;  ///< whether the file has coordinates in single precision
+  /// All cells of the VTK file. Those of PolyData are ordered as vertices, lines, polygons, strips, and get their type
+  /// from the number of corners.
   VtkCells cells;
   VtkTable point_data, cell_data, field_data;
 };
@@ -102,7 +102,7 @@ VtkData read_vtk_xml_data(const InputFile& file);
 
 /// Reads a legacy VTK file of versions 1.0 to 5.1, ASCII or BINARY, of type UNSTRUCTURED_GRID or POLYDATA, with all
 /// kinds of attributes. Source: "VTK File Formats for VTK Version 4.2" and "VTK Legacy File Format 5.1" (docs.vtk.org).
-/// Throws as above.
+/// Throws Error{invalid_input} if the file is damaged, or of another type.
 VtkData read_vtk_legacy_data(const InputFile& file);
 
 /// Returns whether the file begins like a legacy VTK file.

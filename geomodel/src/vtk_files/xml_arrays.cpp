@@ -16,7 +16,7 @@ constexpr std::pair<std::string_view, VtkType> types[] = {
     {"Float64", VtkType::float64}, {"String", VtkType::text},    {"Bit", VtkType::bit},
     {"float", VtkType::float32},   {"double", VtkType::float64}, {"int", VtkType::int32}};
 
-/// Returns the text of the element without its child elements (VTK puts the range of an array into one).
+/// Returns the text of an XML element without its child elements (VTK stores the range of an array in one).
 std::string_view text_of(const pugi::xml_node& element, std::string& room) {
   std::size_t n = 0;
   for (const pugi::xml_node& child : element.children()) n += child.type() == pugi::node_pcdata;
@@ -109,7 +109,7 @@ void XmlArrays::read_bytes(ByteSource source, VtkColumn& column, std::size_t n_v
                                                                ? n_values / 8 + (n_values % 8 != 0)
                                                                : product(n_values, size);
   if (!all && n_bytes == SIZE_MAX) fail(column, "says to hold more numbers than any file can");
-  if (n_values == 0) return;  // some writers omit the header of an empty array
+  if (n_values == 0) return;  // an array without values may lack its header
   const std::string bytes = decoded_array(source, encoding_, all ? SIZE_MAX : n_bytes);
   if (column.is_text()) return take_texts(bytes, column);
   const auto begin = reinterpret_cast<const std::byte*>(bytes.data());
@@ -123,7 +123,7 @@ void XmlArrays::read_bytes(ByteSource source, VtkColumn& column, std::size_t n_v
   column.bytes.resize(column.n_tuples * column.n_components * size);
 }
 
-/// Reads texts, each of which ends with a zero byte.
+/// Reads the texts of an array, each of which ends with a zero byte.
 void XmlArrays::take_texts(std::string_view bytes, VtkColumn& column) const {
   while (!bytes.empty()) {
     const std::size_t end = std::min(bytes.find('\0'), bytes.size());

@@ -12,11 +12,11 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the attribute as an integer that is not negative; nothing if the attribute is absent. Throws
+/// Returns an XML attribute as an integer that is not negative; nothing if the attribute is absent. Throws
 /// Error{invalid_input} for any other value.
 std::optional<std::size_t> count_attribute(const InputFile& file, const pugi::xml_node& element, const char* name);
 
-/// Reads the arrays of one file, whose parsed text and appended bytes must outlive this object.
+/// Reads the arrays of one VTK XML file, whose parsed text and appended bytes must outlive this object.
 class XmlArrays {
  public:
   struct Appended {
@@ -26,7 +26,7 @@ class XmlArrays {
   XmlArrays(const InputFile& file, const VtkEncoding& encoding, const Appended& appended)
       : file_(file), encoding_(encoding), appended_(appended) {}
 
-  /// Reads `n_tuples`; if that is not given, the number in the element, or all.
+  /// Reads an array of `n_tuples` tuples. If `n_tuples` is empty, the element gives their number, or all are read.
   VtkColumn read(const pugi::xml_node& element, std::optional<std::size_t> n_tuples) const;
 
  private:

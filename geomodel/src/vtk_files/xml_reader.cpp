@@ -12,7 +12,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Largest compression ratio of zlib; a point or a cell has at least four bytes, and an empty text one.
+/// Largest compression ratio of zlib. It limits the number of items of a file, because a point or a cell has at least
+/// four bytes, and an empty text one.
 constexpr std::size_t most_packed = 1100;
 
 VtkEncoding encoding_of(const InputFile& file, const pugi::xml_node& root) {
@@ -54,7 +55,7 @@ std::array<double, N> numbers_attribute(const InputFile& file, const pugi::xml_n
   return values;
 }
 
-/// Appends the column of the same name and type; false if the table has none.
+/// Appends to `column` the array of the same name and type in the table; returns false if there is none.
 bool append(const VtkTable& table, VtkColumn& column) {
   const VtkColumn* const more = column.is_text() ? table.texts(column.name) : table.numbers(column.name);
   if (!more || more->type != column.type || more->n_components != column.n_components) return false;
@@ -93,7 +94,7 @@ class XmlReader {
       if (is_array(element)) data_.field_data.put(arrays_.read(element, std::nullopt));
   }
 
-  /// Throws if so many items cannot be in the file, even compressed.
+  /// Returns a number of items; throws if so many cannot be in the file, even compressed.
   std::size_t possible(std::size_t n, const char* what) const {
     if (n / most_packed > file_.size())
       file_.fail("it says to hold " + std::to_string(n) + " " + what + ", which a file of " +
@@ -135,7 +136,6 @@ class XmlReader {
     if (data_.points.size() >= no_vertex) file_.fail("it holds more points than 32 bits can count");
   }
 
-  /// Returns the array of a group of cells; throws if it is missing.
   std::vector<std::int64_t> cell_array(const pugi::xml_node& group, const char* name, std::size_t n) const {
     const pugi::xml_node element = group.find_child_by_attribute("DataArray", "Name", name);
     if (!element) file_.fail(std::string("its ") + group.name() + " have no array \"" + name + "\"");
@@ -191,7 +191,7 @@ class XmlReader {
     cells.add_image(lattice);
   }
 
-  /// Arrays that not all pieces have are left out.
+  /// Adds the arrays of a piece to the table. Arrays that not all pieces have are left out.
   void add_table(const pugi::xml_node& group, std::size_t n, bool first, VtkTable& table) {
     VtkTable own;
     for (const pugi::xml_node& element : group.children())
@@ -207,7 +207,7 @@ class XmlReader {
   VtkData data_;
 };
 
-/// Returns the data after the underscore of the element with which the text begins; up to its end if it is text.
+/// Returns the appended data of a VTK file, which follow an underscore; base64 text ends with the element.
 XmlArrays::Appended appended_data(const InputFile& file, std::string_view element) {
   XmlArrays::Appended appended;
   if (element.empty()) return appended;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The temporary files of this process, in fixed storage, so that a signal handler can remove them.
+// The names of the temporary files of this process, in fixed storage, so that a signal handler can remove the files.
 #include <array>
 #include <atomic>
 #include <cstring>
@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t most_files = 64, longest_name = 4096;
 
-/// A slot that one writer takes at a time. The handler reads its name only while it is ready, which means complete.
+/// A slot for the name of one file that is being written. The signal handler reads the name only if `ready` says that
+/// it is complete.
 struct Place {
   std::atomic<bool> claimed{false}, ready{false};
   std::array<char, longest_name> name{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "writers/hdf5_times.hpp"
 
-#define H5_USE_110_API  // addresses of objects are in H5O_info_t in that version
+#define H5_USE_110_API  // in this version of HDF5's interface, H5O_info_t has the addresses of objects
 #include <hdf5.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::uint64_t number_at(const std::string& bytes, std::size_t first, std::size_t
   return value;
 }
 
-/// Bob Jenkins' lookup3 (2006), the checksum of HDF5's own data; the last twelve bytes are padded with zeros.
+/// Returns the checksum of HDF5's own data, lookup3 by Bob Jenkins (2006); the last twelve bytes are padded with zeros.
 std::uint32_t checksum(std::string bytes) {
   constexpr std::size_t step = 12;
   const std::uint32_t start = 0xdeadbeef + static_cast<std::uint32_t>(bytes.size());
@@ -57,11 +57,10 @@ std::uint32_t checksum(std::string bytes) {
   return c;
 }
 
-/// The start of an object header of version 2.
 struct HeaderStart {
   static constexpr std::size_t n_signature = 4, first_time = 6, n_times = 16;
   std::uint64_t flags;
-  std::size_t size_at, n_size;  ///< position and number of bytes of the size of the first chunk
+  std::size_t size_at, n_size;  ///< position and width in bytes of the field with the size of the first chunk
 
   explicit HeaderStart(const std::string& bytes)
       : flags(number_at(bytes, 5, 1)),
@@ -74,7 +73,7 @@ bool clear_times_at(std::fstream& file, std::uint64_t address) {
   constexpr std::size_t most_bytes_of_start = 34;
   std::string bytes(most_bytes_of_start, '\0');
   const auto read = [&] {
-    file.clear();  // the start may be longer than the rest of the file
+    file.clear();  // reading the start of a header may have reached the end of the file
     file.seekg(static_cast<std::streamoff>(address));
     file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     return static_cast<std::size_t>(file.gcount()) == bytes.size();
@@ -98,8 +97,8 @@ bool clear_times_at(std::fstream& file, std::uint64_t address) {
   return !file.fail();
 }
 
-/// Returns the positions of the headers, each once; empty if the file cannot be read, because even its root is an
-/// object.
+/// Returns the positions of all object headers of an HDF5 file, each once. The list is empty only if the file cannot be
+/// read, because even the root is an object.
 std::vector<std::uint64_t> addresses_of_headers(const std::filesystem::path& file) {
   std::vector<std::uint64_t> addresses;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

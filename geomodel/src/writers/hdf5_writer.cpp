@@ -36,7 +36,7 @@ void Hdf5Writer::put_pieces(const std::string& name, hid_t type, std::size_t n, 
   const std::array<hsize_t, 2> sizes{n, width};
   const int rank = width == 1 ? 1 : 2;
   const hid_t space = require(H5Screate_simple(rank, sizes.data(), nullptr));
-  // Without times, so that the bytes do not depend on when it is written.
+  // Data sets are created without times, so that the bytes of the file do not depend on when it is written.
   const hid_t no_times = require(H5Pcreate(H5P_DATASET_CREATE));
   require(H5Pset_obj_track_times(no_times, false));
   const hid_t set = require(H5Dcreate2(id_, name.c_str(), type, space, H5P_DEFAULT, no_times, H5P_DEFAULT));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes HDF5 files (built only if HDF5 is available), with bytes that do not depend on when they are written.
+/// Writes HDF5 files (built only if HDF5 is available) whose bytes do not depend on when they are written.
 #pragma once
 
 #include <hdf5.h>
@@ -18,19 +18,19 @@ namespace geomesh::geomodel {
 /// An HDF5 file that is being written. Every failure of the library is reported as a failure to write the file.
 class Hdf5Writer {
  public:
-  /// `payload` is the number of bytes of all numbers, `n_sets` the number of data sets and groups, each of which needs
-  /// some space of its own.
+  /// Opens an HDF5 file for writing. `payload` is the number of bytes of all numbers, `n_sets` the number of data sets
+  /// and groups, each of which needs some further space.
   Hdf5Writer(const std::filesystem::path& temporary, const std::filesystem::path& file, std::size_t payload,
              std::size_t n_sets = 0);
   ~Hdf5Writer();
   Hdf5Writer(const Hdf5Writer&) = delete;
   Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
-  /// Writes rows in memory: type in memory, first row, number of rows.
+  /// Function that writes `n_rows` rows of numbers, which have the type `in_memory`.
   using WriteRows = std::function<void(hid_t in_memory, const void* data, std::size_t n_rows)>;
-  /// Writes rows of `width` numbers. `name` may be a path whose groups exist.
+  /// Writes a data set with rows of `width` numbers. `name` may be a path whose groups exist.
   void put(const std::string& name, hid_t type, const void* data, std::size_t n, std::size_t width);
-  /// Writes rows piece by piece: `give` calls the function that it receives once for each piece.
+  /// Writes a data set piece by piece: `give` receives a function and calls it once for each piece.
   void put_pieces(const std::string& name, hid_t type, std::size_t n, std::size_t width,
                   const std::function<void(const WriteRows&)>& give);
   void group(const std::string& name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks where a file can be written before hours are spent on its contents.
+// Checks whether a file can be written, before hours are spent on its contents.
 #include <charconv>
 #include <string_view>
 
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
   throw Error(ErrorKind::usage, "cannot write " + file.string() + ": " + why);
 }
 
-/// Returns the folder itself, or the nearest existing one above it, in which missing folders would be created.
+/// Returns the folder itself if it exists, else the nearest existing folder above it, in which it would be created.
 fs::path nearest_existing(fs::path folder) {
   std::error_code ec;
   while (!fs::exists(folder, ec) && folder.has_parent_path() && folder.parent_path() != folder)
@@ -26,7 +26,8 @@ fs::path nearest_existing(fs::path folder) {
 
 constexpr std::string_view part_end = ".part";
 
-/// Returns the process that wrote a file with a name such as "dome.vtu.1234.part"; 0 if the name has another form.
+/// Returns the id of the process that wrote a temporary file with a name such as "dome.vtu.1234.part"; 0 if the name
+/// has another form.
 long writer_of(std::string_view name) {
   if (!name.ends_with(part_end)) return 0;
   name.remove_suffix(part_end.size());
@@ -38,7 +39,8 @@ long writer_of(std::string_view name) {
   return status == std::errc() && end == last && pid > 0 ? pid : 0;
 }
 
-/// Removes temporary files with this file's stem that killed runs left. Those of running processes are kept.
+/// Removes temporary files that killed runs left while they were writing a file with the same stem. Those of running
+/// processes are kept.
 void remove_left_parts(const fs::path& file) {
   std::error_code ec;
   const std::string start = file.stem().string() + ".";

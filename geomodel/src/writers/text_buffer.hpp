@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Text of solver files: numbers independent of the locale, doubles as the shortest text that reads back to the same
-/// double.
+/// Composes the text of solver files: numbers do not depend on the locale, and a double is written as the shortest text
+/// that reads back to the same double.
 #pragma once
 
 #include <charconv>
@@ -25,7 +25,6 @@ class TextBuffer {
     return number(value);
   }
   TextBuffer& operator<<(double value) { return number(value); }
-  /// Appends three numbers separated by blanks.
   TextBuffer& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
   const std::string& text() const { return text_; }
 

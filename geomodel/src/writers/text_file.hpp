@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Large text and binary files of solvers, written a megabyte at a time, complete or absent.
+/// Large text and binary files of solvers, written a megabyte at a time. A file is either complete or absent.
 #pragma once
 
 #include <charconv>
@@ -30,7 +30,6 @@ class OutputText {
     return number(value);
   }
   OutputText& operator<<(double value) { return number(value); }
-  /// Appends three numbers separated by blanks.
   OutputText& operator<<(const Vec3& p) { return *this << p.x << " " << p.y << " " << p.z; }
   /// The value's bytes.
   template <class T>
@@ -39,7 +38,7 @@ class OutputText {
     std::memcpy(bytes, &value, sizeof(T));
     return *this << std::string_view(bytes, sizeof(T));
   }
-  /// Returns false if something could not be written.
+  /// Closes the file; returns false if something could not be written.
   bool close() {
     flush();
     file_.close();
@@ -52,7 +51,7 @@ class OutputText {
     file_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     buffer_.clear();
   }
-  /// Doubles as the shortest text that reads back to the same double, independent of the locale.
+  /// Appends a number; a double as the shortest text that reads back to the same double, independent of the locale.
   template <class T>
   OutputText& number(T value) {
     char digits[32];
@@ -63,7 +62,8 @@ class OutputText {
   std::string buffer_;
 };
 
-/// Composes a file, complete or absent. Throws Error{usage} if it cannot be written.
+/// Writes a file whose contents a function composes. The file is either complete or absent. Throws Error{usage} if it
+/// cannot be written.
 void write_output_text(const std::filesystem::path& file, const std::function<void(OutputText&)>& compose);
 
 }  // namespace geomesh::geomodel

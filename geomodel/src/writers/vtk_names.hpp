@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names in VTK files are stored as numbered field arrays. The array `region:chalk` contains the id of the region
-/// chalk.
+/// Stores names in VTK files as numbered field arrays: the array `region:chalk` contains the id of the region chalk.
 #pragma once
 
 #include <string>
@@ -12,15 +11,17 @@
 
 namespace geomesh::geomodel {
 
-/// Adds `region:NAME` with the region's id, and `group:NAME` with the ids of a group's regions.
+/// Adds field arrays with the names of regions: `region:NAME` with the id of the region, and `group:NAME` with the ids
+/// of the regions of a group.
 void add_region_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// Adds `surface:NAME` with the surface's id and `surface_kinds` in the order of the names (0 surface, 1 horizon, 2
-/// fault, 3 body, 4 box); sets of surfaces as `surface_set_offsets` (one more than sets) into `surface_set_ids`.
+/// Adds field arrays with the names of surfaces: `surface:NAME` with the id of the surface, and `surface_kinds` in the
+/// order of the names (0 surface, 1 horizon, 2 fault, 3 body, 4 box). Sets of surfaces are lists in `surface_set_ids`;
+/// `surface_set_offsets` has their ends, beginning with 0.
 void add_surface_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// Adds `curve:NAME` and `point:NAME` with ids, and `curve_kinds` in the order of the curves (0 intersection, 1 border,
-/// 2 fault_tip, 3 well, 4 other).
+/// Adds field arrays with the names of curves and points: `curve:NAME` and `point:NAME` with ids, and `curve_kinds` in
+/// the order of the curves (0 intersection, 1 border, 2 fault_tip, 3 well, 4 other).
 void add_curve_fields(const ModelMesh& mesh, std::vector<VtkField>& fields);
-/// Returns an empty vector if nothing was subtracted.
+/// Returns the origin that was subtracted from the coordinates of a mesh; an empty vector if none was.
 std::vector<double> origin_of(const ModelMesh& mesh);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parts of a VTK XML file that is only written for viewing: lists of points as cells, and texts.
+/// Parts of a VTK XML file that is only written for viewing: cells that are lists of points, and texts.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// `text(i)` for i from 0 to n - 1, each followed by a zero byte. A widely used Python reader refuses files with texts.
+/// Makes an array of the n texts that `text(i)` returns, each followed by a zero byte. It is only for viewing, because
+/// a widely used Python reader refuses files with texts.
 template <class F>
 VtkArray vtk_texts(std::string name, std::size_t n, F text) {
   std::string bytes;
@@ -27,7 +28,7 @@ VtkArray vtk_texts(std::string name, std::size_t n, F text) {
           }};
 }
 
-/// Writes lists of points as the arrays `connectivity` and `offsets` of the section.
+/// Makes a section of cells from lists of points, as the arrays `connectivity` and `offsets`.
 VtkSection vtk_cells(const char* tag, std::vector<std::vector<VertexIndex>> lists);
 VtkSection vtk_points(const std::vector<Vec3>& points);
 

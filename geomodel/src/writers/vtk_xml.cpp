@@ -16,14 +16,13 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Bytes of a block before compression. The blocks do not depend on the number of threads, so neither does the file.
+/// Number of bytes of a block before compression. Like the file, it does not depend on the number of threads.
 constexpr std::size_t block_bytes = std::size_t{1} << 20;
 
 using Bytes = std::vector<std::byte>;
 
 std::size_t size_of(const VtkArray& array) { return array.n_values * array.value_size; }
 
-/// Values of one block of an array.
 Bytes block_of(const VtkArray& array, std::size_t block) {
   const std::size_t per_block = block_bytes / array.value_size, first = block * per_block;
   const std::size_t last = std::min(array.n_values, first + per_block);
@@ -32,7 +31,7 @@ Bytes block_of(const VtkArray& array, std::size_t block) {
   return bytes;
 }
 
-/// How zlib packs an array; every choice gives a valid zlib stream.
+/// How zlib compresses an array; every choice gives a valid zlib stream.
 struct Packing {
   int level, strategy;
 };
@@ -89,7 +88,7 @@ CompressedArray compress_array(const VtkArray& array, Packing packing) {
   return result;
 }
 
-/// The text before the appended data.
+/// Composes the XML text before the appended data.
 class Head {
  public:
   explicit Head(Compression compression) : compression_(compression) {}
@@ -149,7 +148,7 @@ void put(std::ofstream& out, const void* data, std::size_t n) {
   out.write(static_cast<const char*>(data), static_cast<std::streamsize>(n));
 }
 
-/// Writes array after array; uncompressed ones are made block by block while they are written.
+/// Writes one array after the other. Arrays that are not compressed are made block by block while they are written.
 void write_to(std::ofstream& out, const VtkDocument& document, Compression compression) {
   Head head(compression);
   head.begin(document);
@@ -225,8 +224,8 @@ std::string latin1_as_utf8(char c) {
 
 }  // namespace
 
-/// Names may come from file names that are not UTF-8, which no XML reader accepts: such bytes are interpreted as
-/// Latin-1.
+/// Replaces bytes that are not UTF-8, which no XML reader accepts and which names of files may contain: they are
+/// interpreted as Latin-1.
 std::string xml_text(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {

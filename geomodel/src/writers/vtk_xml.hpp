@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// VTK XML files (VTU, VTP, PVTU) written without VTK: appended raw data, 64-bit headers, zlib in blocks that are
-/// compressed in parallel. No array of strings is written, because a widely used Python reader refuses files that have
-/// one.
+/// Writes VTK XML files (VTU, VTP, PVTU) without VTK: appended raw data, 64-bit headers, zlib in blocks that are
+/// compressed in parallel. No array of strings is written, because a widely used Python reader refuses them.
 #pragma once
 
 #include <cstddef>
@@ -17,10 +16,10 @@
 
 namespace geomesh::geomodel {
 
-/// One array of a file. Its values are requested in blocks, so that no second copy of the mesh is made.
+/// One array of a VTK file. Its values are requested in blocks, so that no second copy of the mesh is made.
 struct VtkArray {
   std::string name;
-  const char* type;        ///< type as in the file: "Int32", "Float64", "UInt8", "UInt64"
+  const char* type;        ///< type of the values as in the file: "Int32", "Float64", "UInt8", "UInt64"
   std::size_t value_size;  ///< bytes
   int components;
   std::size_t n_values;  ///< tuples times components
@@ -43,8 +42,8 @@ constexpr const char* name() {
 }
 }  // namespace vtk_type
 
-/// `value(i)` returns the value for i from 0 to n_values - 1, as T. Its references must be valid until the file is
-/// written.
+/// Makes an array whose values `value(i)` returns as T, for i from 0 to n_values - 1. What `value` refers to must exist
+/// until the file is written.
 template <class T, class F>
 VtkArray vtk_array(std::string name, std::size_t n_values, F value, int components = 1) {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::uint8_t> || std::is_same_v<T, std::uint64_t> ||
@@ -62,16 +61,17 @@ VtkArray vtk_array(std::string name, std::size_t n_values, F value, int componen
           }};
 }
 
-/// A few numbers about the whole file, written as text. Values of arrays with the same name are concatenated.
+/// A field array: a few numbers about the whole file, written as text. Those with the same name are concatenated.
 struct VtkField {
   std::string name;
   std::vector<std::int32_t> values;
 };
 
-/// Part of a piece: "Points", "Cells", "PointData" ... with its arrays.
+/// A section of a VTK piece ("Points", "Cells", "PointData" ...) with its arrays.
 struct VtkSection {
   std::string tag;
-  std::string attributes;  ///< attributes of the tag, such as `Scalars="region"`; may be empty, without a leading blank
+  /// XML attributes of the section, such as `Scalars="region"`, without a leading blank; may be empty
+  std::string attributes;
   std::vector<VtkArray> arrays;
 };
 
@@ -79,14 +79,14 @@ struct VtkDocument {
   std::string type;              ///< "UnstructuredGrid" or "PolyData"
   std::string piece_attributes;  ///< `NumberOfPoints="8" NumberOfCells="5"`
   std::vector<VtkField> fields;
-  std::vector<double> origin;  ///< field data `origin`, empty or three numbers
+  std::vector<double> origin;  ///< origin for the field data `origin`: empty or three numbers
   std::vector<VtkSection> sections;
 };
 
-/// Writes the file, complete or absent. Throws Error{usage} if it cannot be written.
+/// Writes a VTK file, which is either complete or absent. Throws Error{usage} if it cannot be written.
 void write_vtk_document(const VtkDocument& document, Compression compression, const std::filesystem::path& file);
 
-/// Returns the text with the characters that XML reserves replaced.
+/// Returns a text in which the characters that XML reserves are replaced.
 std::string xml_text(const std::string& text);
 
 }  // namespace geomesh::geomodel

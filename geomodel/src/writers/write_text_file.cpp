@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes small text files, complete or absent, declared in geomesh/geomodel/writers.hpp.
+// Writes small text files that are either complete or absent, declared in geomesh/geomodel/writers.hpp.
 #include <fstream>
 
 #include "geomesh/core/error.hpp"

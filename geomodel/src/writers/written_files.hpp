@@ -20,7 +20,7 @@ class WrittenFiles {
   }
   void add(std::filesystem::path file) { files_.push_back(std::move(file)); }
   void add(const std::vector<std::filesystem::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Called when all files are written, so that none is removed.
+  /// Keeps all files, and returns their paths. Called when all of them are written; otherwise they are removed.
   std::vector<std::filesystem::path> keep() { return std::exchange(files_, {}); }
 
  private:

@@ -14,7 +14,7 @@ from .errors import CannotMesh, Error, InternalError, Interrupted, InvalidInput,
 __all__ = ["delaunay", "tetrahedralize", "refine", "Delaunay", "Tetrahedralization", "Error", "UsageError",
            "InvalidInput", "CannotMesh", "Interrupted", "InternalError", "NO_ROW", "__version__"]
 
-#: Value of index arrays where there is no row.
+#: Value in arrays of row numbers that means "no row".
 NO_ROW = 0xFFFFFFFF
 
 

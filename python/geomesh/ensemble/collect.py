@@ -110,7 +110,7 @@ def _summary(results):
 
 
 def _hdf5(results):
-    """Returns the same as bytes of an HDF5 file; None if h5py is not installed."""
+    """Returns the results of all realisations as bytes of an HDF5 file; None if h5py is not installed."""
     try:
         import h5py
     except ImportError:

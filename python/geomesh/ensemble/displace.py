@@ -9,7 +9,7 @@ from . import fields
 
 
 def mean_normal(points, triangles):
-    """Returns the mean normal, upwards: of a surface weighted by area; of points, that of the plane through them."""
+    """Returns the upward mean normal of a surface, weighted by area; without triangles, the normal of the plane through the points."""
     if triangles is not None:
         total = _doubled_normals(points, triangles).sum(axis=0)
     else:
@@ -52,7 +52,7 @@ class Displacement:
         self._name = "surfaces." + spec.name
 
     def of(self, points, triangles, holds):
-        """Returns the displaced points; `holds` as in fields.held, for horizons."""
+        """Returns the displaced points. Only horizons use `holds` (see fields.held)."""
         if self._spec.kind == "horizon":
             return self._of_horizon(points, holds)
         turned = self._turned(points) + self._shift()

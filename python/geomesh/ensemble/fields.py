@@ -31,7 +31,7 @@ def gaussian_field(places, reach, kind, stream):
     waves = _wave_vectors(stream, places.shape[1], reach, kind)
     amplitudes = stream.normals(2 * N_WAVES).reshape(2, N_WAVES) / numpy.sqrt(N_WAVES)
     values = numpy.empty(len(places))
-    for start in range(0, len(places), 4096):  # bounded memory; sums in a fixed order, without BLAS and its threads
+    for start in range(0, len(places), 4096):  # works in pieces to bound memory; sums in a fixed order, without BLAS and its threads
         rows = slice(start, start + 4096)
         phase = sum(places[rows, axis, None] * waves[None, :, axis] for axis in range(places.shape[1]))
         values[rows] = (numpy.cos(phase) * amplitudes[0] + numpy.sin(phase) * amplitudes[1]).sum(axis=1)

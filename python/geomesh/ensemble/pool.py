@@ -49,7 +49,7 @@ class Pool:
         try:
             process.stdin.write("%d\n" % index)
         except BrokenPipeError:
-            pass  # the process died: its output ends, which is handled there
+            pass  # the process died; _answered() handles the end of its output
 
     def _answered(self, process):
         line = process.stdout.readline()

@@ -23,7 +23,7 @@ class SurfaceEntry:
 
 
 class ProjectText:
-    """The data of its project that a study needs, and copies of the project's text with changes."""
+    """The project of a study: the data that the study needs, and copies of the project's text with changes."""
 
     def __init__(self, file):
         self.file, self.folder = file, os.path.dirname(os.path.abspath(file))
@@ -96,7 +96,7 @@ class ProjectText:
 
 
 def with_surface_files(node, files):
-    """Returns the node itself with these files of surfaces; None removes the file."""
+    """Changes the files of these surfaces in a project's node and returns the node. None removes the file of a surface."""
     for surface, file in files.items():
         entry = _named(_get(node, "surfaces"), surface)
         _remove(entry, "file")
@@ -160,7 +160,7 @@ def _set(node, key, value):
 
 
 def _named(sequence, name):
-    """Returns the entry of a list whose `name` is this."""
+    """Returns the entry of a list that has this `name`."""
     for entry in sequence.value if isinstance(sequence, yaml.SequenceNode) else ():
         found = _get(entry, "name")
         if found is not None and found.value == name:

@@ -24,7 +24,7 @@ def composed(file):
 
 
 class Problems:
-    """Mistakes of one file."""
+    """Collects the mistakes in one file."""
 
     def __init__(self, file):
         self._file, self._found = file, []

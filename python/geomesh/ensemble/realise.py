@@ -20,7 +20,7 @@ _KINDS = ((UsageError, "study"), (InvalidInput, "input"), (CannotMesh, "mesh"), 
 
 
 class OutOfTime(Exception):
-    """The study's time_limit."""
+    """A realisation has taken longer than the study's time_limit."""
 
 
 @dataclass
@@ -34,10 +34,10 @@ class Fault:
 
 @dataclass
 class Drawn:
-    """The input of a realisation."""
-    node: object  # of the project
-    inputs: dict  # surfaces given in memory
-    moved: dict  # name: (points, triangles or None), in the file's coordinates
+    """Results of the draws for a realisation."""
+    node: object  # The project as a YAML node.
+    inputs: dict  # Surfaces given in memory.
+    moved: dict  # (points, triangles or None) of each moved surface by name, in the file's coordinates.
     values: dict
 
 
@@ -180,7 +180,7 @@ def failure_of(error):
 
 @contextlib.contextmanager
 def _limited(seconds):
-    """Raises OutOfTime in the work, which checks for signals 20 times a second."""
+    """Signal handler that raises OutOfTime in the running work, which checks for signals 20 times a second."""
     if not seconds:
         yield
         return

@@ -36,7 +36,7 @@ def _head(study, folder, log):
 
 
 def _program():
-    """Returns how this was called: the program geomesh if it was used, else this interpreter."""
+    """Returns the command that starts geomesh.ensemble: by the program geomesh if that was used here, else by this interpreter."""
     program = os.environ.get("GEOMESH_PROGRAM")
     if program:
         return shlex.quote(os.path.abspath(program)) + " ensemble"

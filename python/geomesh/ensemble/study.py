@@ -23,8 +23,8 @@ class SurfaceSpec:
     name: str
     kind: str
     shift: Tuple = (Fixed(0.0), Fixed(0.0), Fixed(0.0))
-    tilt: Optional[Tuple] = None  # angle in degrees, azimuth of the side that is raised
-    perturbation: Optional[Tuple] = None  # standard deviation and range
+    tilt: Optional[Tuple] = None  # Angle in degrees, and azimuth of the side that is raised.
+    perturbation: Optional[Tuple] = None  # Standard deviation and range.
     correlation: str = "gaussian"
     file: Optional[Pick] = None
     hold: Tuple = ()  # names of wells
@@ -53,13 +53,13 @@ class Study:
     realisations: int
     seed: int
     directory: str
-    mesh: object = None  # a YAML node that replaces the project's
+    mesh: object = None  # a YAML node that replaces the mesh settings of the project
     grid: Optional[GridSpec] = None
-    time_limit: float = 0.0  # seconds per realisation; 0: no limit
+    time_limit: float = 0.0  # time limit in seconds per realisation; 0: no limit
     parameters: Dict = field(default_factory=dict)
     surfaces: List[SurfaceSpec] = field(default_factory=list)
-    throws: Dict = field(default_factory=dict)  # fault: distribution
-    keys: Dict = field(default_factory=dict)  # path in the project: distribution
+    throws: Dict = field(default_factory=dict)  # Distribution of the throw of each fault.
+    keys: Dict = field(default_factory=dict)  # Distribution of each changed value, by its path in the project.
     digest: str = ""
 
 
@@ -267,7 +267,7 @@ class _Reading:
 
 
 def _digest(file, study):
-    """Returns a hash of everything that determines a realisation, which excludes their number."""
+    """Returns a hash of everything that determines a realisation. The number of realisations is not included."""
     total = hashlib.sha256()
     with open(file, encoding="utf-8") as text:
         lines = [line for line in text if not line.startswith(("realisations:", "name:", "output:", "time_limit:", "#"))]

@@ -114,7 +114,7 @@ def vti_text(grid, arrays):
     """Returns a compressed VTK image of cell arrays as bytes."""
     parts, blocks, offset = [], [], 0
     for name, values in arrays:
-        raw = numpy.asarray(values, dtype="<f4").transpose(2, 1, 0).tobytes()  # x runs first
+        raw = numpy.asarray(values, dtype="<f4").transpose(2, 1, 0).tobytes()  # VTK stores x fastest
         content = zlib.compress(raw, 6)
         head = numpy.array([1, len(raw), len(raw), len(content)], dtype="<u4").tobytes()
         parts.append('        <DataArray type="Float32" Name="%s" format="appended" offset="%d"/>\n' % (_escaped(name), offset))

@@ -23,7 +23,7 @@ def run_one(study, realiser, store, index):
 
 
 def main(study_file, directory, digest):
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the driver handles it
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that started this one handles Ctrl-C
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)  # output of libraries must not be mixed with the answers
     study = read_study(study_file)

@@ -136,6 +136,16 @@ TEST_CASE("hole seeds drop components, region seeds name them", "[classify]") {
   CHECK(std::count(mesh.component_seed.begin(), mesh.component_seed.end(), 42u) == 1);
 }
 
+TEST_CASE("a seed on a facet, an edge or a corner of one is refused, since it names no side", "[classify]") {
+  for (const Vec3& place : {Vec3{1, 0.4, 0.3}, Vec3{1, 1, 0.3}, Vec3{1, 1, 1}, Vec3{0, 0.4, 0.3}}) {
+    PiecewiseLinearComplex plc = test::corpus_model("cube_lattice_2").make();
+    plc.hole_seeds.push_back({place, no_index});
+    CHECK(kind_of_failure(plc) == ErrorKind::invalid_input);
+    plc.region_seeds.swap(plc.hole_seeds);
+    CHECK(kind_of_failure(plc) == ErrorKind::invalid_input);
+  }
+}
+
 TEST_CASE("a facet with holes, an inner segment and a point is triangulated", "[plc]") {
   const std::vector<Vec3> points{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0},     {1, 1, 0},  {2, 1, 0},
                                  {2, 2, 0}, {1, 2, 0}, {3, 3, 0}, {3.5, 0.5, 0}, {3.5, 2, 0}};

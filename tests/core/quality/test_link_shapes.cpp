@@ -89,7 +89,7 @@ TEST_CASE("All kernels over links give the same bits", "[quality]") {
           for (unsigned axis = 0; axis < 3; ++axis)
             one[k / 4].corner[i][axis][k % 4] = faces[k][i][axis], one[k / 4].share[k % 4] = 1;
       two = one;
-      const LinkKernels &base = detail::baseline_link_kernels[static_cast<std::size_t>(measure)],
+      const LinkKernels &base = remesh::detail::baseline_link_kernels[static_cast<std::size_t>(measure)],
                         &other = link_kernels(measure);
       base.prepare(one.data(), 3);
       other.prepare(two.data(), 3);

@@ -10,6 +10,7 @@
 #include "common/geometry.hpp"
 #include "geomesh/core/element_estimate.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine.hpp"
 #include "refine_models.hpp"
 #include "remesh/domain/domain_io.hpp"
@@ -47,7 +48,9 @@ TEST_CASE("Refinement of two regions keeps domain, facets and input points", "[r
       CHECK(r.mesh.points[v] == model.plc.points[v]);
     }
     CHECK(r.statistics.deviation_result_to_input < 1e-14);
-    CHECK(r.statistics.edges_within_size > 0.9);
+    QualityOptions measuring;
+    measuring.size = &r.size_field;
+    CHECK(measure_quality(model.plc, r.mesh, measuring).whole.share_within_size() > 0.9);
     CHECK(r.statistics.worst_shape_after >= std::min(r.statistics.worst_shape_before, 0.5));
   }
 }

@@ -6,6 +6,7 @@
 
 #include "geomesh/core/error.hpp"
 #include "geomesh/core/predicates.hpp"
+#include "geomesh/core/quality.hpp"
 #include "geomesh/core/refine_conforming.hpp"
 #include "geomesh/core/voronoi_dual.hpp"
 #include "refine_models.hpp"
@@ -112,7 +113,9 @@ TEST_CASE("Conforming refinement of polygons to one size is Delaunay", "[refine]
     const Run r = run(plc, with_size(size));
     require_right(plc, r);
     CHECK(r.refined.mesh.tetrahedra.size() > 3 * coarser);
-    CHECK(r.refined.statistics.edges_within_size > 0.95);
+    QualityOptions measuring;
+    measuring.size = &r.refined.size_field;
+    CHECK(measure_quality(plc, r.refined.mesh, measuring).whole.share_within_size() > 0.95);
     coarser = r.refined.mesh.tetrahedra.size();
     const double ratio = static_cast<double>(coarser) / r.refined.statistics.estimated_elements;
     CHECK(ratio > 0.3);

@@ -57,6 +57,10 @@ TEST_CASE("a map of sizes is a lattice of one level, a single point one everywhe
   CHECK(grid_of({{1, 2, 3}}).at({9, 9, 9}) == Approx(linear({1, 2, 3})));
 }
 
+TEST_CASE("a point given twice is no lattice, though its value is zero", "[sizes]") {
+  CHECK_FALSE(SizeGrid({{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, {0, 0, 1, 2}).is_lattice());
+}
+
 TEST_CASE("scattered sizes are those of the eight nearest points, weighted", "[sizes]") {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> u(0, 1);

@@ -26,7 +26,7 @@ struct DelaunayOptions {
 
 struct DelaunayStatistics {
   std::size_t points_deferred = 0;
-  /// Flip algorithm: number of faces that could not be flipped (zero in insertion, which is asserted).
+  /// Number of faces that the flip algorithm could not flip. It is zero during insertion, which is asserted.
   std::size_t stuck_faces = 0;
   std::size_t exact_calls = 0;  ///< number of predicate calls that the floating-point filters did not decide
   std::size_t walk_steps = 0;
@@ -34,24 +34,23 @@ struct DelaunayStatistics {
 
 /// The tetrahedralization of the whole convex hull, including ghost cells.
 struct DelaunayTetrahedralization {
-  TetMesh mesh;  ///< vertex ids are rows of the given points
-  std::vector<VertexIndex>
-      /// For each point: itself, or the first point with equal coordinates (only that one is in the mesh).
-      representative;
+  TetMesh mesh;  ///< a vertex id is the index of its point in the input
+  /// For each point its own index, or that of the first point with equal coordinates (only that one is in the mesh).
+  std::vector<VertexIndex> representative;
   DelaunayStatistics statistics;
 };
 
-/// Throws Error{invalid_input} on coordinates that are not finite or out of the exact range. Throws Error{cannot_mesh}
-/// if all points lie in one plane or on one line; the message says which. The result is unique (perturbation by
-/// coordinates), whatever the order of the points, the algorithm, the cluster distance and the threads. Nearly linear
-/// for inputs with a triangulation of linear size.
+/// Computes the Delaunay tetrahedralization of the points. Throws Error{invalid_input} on coordinates that are not
+/// finite or out of the exact range. Throws Error{cannot_mesh} if all points lie in one plane or on one line; the
+/// message says which. The result is unique (perturbation by coordinates), whatever the order of the points, the
+/// algorithm, the cluster distance and the threads. Nearly linear time for inputs with a triangulation of linear size.
 DelaunayTetrahedralization delaunay_tetrahedralization(std::span<const Vec3> points,
                                                        const DelaunayOptions& options = {},
                                                        const RunContext& context = {});
 
-/// Makes a tetrahedralization of the points' convex hull (ghosts included, valid but not Delaunay) Delaunay by flips.
-/// From such starts flips can get stuck (Joe 1989), which insertion never does; if they do, the mesh is rebuilt by
-/// insertion. Returns the number of faces that were stuck. Unused points are left out.
+/// Turns a valid tetrahedralization of the convex hull of the points, with ghost cells, into the Delaunay
+/// tetrahedralization by flips. Flips can get stuck on a mesh that insertion has not made (Joe 1989); the mesh is then
+/// rebuilt by insertion. Returns the number of faces that were stuck. Unused points are left out.
 std::size_t make_delaunay(TetMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace geomesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Estimates before the work how many elements refinement will make, and what requires them.
+/// Estimates, before refinement starts, how many elements it will create and which options require them.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,19 @@
 
 namespace geomesh {
 
-/// Numbers of elements. Each part is counted in addition to the previous parts.
+/// Estimated numbers of elements by cause. Each cause counts only the elements that it adds to those of earlier causes.
 struct ElementEstimate {
-  double by_volume = 0;      ///< SizeOptions::global only, on the surfaces as they are
-  double by_sizes = 0;       ///< sizes of units, surfaces, curves and places, a background, and edges of the input
-  double by_thin_units = 0;  ///< the first `n_thin` of SizeOptions::sources, which come from thin units
-  double by_bends = 0;       ///< surfaces within the tolerance, or within an angle of curvature
-  double by_gaps = 0;        ///< gaps between surfaces, and layers across components
+  double by_volume = 0;  ///< elements if only SizeOptions::global were requested
+  double by_sizes = 0;   ///< elements added by target sizes of units, surfaces, curves and places, and by input edges
+  double by_thin_units = 0;  ///< elements added by the first `n_thin` entries of SizeOptions::sources
+  double by_bends = 0;       ///< elements added to follow the bends of surfaces closely enough
+  double by_gaps = 0;        ///< elements added by gaps between surfaces and by layers across components
   double total() const { return by_volume + by_sizes + by_thin_units + by_bends + by_gaps; }
 };
 
-/// Estimates for many sizes of one model: whatever does not depend on sizes is computed once. Nearly linear in the
-/// cells of the mesh; an estimate takes seconds at most, whatever the number of elements.
+/// Estimates the number of elements of one model for many choices of target sizes. Everything that does not depend on
+/// sizes is computed once, in time nearly linear in the cells of the mesh. Each estimate then takes seconds at most,
+/// whatever the number of elements.
 class ElementEstimator {
  public:
   /// Preconditions and errors are those of refine_and_improve. `plc` is stored by reference.
@@ -32,13 +33,13 @@ class ElementEstimator {
   ElementEstimator& operator=(ElementEstimator&&) noexcept;
   ~ElementEstimator();
 
-  /// Returns the total within 30 % of the actual number. `options` are those of the constructor, with other sizes and
-  /// tolerances.
+  /// Returns the estimated number of elements, within 30 % of the number after meshing. `options` are those of the
+  /// constructor, except for sizes and tolerances.
   double total(const RefineOptions& options) const;
-  /// Returns whether the total is above `limit`, which is faster than the total if it is far above.
+  /// Returns whether the estimated number of elements is above `limit`; faster than total() if the number is far above.
   bool is_above(double limit, const RefineOptions& options) const;
-  /// Returns how many of these elements each cause requires. The first `n_thin` sources are those of thin units.
-  /// `known_total` is total(options), if the caller has it.
+  /// Returns how many elements each cause requires. The first `n_thin` entries of SizeOptions::sources are those of
+  /// thin units. `known_total` is total(options), if the caller has already computed it.
   ElementEstimate by_cause(const RefineOptions& options, std::size_t n_thin = 0,
                            std::optional<double> known_total = std::nullopt) const;
 

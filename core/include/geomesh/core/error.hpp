@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Typed errors that carry the offending items. They are thrown anywhere, caught once, in app/, and mapped to an exit
-/// status.
+/// Typed errors that carry the offending items. They may be thrown anywhere; the application catches them once, in
+/// app/, and maps them to an exit status.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 
 namespace geomesh {
 
-/// Classes of errors by who can correct them; each has one exit status of the command line.
+/// Kinds of errors, by who can correct them. Each kind has one exit status of the command line.
 enum class ErrorKind {
-  usage = 2,          ///< command line or project file (a missing file, an unknown key, an unsupported option)
+  usage = 2,  ///< error in the command line or project file (a missing file, an unknown key, an unsupported option)
   invalid_input = 3,  ///< invalid data (NaN, crossing facets where crossings are not allowed, ...)
   cannot_mesh = 4,    ///< valid or repaired input that cannot be meshed as requested (nothing enclosed, too thin, ...)
   interrupted = 130,  ///< the cancel token was set
@@ -25,9 +25,10 @@ enum class ErrorKind {
 /// A part of an unfinished mesh and the constraints there, so that the place where meshing failed can be viewed.
 struct MeshExcerpt {
   std::vector<Vec3> points;
-  std::vector<Tetrahedron> tetrahedra;  ///< positive at their exact places, which are rounded in `points`
-  std::vector<Triangle> triangles;      ///< facets and parts of facets that the mesh should contain
-  std::vector<Index> facet;             ///< facet of the PLC, for each triangle
+  /// Tetrahedra, which are positive with exact coordinates; those in `points` are rounded.
+  std::vector<Tetrahedron> tetrahedra;
+  std::vector<Triangle> triangles;  ///< facets and parts of facets that the mesh should contain
+  std::vector<Index> facet;         ///< for each triangle, its facet of the PLC
   std::vector<std::array<VertexIndex, 2>>
       segments;                       ///< segments, parts of segments and edges of facets that the mesh should contain
   std::vector<VertexIndex> culprits;  ///< vertices of the items that caused the error
@@ -38,8 +39,8 @@ struct ErrorContext {
   std::vector<Index> facets;                        ///< facets of the PLC / soup, or triangles of a surface
   std::vector<Index> segments;                      ///< segments of the PLC
   std::vector<VertexIndex> vertices;                ///< vertices of the PLC
-  std::vector<Vec3> places;                         ///< coordinates of the problem, the most relevant first
-  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh at this place; null if there was none yet
+  std::vector<Vec3> places;                         ///< coordinates where the error occurred, the most relevant first
+  std::shared_ptr<const MeshExcerpt> excerpt = {};  ///< the mesh around the error; null if there is none
 };
 
 /// The only exception type for errors that a user can correct. `what()` is a sentence that a user of the program
@@ -68,8 +69,9 @@ namespace detail {
 
 }  // namespace geomesh
 
-/// Checks by cost. CHECK: constant time, always on. EXPENSIVE_CHECK: linear or worse, only in builds with
-/// GEOMESH_EXPENSIVE_CHECKS (the debug preset). Both report the invariant and throw InternalError.
+/// Checks of invariants, by cost. GEOMESH_CHECK takes constant time and is always on. GEOMESH_EXPENSIVE_CHECK takes
+/// linear time or more, and is on only in builds with GEOMESH_EXPENSIVE_CHECKS (the debug preset). A failed check
+/// throws an InternalError that names the invariant.
 #define GEOMESH_CHECK(invariant) \
   ((invariant) ? static_cast<void>(0) : ::geomesh::detail::fail_check(#invariant, __FILE__, __LINE__))
 #ifdef GEOMESH_EXPENSIVE_CHECKS

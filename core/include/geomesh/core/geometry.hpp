@@ -18,7 +18,7 @@ struct Vec3 {
   friend constexpr bool operator==(const Vec3&, const Vec3&) = default;  ///< -0 equals 0, as for doubles
 };
 
-/// A point of a plane (a facet's own frame, or a map).
+/// A point in two dimensions, in the plane of a facet or on a map.
 struct Vec2 {
   double x = 0, y = 0;
   friend constexpr bool operator==(const Vec2&, const Vec2&) = default;
@@ -52,11 +52,11 @@ enum class Sign : int { negative = -1, zero = 0, positive = 1 };
 constexpr Sign operator-(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
 constexpr Sign operator*(Sign a, Sign b) { return static_cast<Sign>(static_cast<int>(a) * static_cast<int>(b)); }
 
-/// Row of a vertex in a point array; `no_vertex` if there is none.
+/// Index of a vertex in an array of points; `no_vertex` if there is none.
 using VertexIndex = std::uint32_t;
 inline constexpr VertexIndex no_vertex = 0xFFFFFFFFu;
 
-/// Index of anything else (segment, facet, region ...); `no_index` if there is none.
+/// Index of anything but a vertex (a segment, a facet, a region ...); `no_index` if there is none.
 using Index = std::uint32_t;
 inline constexpr Index no_index = 0xFFFFFFFFu;
 

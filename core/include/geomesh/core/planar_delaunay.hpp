@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Delaunay triangulation in a plane, with the same base class, the same two predicates and the same perturbation as in
-/// space.
+/// Delaunay triangulation in a plane. It shares the mesh class, the predicates (in-circle and orientation) and the
+/// symbolic perturbation with the Delaunay tetrahedralization.
 #pragma once
 
 #include <span>
@@ -14,14 +14,13 @@ namespace geomesh {
 
 /// The triangulation of the whole convex hull, including ghost cells.
 struct DelaunayTriangulation {
-  TriMesh mesh;  ///< vertex ids are rows of the given points
-  std::vector<VertexIndex>
-      /// For each point: itself, or the first point with equal coordinates (only that one is in the mesh).
-      representative;
+  TriMesh mesh;  ///< a vertex id is the index of its point in the input
+  /// For each point its own index, or that of the first point with equal coordinates (only that one is in the mesh).
+  std::vector<VertexIndex> representative;
 };
 
-/// Triangles are counter-clockwise. Throws Error{invalid_input} for unsafe coordinates, Error{cannot_mesh} if all
-/// points lie on one line.
+/// Computes the Delaunay triangulation of the points, with counter-clockwise triangles. Throws Error{invalid_input} for
+/// coordinates that the exact predicates cannot handle, Error{cannot_mesh} if all points lie on one line.
 DelaunayTriangulation delaunay_triangulation(std::span<const Vec2> points);
 
 }  // namespace geomesh

@@ -14,10 +14,9 @@
 
 namespace geomesh {
 
-/// Points, polygonal facets with holes, inner segments and inner points of facets, isolated segments and points, region
-/// seeds and hole seeds.
+/// Points, polygonal facets with holes and with inner segments and points, isolated segments and points, and seeds.
 ///
-/// Invariants (validate_plc lists every fault): indices in range; coordinates finite and distinct. Each loop has at
+/// Invariants (validate_plc lists every violation): indices in range; coordinates finite and distinct. Each loop has at
 /// least three different vertices and no repeated neighbour. Facets and segments meet only in shared vertices and
 /// edges.
 struct PiecewiseLinearComplex {
@@ -29,7 +28,7 @@ struct PiecewiseLinearComplex {
   std::vector<VertexIndex> loop_vertices;
   std::vector<Index> loop_offsets{0};
   std::vector<Index> facet_loops{0};
-  /// Row in `provenance_sets` (the input surfaces to which this facet belongs); parallel to facets.
+  /// For each facet, the row in `provenance_sets` that lists the input surfaces to which the facet belongs.
   std::vector<Index> facet_provenance;
   std::vector<std::vector<Index>> provenance_sets;
 
@@ -53,6 +52,8 @@ struct PiecewiseLinearComplex {
   std::vector<Segment> segments;
   std::vector<VertexIndex> isolated_points;
 
+  /// A point inside a region. A seed on a facet is refused (Error{invalid_input}), one outside of the model is
+  /// reported.
   struct Seed {
     Vec3 point;
     Index id = no_index;
@@ -71,7 +72,7 @@ struct PiecewiseLinearComplex {
     loop_vertices.insert(loop_vertices.end(), t.begin(), t.end());
     return finish_facet(provenance);
   }
-  /// Adds a facet; loops are in the order outer, holes.
+  /// Adds a facet and returns its index. The first loop is the outer boundary of the facet, the others are its holes.
   Index add_polygon(std::span<const std::vector<VertexIndex>> loops, Index provenance = no_index) {
     for (std::size_t i = 0; i < loops.size(); ++i) {
       loop_vertices.insert(loop_vertices.end(), loops[i].begin(), loops[i].end());
@@ -89,9 +90,9 @@ struct PiecewiseLinearComplex {
   }
 };
 
-/// One fault of a PLC.
+/// One violation of the invariants of a piecewise linear complex (PLC).
 struct PlcFault {
-  std::string message;  ///< describes the items and, if useful, the place
+  std::string message;  ///< names the items concerned and, if useful, their place
   ErrorContext context;
 };
 

@@ -11,15 +11,15 @@
 namespace geomesh {
 
 namespace detail {
-/// Resizes a block to `bytes` keeping its first `used` bytes; the block starts at a cache line. Large blocks grow in
-/// place if the system can remap pages, and request huge pages. `raw` is the handle that the caller stores; the aligned
-/// start is returned. bytes == 0 releases the block. Throws std::bad_alloc.
+/// Resizes a memory block to `bytes`, keeping its first `used` bytes. Large blocks grow in place if the system can
+/// remap pages, and request huge pages. The caller stores the handle `raw`; the start of the block, aligned to a cache
+/// line, is returned. `bytes` == 0 releases the block. Throws std::bad_alloc.
 void* resize_block(void*& raw, void* data, std::size_t used, std::size_t bytes);
 }  // namespace detail
 
-/// Differs from std::vector in three ways that the memory bound of the Delaunay stage needs. Items are not initialised,
-/// so that capacity never touched costs no memory. Growing a large array does not hold two copies. Items start at a
-/// cache line.
+/// A growable array that differs from std::vector in three ways, so that the Delaunay stage keeps within its memory
+/// bound. Items are not initialised, so unused capacity uses no physical memory. A large array grows without holding
+/// two copies. Items start at a cache line.
 template <class T>
 class PodArray {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -23,17 +23,18 @@
 
 namespace geomesh {
 
-/// Returns the exact sign of the area; zero if the three points are collinear.
+/// Returns the exact sign of the area of the triangle a, b, c; zero if the three points are collinear.
 Sign orient2d(const Vec2& a, const Vec2& b, const Vec2& c);
-/// Returns the exact sign of the volume; zero if the four points are coplanar.
+/// Returns the exact sign of the volume of the tetrahedron a, b, c, d; zero if the four points are coplanar.
 Sign orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
-/// Returns the exact sign without perturbation. a,b,c must be counter-clockwise.
+/// Returns exactly whether d is inside (positive), on (zero) or outside the circle through the counter-clockwise a,b,c.
 Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
-/// Returns the exact sign without perturbation. a,b,c,d must be positively oriented.
+/// Returns exactly whether e is inside (positive), on (zero) or outside the sphere through the positively oriented
+/// a,b,c,d.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Like in_circle / in_sphere with the symbolic perturbation: never zero for distinct points. d (e) must not equal
-/// another argument.
+/// Like in_circle and in_sphere, but with the symbolic perturbation, so that the sign is never zero for distinct
+/// points. The last point must not equal any other argument.
 Sign in_circle_perturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign in_sphere_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
@@ -46,8 +47,8 @@ Sign in_circle_coplanar_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, c
 /// Returns true if a, b, c are exactly collinear.
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The total order behind the perturbation: returns -1, 0, 1 if a is less than, equal to, greater than b in x, then y,
-/// then z.
+/// Compares two points by x, then y, then z, which is the order that the symbolic perturbation uses. Returns -1, 0 or 1
+/// if a is less than, equal to or greater than b.
 int compare_lexicographic(const Vec3& a, const Vec3& b);
 
 /// Returns true if all nonzero coordinates are finite and no product of the exact computation can over- or underflow.

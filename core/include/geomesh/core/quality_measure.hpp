@@ -16,8 +16,7 @@ enum class QualityMeasure : std::uint8_t {
   /// Least sine of the six dihedral angles, with obtuse ones weighted down; 0.943 for the regular tetrahedron.
   dihedral,
   radius_ratio,  ///< 3 * inscribed radius / circumscribed radius; 1 for the regular tetrahedron
-  /// Mean ratio to the power 3/2: volume divided by the cubed root mean square of the edges; 1 for the regular
-  /// tetrahedron.
+  /// Mean ratio to the power 3/2: volume / cubed root mean square of the edges; 1 for the regular tetrahedron.
   mean_ratio,
 };
 
@@ -29,7 +28,7 @@ constexpr std::string_view name_of(QualityMeasure measure) {
   return quality_measure_names[static_cast<std::size_t>(measure)];
 }
 
-/// Returns the measure with that name; nothing if there is none.
+/// Returns the measure of the given name, or nothing if no measure has this name.
 constexpr std::optional<QualityMeasure> quality_measure_of(std::string_view name) {
   for (std::size_t k = 0; k < n_quality_measures; ++k)
     if (quality_measure_names[k] == name) return static_cast<QualityMeasure>(k);

@@ -14,25 +14,24 @@
 
 namespace geomesh {
 
-/// Tetrahedra with the items that must be kept. Faces without a neighbour, and their points, are kept too without being
-/// listed.
+/// Tetrahedra with the items that must be kept. Boundary faces and their points are kept too, without being listed.
 struct TetrahedraPart {
   std::vector<Vec3> points;
   std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it is kept
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<Index> component;                        ///< for each tetrahedron: the argument of SizeField::at
-  std::vector<Triangle> kept_faces;                    ///< faces with tetrahedra on both sides that are kept
-  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges that are kept and belong to no kept face
-  /// For each tetrahedron: not 0 if its shape was repaired before. Its points and faces are kept until the others are
-  /// refined; points are added inside it if it is larger than the target size. Empty, as in the result: none.
+  std::vector<Index> component;                        ///< component of each tetrahedron
+  std::vector<Triangle> kept_faces;                    ///< kept faces between two tetrahedra
+  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< kept edges that are in no kept face
+  /// For each tetrahedron: not 0 if its shape was repaired before. Its points and faces are kept until the other
+  /// tetrahedra are refined; points are added inside it if it is larger than the target size. Empty: none.
   std::vector<std::uint8_t> is_settled;
 };
 
-/// Refines to the sizes if the options say so, then improves. Inner points that are not kept have no influence on the
-/// refined tetrahedra. Kept points come first in the result, in their order. Of the options, only `refine`, `quality`,
-/// `quality_measure`, `max_elements` and `time_budget` are used. Preconditions: every tetrahedron is positive;
-/// components differ only across kept faces. Throws as refine_and_improve, and InternalError if something that must be
-/// kept was not.
+/// Refines a part of a mesh to the target sizes if `options.refine` is set, then improves its elements. Inner points
+/// that are not kept have no influence on the refined tetrahedra. Kept points come first in the result, in their order.
+/// Of the options, only `refine`, `quality`, `quality_measure`, `max_elements` and `time_budget` are used.
+/// Preconditions: every tetrahedron is positive; components differ only across kept faces. Throws the errors of
+/// refine_and_improve, and InternalError if something that must be kept was not.
 RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
                              const RunContext& context = {});
 

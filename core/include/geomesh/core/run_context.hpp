@@ -20,7 +20,7 @@ enum class LogLevel { debug, info, warning };
 /// silently on all cores. The callbacks are called from the thread that called the stage, never concurrently.
 struct RunContext {
   std::function<void(LogLevel, std::string_view)> log;
-  /// Called with (done, total) of the running stage in items of that stage; total is 0 if it is not known.
+  /// Called with the done and the total work of the running stage, in items of that stage. The total is 0 if unknown.
   std::function<void(std::size_t done, std::size_t total)> progress;
   /// Called when a stage begins (true) or ends (false). Names: read build intersect delaunay recover classify refine
   /// improve verify write.
@@ -34,7 +34,7 @@ struct RunContext {
   void report(std::size_t done, std::size_t total) const {
     if (progress) progress(done, total);
   }
-  /// Must be called at least a few times a second; throws Error{interrupted} once the token is set.
+  /// Throws Error{interrupted} once the cancel token is set. Must be called at least a few times a second.
   void check_cancelled() const {
     if (cancel && cancel->load(std::memory_order_relaxed)) throw Error(ErrorKind::interrupted, "interrupted");
   }

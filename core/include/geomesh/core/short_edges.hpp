@@ -9,21 +9,21 @@ namespace geomesh {
 
 /// Why an edge is short.
 enum class EdgeCause {
-  free,         ///< nothing forces it
-  input_angle,  ///< facets or segments of the input meet at less than 20 degrees at one of its ends
+  free,         ///< no feature of the input imposes the edge
+  input_angle,  ///< facets or segments of the input meet at less than 20 degrees at an end of the edge
   thin_gap,     ///< the edge lies in a gap between surfaces that is thinner than the limit of short edges
-  near_curves,  ///< its ends are on two curves of the input that are so near to each other, or at two ends of curves
-  bends,        ///< it is along a curve, which would leave the tolerance without either of its ends
-  near_forced,  ///< it is near an edge imposed by the input, from which sizes grow by the gradation
+  near_curves,  ///< the edge connects two curves of the input that are close to each other, or two ends of curves
+  bends,        ///< the edge is on a curve that would leave the tolerance if either end were removed
+  near_forced,  ///< the edge is near one imposed by the input, and sizes grow from there by the gradation
 };
 
 struct ShortEdge {
   VertexIndex a = no_vertex, b = no_vertex;
-  double length = 0, size = 0;  ///< actual length, and target size at its midpoint
+  double length = 0, size = 0;  ///< length of the edge, and target size at its midpoint
   Vec3 place;                   ///< its middle
   EdgeCause cause = EdgeCause::free;
-  double forcing_angle = 0;  ///< the input angle in degrees, if that is the cause
-  double gap = 0;            ///< the width of the gap, if that is the cause
+  double forcing_angle = 0;  ///< the small angle of the input in degrees, if `cause` is input_angle
+  double gap = 0;            ///< width of the gap, if `cause` is thin_gap
 };
 
 struct ShortEdges {
@@ -32,9 +32,10 @@ struct ShortEdges {
 };
 
 /// Returns edges shorter than `share` of the target size (`options.size`, which must be set) at their midpoints. The
-/// share is a third because, where facets meet at more than 20 degrees, points one size away from the line where they
-/// meet are farther apart than that. An edge at a distance d from one that the input imposes, of length f, is excused
-/// if its length is at least half of f + gradation * d. O(n), and O(k^2) in the faces at each short edge.
+/// default is a third, because points of two facets that meet at more than 20 degrees are farther apart than that at a
+/// distance of one size from the line in which the facets meet. An edge at a distance d from one that the input
+/// imposes, of length f, is excused if its length is at least half of f + gradation * d. Takes O(n) time, and O(k^2)
+/// for k faces at a short edge.
 ShortEdges find_short_edges(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                             const QualityOptions& options, double share = 1.0 / 3, std::size_t max_worst = 20);
 

@@ -108,7 +108,7 @@ class SimplexMesh {
   std::uint8_t flags(CellIndex c) const { return flags_[c]; }
   std::uint8_t& flags(CellIndex c) { return flags_[c]; }
 
-  /// Returns a slot from the free list, else a new one; its flags are zero, its neighbours invalid.
+  /// Adds a cell in a slot from the free list, or else in a new slot. Its flags are zero and its neighbours invalid.
   CellIndex add_cell(const CellVertices& v) {
     CellIndex c;
     if (!free_.empty()) {
@@ -128,7 +128,7 @@ class SimplexMesh {
     cells_[c].vertices[0] = no_vertex;
     free_.push_back(c);
   }
-  /// Undoes the last free_cell, which was that of c, except for its vertices.
+  /// Undoes free_cell(c), which must have been the last call of free_cell. The vertices of c are not restored.
   void take_back_freed(CellIndex c) {
     GEOMESH_CHECK(!free_.empty() && free_.back() == c);
     free_.pop_back();
@@ -156,20 +156,19 @@ class SimplexMesh {
   const Cell* cells() const { return cells_.data(); }
   std::uint8_t* cell_flags() { return flags_.data(); }
   std::size_t capacity() const { return cells_.capacity(); }
-  /// Adds slots up to n. The new ones are neither initialised nor on the free list. They must be filled, or marked with
-  /// `vertices[0] = no_vertex` and removed by `compact`.
+  /// Increases the number of cell slots to n. The new ones are neither initialised nor on the free list. They must be
+  /// filled, or marked with `vertices[0] = no_vertex` and removed by `compact`.
   void grow_to(std::size_t n) {
     GEOMESH_CHECK(n <= no_cell);
     cells_.grow_to(n);
     flags_.grow_to(n);
   }
-  /// Removes the slots from n on, which must be neither live nor on the free list.
+  /// Removes all cell slots from index n on, which must be neither live nor on the free list.
   void drop_slots_from(std::size_t n) {
     cells_.truncate(n);
     flags_.truncate(n);
   }
-  /// Moves the last live cells into the slots that are not live, in order, and removes the rest, so that no slot is
-  /// free.
+  /// Moves the last live cells into slots that are not live, in order, and removes all other slots. None is free then.
   void compact() {
     CellIndex hole = 0, last = n_slots();
     for (;; ++hole) {

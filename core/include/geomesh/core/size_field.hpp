@@ -20,8 +20,8 @@ namespace geomesh {
 struct SizeSource {
   Vec3 point;
   double size = 0;
-  double radius = 0;     ///< the size is constant within this distance
-  double gradation = 0;  ///< growth beyond the radius; 0: that of the field
+  double radius = 0;     ///< distance up to which the size is constant
+  double gradation = 0;  ///< growth of the size beyond the radius; 0: that of the field
 };
 
 class SizeField {
@@ -30,32 +30,33 @@ class SizeField {
     double global = std::numeric_limits<double>::infinity();
     double min_size = 0;
     double max_size = std::numeric_limits<double>::infinity();
-    double gradation = 0.3;                           ///< growth of the size per unit of distance; positive
-    std::vector<double> component_size{};             ///< for each component; 0 or missing: none
-    std::function<double(const Vec3&)> background{};  ///< optional; a value that is not positive requests nothing
+    double gradation = 0.3;                           ///< growth of the target size per unit of distance; positive
+    std::vector<double> component_size{};             ///< target size by component; 0 or missing: none
+    std::function<double(const Vec3&)> background{};  ///< target size by place; values up to 0 request nothing
   };
 
   SizeField() = default;
-  /// Sources that others make redundant are dropped. O(n log n).
+  /// Builds a size field. Drops sources that other sources make redundant. O(n log n).
   SizeField(std::vector<SizeSource> sources, Limits limits);
 
   /// Returns the target size at a place in a component (no_index: in none).
   double at(const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, for callers that do not distinguish sizes up to `enough`: for those any
-  /// value up to `enough` may be returned.
+  /// Returns the same as at(), but faster, for callers that do not distinguish sizes up to `enough`: if the size is at
+  /// most `enough`, any value up to `enough` may be returned.
   double at_unless_below(double enough, const Vec3& p, Index component = no_index) const;
-  /// Returns the same as at(), but faster, if the size at a place q nearby is known. It is faster again if sizes above
-  /// `at_most` need not be distinguished: for those any value of at least `at_most` may be returned.
+  /// Returns the same as at(), but faster, because the size at a place q nearby is known. If the size is at least
+  /// `at_most`, any value of at least `at_most` may be returned, which is faster still.
   double at_beside(const Vec3& p, Index component, const Vec3& q, double size_at_q,
                    double at_most = std::numeric_limits<double>::infinity()) const;
-  /// Returns the largest difference of sizes per unit of distance; infinity if they may jump.
+  /// Returns the largest change of the size per unit of distance; infinity if the size may jump.
   double steepest() const { return may_jump() ? std::numeric_limits<double>::infinity() : steepest_; }
   const Limits& limits() const { return limits_; }
   std::size_t n_sources() const { return sources_.size(); }
-  /// Returns the field with all sizes multiplied by a factor; radii and gradations are unchanged. Powers of two do not
-  /// round.
+  /// Returns the field with all sizes multiplied by a factor (exactly by a power of two); radii and gradations are
+  /// kept.
   SizeField times(double factor) const;
-  /// Returns the remaining sources, each with its gradation. With the same limits they define the same field.
+  /// Returns the sources that are not redundant, with their gradations. With the same limits they define the same
+  /// field.
   const std::vector<SizeSource>& sources() const { return sources_; }
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Distances of places and triangles from a surface.
+/// Distances of points and triangles from a surface.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace geomesh {
 
-/// Returns the point of the triangle nearest to p. Corners may be equal. O(1).
+/// Returns the point of the triangle nearest to p. Corners of the triangle may coincide. O(1).
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& triangle);
 
-/// A surface of triangles with a search by boxes. Triangles may have zero area. Not thread-safe.
+/// A triangulated surface with a tree of boxes to search for distances. Triangles may have zero area. Not thread-safe.
 class SurfaceDistance {
  public:
   /// O(n log n).
@@ -26,10 +26,10 @@ class SurfaceDistance {
   bool empty() const;
   /// Returns the nearest point of the surface, which must not be empty. O(log n).
   Vec3 closest(const Vec3& p) const;
-  /// Returns the row of the triangle with that point; if there are several, always the same one. O(log n).
+  /// Returns the triangle that contains the surface point nearest to p; always the same one if several do. O(log n).
   Index closest_triangle(const Vec3& p) const;
-  /// Returns whether all of the triangle, and not only samples of it, is proven to be within the limit of the surface.
-  /// False if a point of it is not, or if this was not decided. A millionth of the limit is reserved for rounding.
+  /// Returns whether the whole triangle, and not only samples of it, is proven to be closer than `limit` to the
+  /// surface. Returns false also if this could not be decided. A millionth of the limit is reserved for rounding.
   bool is_within(const std::array<Vec3, 3>& triangle, double limit) const;
 
  private:

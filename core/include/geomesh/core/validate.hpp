@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Validators of the simplicial complex: each checks a list of invariants and collects all faults (at most `limit`)
+/// Validators of the simplicial complex: each checks a list of invariants and collects all violations (at most `limit`)
 /// instead of stopping at the first.
 #pragma once
 
@@ -18,17 +18,17 @@ struct MeshFault {
   CellIndex cell = no_cell;
 };
 
-/// The outside of the hull's faces: ghost cells, or nothing.
+/// Neighbours that hull faces have on their outer side: ghost cells, or none.
 enum class Outside { ghosts, open };
 
-/// Checks invariants 1 to 4 of simplex_mesh.hpp. Linear.
+/// Checks the topological invariants 1 to 4 that simplex_mesh.hpp lists. Linear time.
 std::vector<MeshFault> validate_topology(const TetMesh& mesh, std::size_t limit = 100,
                                          Outside outside = Outside::ghosts);
-/// Checks that every finite cell is exactly positive. Linear.
+/// Checks that every finite cell has exactly positive orientation. Linear time.
 std::vector<MeshFault> validate_geometry(const TetMesh& mesh, std::span<const Vec3> points, std::size_t limit = 100);
 /// Checks that every face is locally Delaunay under the perturbation, including hull faces and convexity. Together with
 /// validate_topology and validate_geometry this proves that the mesh is the Delaunay tetrahedralization (Delaunay
-/// 1934). Linear.
+/// 1934). Linear time.
 std::vector<MeshFault> validate_delaunay(const TetMesh& mesh, std::span<const Vec3> points, std::size_t limit = 100);
 
 }  // namespace geomesh

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The two inner loops of insertion in space: the walk and the growth of a cavity. The four faces of a cell are in four
-/// lanes. Semi-static filters decide; undecided cases are returned to the caller.
+/// The two inner loops of point insertion in 3D, with vector instructions: the walk and the growth of a cavity. The
+/// four faces of a cell are tested in four lanes. Semi-static filters decide; cases that they leave open are returned
+/// to the caller.
 ///
 /// A plain loop spends its time on branches. Whether a neighbour is in conflict is unpredictable, and each
-/// misprediction costs the latency of a determinant. These loops therefore compute masks and append to lists without
-/// branches.
+/// misprediction costs the latency of a determinant. These loops therefore compute masks and append without branches.
 #pragma once
 
 #include <array>
@@ -29,25 +29,23 @@ struct LaneQuery {
   const TetMesh::Cell* cells;
   const PointRecord* points;
   Vec3 p;
-  double exact_reach;  ///< plain determinants are exact if no coordinate differs from p's by more than this
+  double exact_reach;  ///< plain determinants are exact if no coordinate differs from that of p by more than this
   Ownership owned;
 };
 
-/// The lists of a growing cavity; both have room for `capacity` items.
+/// The lists of a growing cavity. Lists of cells and of faces have room for `capacity` items each.
 struct CavityLists {
   CellIndex* cells = nullptr;  ///< cells in conflict; those before `n_done` have been processed
   CavityFace<3>* faces = nullptr;
   std::size_t n_cells = 0, n_done = 0, n_faces = 0, capacity = 0;
-  /// When grown: least squared distance from the point to a vertex of the cavity, which contains the nearest vertex of
-  /// all.
+  /// Result: least squared distance from the point to a vertex of the cavity, and so to any vertex.
   double nearest = 0;
 };
 
-/// Decides the cases that the loop cannot.
+/// Decides the cases that the filters of the loop leave open.
 class CavityHost {
  public:
-  /// Returns which of the `undecided` neighbours of `cell` are in conflict; `value[i]` is the determinant for neighbour
-  /// i in doubles.
+  /// Returns a mask of the `undecided` neighbours of `cell` in conflict. `value[i]` is the determinant of neighbour i.
   virtual unsigned decide(const TetMesh::Cell& cell, unsigned undecided, const double* value) = 0;
   /// Enlarges the lists.
   virtual void enlarge(CavityLists& lists) = 0;
@@ -57,11 +55,11 @@ class CavityHost {
 };
 
 struct LaneKernels {
-  /// Walks from `at` towards p as long as the next step is certain. Returns true if p is certainly strictly inside the
-  /// final cell `at`; otherwise the caller continues from there.
+  /// Walks from cell `at` towards p as long as the next step is certain. Returns true if p is certainly strictly inside
+  /// the final cell `at`; otherwise the caller continues from that cell.
   bool (*walk)(const LaneQuery& query, CellIndex& at, std::size_t& steps);
-  /// Grows the cavity until all its cells are processed. Sets `flags & mark` in its cells. Returns false if it needs a
-  /// cell with a vertex that is not owned.
+  /// Grows the cavity until all its cells are processed. Sets the bits `mark` of `flags` for its cells. Returns false
+  /// if the cavity needs a cell with a vertex that is not owned.
   bool (*grow)(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, CavityLists& lists, CavityHost& host);
 };
 
@@ -69,7 +67,7 @@ namespace detail {
 extern const LaneKernels baseline_kernels, avx2_kernels;
 }
 
-/// Returns the version for this machine; all versions compute the same bits.
+/// Returns the kernels for this processor; all versions compute the same bits.
 const LaneKernels& lane_kernels();
 
 }  // namespace geomesh

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Bodies of the lane kernels; each lane_kernels_*.cpp compiles them for one instruction set, with internal linkage.
-/// Nothing here calls an inline function with external linkage, because the linker might keep its version for the wrong
-/// machine.
+/// This file calls no inline function with external linkage, because the linker might keep the version of that function
+/// for the wrong processor.
 ///
-/// Lanes are IEEE doubles without contraction, whatever the registers, so all versions compute the same bits.
+/// Lanes are IEEE doubles without contraction on every instruction set, so all versions compute the same bits.
 #pragma once
 
 #include "delaunay/kernels/lane_kernels.hpp"
@@ -41,19 +41,19 @@ GEOMESH_INLINE unsigned signs(Mask m) {
 
 GEOMESH_INLINE Lanes greater(Lanes u, Lanes v) { return u > v ? u : v; }
 
-/// Returns the greatest lane, in all lanes.
+/// Returns the largest of the four lanes, in all lanes.
 GEOMESH_INLINE Lanes greatest(Lanes v) {
   const Lanes pairs = greater(v, __builtin_shufflevector(v, v, 1, 0, 3, 2));
   return greater(pairs, __builtin_shufflevector(pairs, pairs, 2, 3, 0, 1));
 }
 
-/// Returns at least the square root and at most 1.07 times it: half the exponent, with the mantissa treated as linear.
+/// Returns an upper bound, within 7 percent, of the square root: half the exponent, with the mantissa as linear.
 GEOMESH_INLINE Lanes root_bound(Lanes v) {
   using Words __attribute__((vector_size(32), aligned(8), may_alias)) = unsigned long long;
   return reinterpret_cast<Lanes>((reinterpret_cast<Words>(v) + 0x3FF0000000000000ull) >> 1);
 }
 
-/// Four points relative to p, one per lane, with squared lengths; `tag` contains their ids and places.
+/// Four points relative to p, one per lane, with their squared distances `w` from p. `tag`: ids and parts of the curve.
 struct FourPoints {
   Lanes x, y, z, w;
   Mask tag;
@@ -63,7 +63,7 @@ GEOMESH_INLINE Lanes load(const PointRecord* points, VertexIndex v) {
   return *reinterpret_cast<const Lanes*>(points + v);
 }
 
-/// Returns a cell as eight words: vertices, then neighbours.
+/// Returns a cell as eight words: four vertices, then four neighbours.
 GEOMESH_INLINE const std::uint32_t* words(const TetMesh::Cell& cell) {
   return reinterpret_cast<const std::uint32_t*>(&cell);
 }
@@ -82,25 +82,25 @@ GEOMESH_INLINE FourPoints four_points(const PointRecord* points, const VertexInd
   return r;
 }
 
-/// Returns the lanes whose points are not owned.
+/// Returns as a mask the lanes whose points belong to another part.
 GEOMESH_INLINE unsigned foreign(Mask tag, Ownership owned) {
   const Mask place = tag >> 48 & 0xFFFF;
   return signs((place - owned.first) | ((owned.end - 1) - place));
 }
 
-/// Lane i is vertex k of face i, in the order of face_vertices.
+/// face_r, face_s and face_t return in lane i vertex 0, 1 and 2 of face i, in the order of face_vertices.
 GEOMESH_INLINE Lanes face_r(Lanes u) { return __builtin_shufflevector(u, u, 1, 0, 0, 0); }
 GEOMESH_INLINE Lanes face_s(Lanes u) { return __builtin_shufflevector(u, u, 3, 2, 3, 1); }
 GEOMESH_INLINE Lanes face_t(Lanes u) { return __builtin_shufflevector(u, u, 2, 3, 1, 2); }
 
-/// Returns the error bound of a determinant of degree 3 or 5 whose points are no farther than the root of w. If they
-/// are within the exact reach, the determinant is exact.
+/// Returns the error bound of a determinant of degree 3 or 5 whose points are no farther from p than the root of w. The
+/// bound is 0 if they are within the exact reach, because the determinant is then exact.
 GEOMESH_INLINE Lanes bound(Lanes w, Lanes degree, double exact_reach) {
   return w > exact_reach * exact_reach ? degree : Lanes{};
 }
 
-// Excluded from the thread sanitizer: whole records are loaded, including a number that is not used and that another
-// part may be writing.
+// Excluded from the thread sanitizer: whole records are loaded, including a number that is not used here and that
+// another part may be writing.
 #if defined(__SANITIZE_THREAD__)
 #define GEOMESH_WHOLE_RECORDS __attribute__((no_sanitize("thread")))
 #else
@@ -125,14 +125,14 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
     const Lanes det = rz * (sx * ty - tx * sy) + sz * (tx * ry - rx * ty) + tz * (rx * sy - sx * ry);
     const Lanes w = greater(greater(face_r(q.w), face_s(q.w)), face_t(q.w));
     const Lanes error = bound(w, filter::orient3d_factor * w * root_bound(w), reach);
-    // The orientation of (r, s, t, p) is that of the opposite determinant.
+    // The orientation of (r, s, t, p) has the opposite sign of the determinant.
     const unsigned beyond = signs(det > error);
     if (beyond == 0) {
       inside = signs(det < -error) == 0xFu;
       break;
     }
-    // Leaves through the face with the largest determinant, if that is certain: 6.5 steps on uniform points, instead of
-    // 6.9 through the first face.
+    // Leaves through the face with the largest determinant, if its sign is certain. This takes 6.5 steps on uniform
+    // points, compared with 6.9 steps through the first such face.
     const unsigned farthest = signs(det >= greatest(det)) & beyond;
     c = cell[4 + __builtin_ctz(farthest != 0 ? farthest : beyond)] >> 2;
   }
@@ -141,13 +141,12 @@ bool walk(const LaneQuery& query, CellIndex& at, std::size_t& steps) {
   return inside;
 }
 
-/// Determinants and their error bounds.
 struct FilteredLanes {
   Lanes det, error;
 };
 
-/// Lane i is the in-sphere determinant of p and the neighbour across face i of the cell q. The apex of that neighbour
-/// is lane i of e. Positive: p is inside.
+/// Returns in lane i the in-sphere determinant of p and the neighbour across face i of cell q. The apex of that
+/// neighbour is lane i of e. Positive: p is inside.
 GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e, double reach) {
   const Lanes rx = face_r(q.x), ry = face_r(q.y), rz = face_r(q.z), sx = face_s(q.x), sy = face_s(q.y),
               sz = face_s(q.z);
@@ -164,8 +163,7 @@ GEOMESH_INLINE FilteredLanes in_sphere(const FourPoints& q, const FourPoints& e,
   return {det, error};
 }
 
-/// Appends the faces of the cell across which it is `closed`; there must be room for four. Returns the new number of
-/// faces.
+/// Appends the faces i of the cell for which bit i of `closed` is set, and returns the new number. Needs room for four.
 GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned closed, CavityFace<3>* faces,
                                         std::size_t n_faces) {
   const Indices v = *reinterpret_cast<const Indices*>(cell), o = *reinterpret_cast<const Indices*>(cell + 4);
@@ -180,8 +178,7 @@ GEOMESH_INLINE std::size_t append_faces(const std::uint32_t* cell, unsigned clos
   return n_faces;
 }
 
-/// How many cells ahead the neighbours of a waiting cell are prefetched; two to four are equally fast, without
-/// prefetching a tenth slower.
+/// Number of cells whose neighbours are prefetched ahead. Two to four are equally fast; none is a tenth slower.
 constexpr std::size_t look_ahead = 4;
 
 GEOMESH_WHOLE_RECORDS
@@ -235,7 +232,7 @@ bool grow(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, Cavity
 #pragma GCC unroll 4
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned taken = conflict >> i & 1u;
-      // Flags of other cells are not rewritten even with the same value, because another part may read them.
+      // Flags of other cells are not rewritten, not even with the same value, because another part may read them.
       *(taken ? flags + next[i] : &unused) = static_cast<std::uint8_t>(flag[i] | mark);
       cavity[n_cells] = next[i];
       n_cells += taken;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The points as used by insertion: a copy in insertion order, so that neighbours in space are neighbours in memory.
+/// Points as used by insertion: copies in insertion order, so that neighbours in space are neighbours in memory.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +9,17 @@
 
 namespace geomesh {
 
-/// 32 bytes, half a cache line. Slicing to Vec3 gives the coordinates.
+/// A point of 32 bytes, half a cache line. Slicing to Vec3 gives the coordinates.
 struct PointRecord : Vec3 {
-  VertexIndex id = no_vertex;      ///< row of the caller
+  VertexIndex id = no_vertex;      ///< the caller's index of the point
   std::uint16_t local = no_local;  ///< number among the vertices of the cavity's boundary during an insertion
   std::uint16_t place = 0;         ///< part of the Hilbert curve (SpatialOrder::place)
   static constexpr std::uint16_t no_local = 0xFFFF;
 };
 static_assert(sizeof(PointRecord) == 32);
 
-/// Part [first, end) of the Hilbert curve whose cells an insertion may change; cells with a vertex elsewhere are only
-/// read.
+/// The part [first, end) of the Hilbert curve to which an insertion is restricted. It may change only cells with all
+/// vertices on this part; other cells are only read.
 struct Ownership {
   std::uint16_t first = 0, end = 0xFFFF;
 };

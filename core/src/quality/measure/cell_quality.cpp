@@ -10,7 +10,7 @@ double shape_by(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) {
   return shape_of_cell<Measure>(a, b, c, p);
 }
 
-/// Operations of a measure that is one smooth term.
+/// Appends the gradient of a measure that is one smooth term.
 template <class Measure>
 void append_gradient(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out) {
   const auto base = base_of(place<double>(face[0]), place<double>(face[1]), place<double>(face[2]));
@@ -22,7 +22,7 @@ void append_gradient(const std::array<Vec3, 3>& face, const Vec3& p, double limi
   out.push_back({g.x, g.y, g.z});
 }
 
-/// Operations of the measure itself, if it has more than one term.
+/// Returns the function append_gradients of a measure with several terms, and the function for one term otherwise.
 template <class Measure>
 constexpr auto gradients_by() {
   if constexpr (requires { &Measure::append_gradients; })

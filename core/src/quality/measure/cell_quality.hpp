@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The quality measure that was chosen, as local operations use it. Its values are called shapes.
+/// The quality measure chosen by the user, in the form in which local operations use it. Its values are called shapes.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace geomesh::remesh {
 
-/// A cell whose shape is below the measure's `poor` counts by this many times its lack of shape; see worth.
+/// In sums over cells, the part of a shape that is below the measure's limit `poor` has this weight; see worth().
 inline constexpr double poor_weight = 3;
 
 /// Least dihedral angle in degrees below which a cell is bad.
 inline constexpr double bad_angle = 8;
 
-/// Measures one cell at a time. The default measure is inlined; the others cost a call. The shapes of a whole link are
-/// computed by link_kernels.hpp.
+/// Measures the quality of one cell at a time. The default measure is inlined; the others cost a call. The shapes of a
+/// whole link are computed by link_kernels.hpp.
 class CellQuality {
  public:
   explicit CellQuality(QualityMeasure measure = QualityMeasure::dihedral);
@@ -29,7 +29,7 @@ class CellQuality {
   QualityMeasure measure() const { return measure_; }
   const LinkKernels& kernels() const { return *kernels_; }
 
-  /// The measure of (a, b, c, p): above 0 for positive cells and at most `largest`; for others, six times the volume.
+  /// Returns the measure of (a, b, c, p): in (0, `largest`] for positive cells, six times the volume for others.
   double shape(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p) const {
     if (measure_ == QualityMeasure::dihedral) [[likely]]
       return shape_of_cell<DihedralMeasure>(a, b, c, p);
@@ -44,16 +44,16 @@ class CellQuality {
   /// Returns the weight of a cell in a sum over many: its shape, reduced below 12 degrees, so that few slivers are not
   /// accepted in exchange for improving many others.
   double worth(double shape) const { return shape < poor_ ? poor_weight * shape - (poor_weight - 1) * poor_ : shape; }
-  /// Returns the shape that corresponds to a limit given as a dihedral angle in degrees: that of the sliver with this
-  /// least angle.
+  /// Returns the shape that corresponds to a dihedral angle in degrees: that of the sliver with this least angle.
   double of_angle(double degrees) const { return rules_->of_angle(degrees); }
-  /// The shape of_angle(bad_angle).
+  /// The shape that corresponds to the dihedral angle `bad_angle`.
   double bad() const { return bad_; }
 
   /// Returns the shape of the regular tetrahedron, or slightly more. No cell is better.
   double largest() const { return largest_; }
-  /// Returns an upper bound of the shape of the worse of two cells that share the dihedral angle that cell (a, b, x, y)
-  /// has at its edge (x, y); also of half of the sum of their worths. NaN if a face has no area.
+  /// Suppose that two cells divide the dihedral angle that cell (a, b, x, y) has at its edge (x, y) between them.
+  /// Returns an upper bound of the shape of the worse of the two cells, which also bounds the mean of their worths.
+  /// Returns NaN if a face has no area.
   double most_of_half_angle(const Vec3& a, const Vec3& b, const Vec3& x, const Vec3& y) const {
     constexpr double rounding = 1e-6;
     const Vec3 d = y - x, m = cross(d, a - x), n = cross(d, b - x);

@@ -7,8 +7,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Vectors from the apex p to the base (a, b, c), and normals: na, nb, nc outward on the faces at the apex, np inward
-/// on the base; with their lengths.
+/// Vectors from the apex p to the corners of the base (a, b, c), and face normals with their lengths: na, nb and nc
+/// point outward on the faces at the apex, np points inward on the base.
 struct Frame {
   Vec3 a, b, c, na, nb, nc, np;
   double la, lb, lc, lp, det;
@@ -29,7 +29,7 @@ struct Frame {
 
 double weighted(double sine, double cosine) { return cosine < 0 ? DihedralMeasure::obtuse_weight * sine : sine; }
 
-/// Returns the values at the edges pa, pb, pc, ab, bc, ca.
+/// Returns the weighted sines of the dihedral angles at the edges pa, pb, pc, ab, bc, ca.
 std::array<double, 6> weighted_sines(const Frame& f, const std::array<Vec3, 3>& face) {
   const double d = f.det;
   return {weighted(d * length(f.a) / (f.lb * f.lc), -dot(f.nb, f.nc)),
@@ -40,7 +40,7 @@ std::array<double, 6> weighted_sines(const Frame& f, const std::array<Vec3, 3>& 
           weighted(d * length(face[0] - face[2]) / (f.lb * f.lp), dot(f.nb, f.np))};
 }
 
-/// Returns the gradient of the sine at edge k, whose value is given.
+/// Returns the gradient of the weighted sine at edge k, which equals `value`.
 Vec3 gradient_of_sine(const Frame& f, unsigned k, double value) {
   const Vec3 area_a = (1 / (f.la * f.la)) * cross(f.b - f.c, f.na);
   const Vec3 area_b = (1 / (f.lb * f.lb)) * cross(f.c - f.a, f.nb);

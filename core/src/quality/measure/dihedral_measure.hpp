@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The measure by dihedral angles: the default of improvement.
+/// The quality measure by dihedral angles, which is the default of mesh improvement.
 ///
 /// The measure of a tetrahedron is the least sine of its six dihedral angles, the sines of obtuse angles weighted down
 /// (Klingner and Shewchuk 2007, section 2, the "biased minimum sine"). The weight is sin 24.85 / sin 145, so that the
-/// two bounds that users want, 24.85 and 145 degrees, are one value of the measure. Let a tetrahedron be positive, with
-/// det = 6 volume, and e an edge between faces with normals m and n, of length twice the area. The sine at e is det |e|
-/// / (|m| |n|).
+/// two bounds that users want, 24.85 and 145 degrees, are one value of the measure. Let e be an edge of a positive
+/// tetrahedron with det = 6 volume, between faces with normals m and n, of length twice the area. The sine at e is det
+/// |e| / (|m| |n|).
 #pragma once
 
 #include <array>
@@ -24,20 +24,18 @@ struct DihedralMeasure {
   static constexpr double poor = 0.2079;      ///< sin 12 degrees; see CellQuality::worth
   static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
 
-  /// Returns the value for an acute angle in degrees.
+  /// Returns the value of the measure for an acute angle in degrees.
   static double of_angle(double degrees) { return std::sin(degrees * std::numbers::pi / 180); }
-  /// Returns an upper bound of the value of cells with this dihedral angle, which is at most 90 degrees. Concave in the
-  /// angle.
+  /// Returns an upper bound, concave in the angle, of the measure of cells with an angle (acute or right) of this sine.
   static double most_with_angle(double sine, double /*cosine*/) { return sine; }
 
-  /// Returns the value of a positive cell. Squares are compared, so that one root is enough.
+  /// Returns the measure of a positive cell. Squares of sines are compared, so that one square root is enough.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     return t.det * root(Squares<Real>(base, t).least);
   }
 
-  /// Returns the gradient with respect to the apex. Each factor of the least sine contributes its own logarithmic
-  /// derivative.
+  /// Returns the gradient with respect to the apex. Each factor of the least sine adds its logarithmic derivative.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Squares<Real> s(base, t);
@@ -65,7 +63,7 @@ struct DihedralMeasure {
   static void append_gradients(const std::array<Vec3, 3>& face, const Vec3& p, double limit, std::vector<Vec3>& out);
 
  private:
-  /// Computes the squares of the weighted sines divided by the determinant's, by edge, and the least of them.
+  /// The squares of the weighted sines at all edges, divided by the square of the determinant, and the least of them.
   template <class Real>
   struct Squares {
     Real ia, ib, ic, pa, pb, pc, ab, bc, ca, least;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Four doubles in one vector, for the instruction set of the file that includes this.
+/// Four doubles in one vector, for the instruction set of the file that includes this header.
 ///
-/// Lanes are IEEE doubles without contraction, whatever the registers, so all versions compute the same bits.
+/// Lanes are IEEE doubles without contraction on every instruction set, so all versions compute the same bits.
 #pragma once
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // all functions on vectors are inlined: no vector crosses a call

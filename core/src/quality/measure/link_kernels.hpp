@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Loops over the faces of a link, four at a time. Smoothing spends most of its time in them.
+/// Loops that measure the cells over the faces of a vertex's link, four at a time. Smoothing spends most time in them.
 #pragma once
 
 #include <array>
@@ -11,26 +11,26 @@
 
 namespace geomesh::remesh {
 
-/// Four faces, one in each lane, with the values that all tetrahedra over them share (as Base has for one).
+/// Four faces, one per lane, with the values that all tetrahedra over a face share. Base has them for one face.
 struct alignas(32) FourFaces {
   using Lanes = double[4];
-  Lanes corner[3][3];  ///< by corner and coordinate
+  Lanes corner[3][3];  ///< coordinates by corner and axis
   Lanes normal[3];     ///< inward normal, whose length is twice the area
   Lanes inverse;       ///< reciprocal of the squared length of the normal
-  Lanes squared[3];    ///< lengths of the edges ab, bc, ca
-  Lanes share;         ///< 1; 0 in lanes that repeat a face to fill the last group of four
+  Lanes squared[3];    ///< squared lengths of the edges ab, bc, ca
+  Lanes share;  ///< weight of the face: 0 in lanes that repeat a face to fill the last group of four, otherwise 1
 };
 
 /// The loops over a link, for one measure and one instruction set.
 struct LinkKernels {
-  /// Computes all members except corners and shares.
+  /// Computes all members of `faces` except corners and shares.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
   /// Returns the least shape, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
-  /// Returns the sum of CellQuality::worth; minus infinity if a shape is not above `floor`.
+  /// Returns the sum of CellQuality::worth of all cells; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);
-  /// Returns the gradient with respect to p, which must make all cells positive.
+  /// Returns the gradient of the sum of worths with respect to p. All cells must be positive.
   Vec3 (*gradient_of_sum)(const FourFaces* faces, std::size_t n_fours, const Vec3& p);
 };
 
@@ -41,7 +41,7 @@ namespace detail {
 extern const LinkKernelTable baseline_link_kernels, avx2_link_kernels;
 }
 
-/// The version for this machine; all versions compute the same bits.
+/// Returns the kernels of a measure for this processor; all versions compute the same bits.
 const LinkKernels& link_kernels(QualityMeasure measure);
 
 }  // namespace geomesh::remesh

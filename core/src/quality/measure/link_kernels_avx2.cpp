@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The link kernels for AVX2: link_kernels_body.hpp compiled with its instructions.
+// The link kernels for AVX2: link_kernels_body.hpp compiled with AVX2 instructions.
 #include "quality/measure/link_kernels_body.hpp"
 
 namespace geomesh::remesh::detail {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The link kernels for any processor: link_kernels_body.hpp compiled with the instructions of the rest.
+// The link kernels for any processor: link_kernels_body.hpp compiled with the default instructions.
 #include "quality/measure/link_kernels_body.hpp"
 
 namespace geomesh::remesh::detail {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The shapes of all cells between the faces of a link and one place of their apex, four at a time.
+/// Computes the shapes of all cells between the faces of a link and a common apex, four at a time.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace geomesh::remesh {
 
-/// Holds faces (a, b, c) for which (a, b, c, p) is positive for an admissible apex p, and computes the shapes of these
-/// cells, the same bits as CellQuality::shape.
+/// The faces (a, b, c) of a link, oriented so that (a, b, c, p) is positive for an admissible apex p. The shapes of
+/// these cells are computed with the same bits as by CellQuality::shape.
 class LinkShapes {
  public:
-  /// Removes all faces, and sets the measure for all shapes from now on.
+  /// Removes all faces, and sets the measure of the shapes that will be computed.
   void clear(const LinkKernels& kernels) {
     n_ = 0;
     kernels_ = &kernels;
@@ -37,7 +37,7 @@ class LinkShapes {
     return kernels_->sum_of_worths(fours_.data(), n_fours(), p, floor);
   }
   Vec3 gradient_of_sum(const Vec3& p) const { return kernels_->gradient_of_sum(fours_.data(), n_fours(), p); }
-  /// Returns shapes by face, followed by up to three more values. Valid until the next call.
+  /// Returns the shape of the cell over each face, followed by up to three unused values. Valid until the next call.
   const std::vector<double>& shapes(const Vec3& p) const {
     shapes_.resize(4 * n_fours());
     kernels_->shapes(fours_.data(), n_fours(), p, shapes_.data());
@@ -48,7 +48,7 @@ class LinkShapes {
   std::size_t n_fours() const { return (n_ + 3) / 4; }
   void set(std::size_t face, const Vec3& a, const Vec3& b, const Vec3& c, double share);
 
-  std::vector<FourFaces> fours_;  // at least as many as are in use
+  std::vector<FourFaces> fours_;  // may have more elements than are in use
   mutable std::vector<double> shapes_;
   std::size_t n_ = 0;
   const LinkKernels* kernels_ = &link_kernels(QualityMeasure::dihedral);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The list of quality measures, and those that are one smooth function of the apex.
+/// The list of all quality measures, and the definitions of those that are one smooth function of the apex.
 ///
 /// A measure is a struct with the members of MeanRatioMeasure below. Its `value` and `gradient` are written once and
 /// compiled for one cell and for four at a time. A further measure needs a struct here, a row of QualityMeasures, and
@@ -11,9 +11,9 @@
 
 namespace geomesh::remesh {
 
-/// Value of the measure for the sliver with this least dihedral angle in degrees: the regular tetrahedron flattened
-/// along the line between the middles of two opposite edges. Slivers are the bad cells of Delaunay meshes, so limits
-/// given as angles mean the same for all measures.
+/// Returns the value of the measure for the sliver with the given least dihedral angle in degrees. The sliver is a
+/// regular tetrahedron flattened along the line between the midpoints of two opposite edges. Slivers are the bad cells
+/// of Delaunay meshes, so limits given as angles mean the same for all measures.
 template <class Measure>
 double value_of_sliver(double degrees);
 
@@ -26,14 +26,14 @@ struct MeanRatioMeasure {
 
   static double of_angle(double degrees) { return value_of_sliver<MeanRatioMeasure>(degrees); }
 
-  /// Returns the best value of cells with the dihedral angle. The best cell with the angle at an edge of length 2u is
-  /// symmetric: its other vertices have the distance x from the edge's midpoint. Then 3 volume = u x^2 sin, and the sum
-  /// of the squares is 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 the sum is least if u^3 = q / 4.
+  /// Returns the largest value of cells with a given dihedral angle. The best cell with this angle at an edge of length
+  /// 2u is symmetric: its other vertices have the distance x from the edge's midpoint. Then 3 volume = u x^2 sin, and
+  /// the sum of the squares is 8 u^2 + 4 x^2 q with q = 1 + sin^2(angle / 2). For u x^2 = 1 it is least if u^3 = q / 4.
   static double most_with_angle(double sine, double cosine) {
     return std::numbers::sqrt2 * sine / (1.5 - 0.5 * cosine);
   }
 
-  /// Returns the value of a positive cell.
+  /// Returns the mean ratio of a positive cell to the power 3/2.
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     const Real s = sum_of_squares(base, t);
@@ -63,12 +63,14 @@ struct RadiusRatioMeasure {
 
   static double of_angle(double degrees) { return value_of_sliver<RadiusRatioMeasure>(degrees); }
 
-  /// Follows from radius ratio <= (mean ratio)^(3/4) (Liu and Joe 1994). It is not the least upper bound, but concave.
+  /// Returns an upper bound that follows from radius ratio <= (mean ratio)^(3/4) (Liu and Joe 1994). It is not the
+  /// least upper bound, but concave.
   static double most_with_angle(double sine, double cosine) {
     return std::sqrt(MeanRatioMeasure::most_with_angle(sine, cosine));
   }
 
-  /// The inscribed radius is det / (sum of the lengths of the normals), the circumscribed one |centre| / (2 det).
+  /// Returns the radius ratio. The inscribed radius is det / (sum of the lengths of the normals), the circumscribed
+  /// radius is |centre| / (2 det).
   template <class Real>
   GEOMESH_INLINE static Real value(const Base<Real>& base, const Apex<Real>& t) {
     const Vectors<Real> n = centre(t);
@@ -104,7 +106,7 @@ struct RadiusRatioMeasure {
   }
 };
 
-/// Value of the measure for a cell that need not be positive: for others, six times the volume.
+/// Returns the value of the measure for positive cells, and six times the volume for others.
 template <class Measure, class Real>
 GEOMESH_INLINE Real shape_at(const Base<Real>& base, const Apex<Real>& t) {
   if constexpr (Arithmetic<Real>::is_scalar)
@@ -125,7 +127,8 @@ template <class Measure>
 double value_of_sliver(double degrees) {
   constexpr double cosine_of_regular = 1.0 / 3;
   const double cosine = std::max(std::cos(degrees * std::numbers::pi / 180), cosine_of_regular);
-  const double half = 0.25 * std::sqrt(1 / cosine - 1);  // half the distance of the two edges, whose length is 1
+  // half the distance between two opposite edges, whose length is 1
+  const double half = 0.25 * std::sqrt(1 / cosine - 1);
   return shape_of_cell<Measure>({-0.5, 0, -half}, {0.5, 0, -half}, {0, 0.5, half}, {0, -0.5, half});
 }
 

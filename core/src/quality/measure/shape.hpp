@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Lengths and distances, under the names that improvement uses.
+/// Includes the functions for lengths and distances that mesh improvement uses.
 #pragma once
 
 #include "common/geometry.hpp"

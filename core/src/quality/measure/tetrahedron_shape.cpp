@@ -12,7 +12,7 @@ namespace geomesh {
 
 namespace {
 
-/// The edges at each vertex, in the order of edge_vertices.
+/// Positions in edge_vertices of the edges at each vertex.
 constexpr std::array<std::array<std::uint8_t, 3>, 4> edges_at{{{0, 1, 2}, {0, 3, 4}, {1, 3, 5}, {2, 4, 5}}};
 
 /// An angle from 0 to 180 degrees, given by its sine and cosine times a common length. Angles compare by their size.
@@ -32,7 +32,8 @@ std::array<Vec3, 4> inward_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// `n` are inward_normals(p), or more accurate ones. The volume is computed from the first corner.
+/// Computes the shape of the tetrahedron with corners p. `n` are inward_normals(p) or more accurate normals. The volume
+/// is computed from the first corner.
 TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4>& n) {
   TetrahedronShape s{};
   const Vec3 &a = p[0], &b = p[1], &c = p[2], &d = p[3];
@@ -53,8 +54,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
     s.shortest_edge = std::min(s.shortest_edge, length);
     s.longest_edge = std::max(s.longest_edge, length);
     squares += length * length;
-    // Computes the angle from its sine and cosine, both scaled by the lengths of the normals. Accurate for flat and for
-    // sharp angles.
+    // Computes the angle from its sine and cosine, both times the normals' lengths. Accurate for flat and sharp angles.
     s.dihedral[e] = std::atan2(det * length, -dot(n[k], n[l])) * degrees_per_radian;
     if (!(det > 0)) s.dihedral[e] = dot(n[k], n[l]) > 0 ? 180 : 0;
     s.min_dihedral = std::min(s.min_dihedral, s.dihedral[e]);
@@ -81,7 +81,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = dot(cross(b - a, c - a), d - a);
   const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
-  if (!(det > 0)) {  // flat, or a needle
+  if (!(det > 0)) {  // a flat cell or a needle
     const TetrahedronShape s = shape_of(p, n);
     return {s.min_dihedral, s.max_dihedral};
   }
@@ -98,20 +98,20 @@ DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const 
 
 namespace {
 
-/// Returns the row of the edge between two corners.
+/// Returns the position in edge_vertices of the edge between two corners.
 unsigned edge_between(unsigned i, unsigned j) {
   unsigned e = 0;
   while (!(edge_vertices[e][0] == std::min(i, j) && edge_vertices[e][1] == std::max(i, j))) ++e;
   return e;
 }
 
-/// Like inward_normals, but each is computed from the two shorter edges of its face, because products of long edges
-/// would lose the area of a needle.
+/// Returns the inward normals of the faces. Each is computed from the two shorter edges of its face, because products
+/// of long edges would lose the area of a needle.
 std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   std::array<Vec3, 4> n;
   for (unsigned i = 0; i < 4; ++i) {
     const auto& f = face_vertices[i];
-    unsigned first = 0;  // opposite the longest edge
+    unsigned first = 0;  // corner opposite the longest edge
     double longest = 0;
     for (unsigned k = 0; k < 3; ++k)
       if (const double edge = distance(p[f[(k + 1) % 3]], p[f[(k + 2) % 3]]); edge > longest) {
@@ -124,8 +124,8 @@ std::array<Vec3, 4> careful_normals(const std::array<Vec3, 4>& p) {
   return n;
 }
 
-/// For corners of which some are much closer to each other than to the rest: computes the volume from the one with the
-/// shortest edges.
+/// Computes the shape of a tetrahedron of which some corners are much closer to each other than to the rest. The volume
+/// is computed from the corner with the shortest edges.
 TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   constexpr std::array<std::array<unsigned, 4>, 4> even_orders{
       {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
@@ -147,8 +147,7 @@ TetrahedronShape shape_of_needle(const std::array<Vec3, 4>& p) {
   return s;
 }
 
-/// Share of the cube of the longest edge below which rounding could decide the sign of six times the volume, computed
-/// from any corner.
+/// If six times the volume is below this share of the cube of the longest edge, rounding could decide its sign.
 constexpr double needle_share = 1e-9;
 
 }  // namespace

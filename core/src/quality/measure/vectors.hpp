@@ -3,8 +3,8 @@
 /// The arithmetic of quality measures, written once for one cell (Real = double) and for several at a time (a vector of
 /// lanes).
 ///
-/// Every function is inlined into its caller, whatever the optimisation, so that no version for one instruction set can
-/// be linked into code for another.
+/// Every function is inlined into its caller at every level of optimisation, so that no version for one instruction set
+/// can be linked into code for another.
 #pragma once
 
 #include <cmath>
@@ -80,7 +80,7 @@ struct Base {
   Vectors<Real> corner[3];
   Vectors<Real> normal;  ///< inward normal, whose length is twice the area
   Real inverse;          ///< reciprocal of the squared length of the normal
-  Real squared[3];       ///< lengths of the edges ab, bc, ca
+  Real squared[3];       ///< squared lengths of the edges ab, bc, ca
 };
 
 template <class Real>

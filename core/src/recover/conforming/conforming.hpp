@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Conforming mode (sections 3.1 and 3.2 of the paper): segments and facets come to be unions of Delaunay edges and
-/// faces by points inserted on them. Points are rounded to doubles before they are inserted.
+/// Conforming mode (Cavalcanti and Mello 1999, sections 3.1 and 3.2): points are inserted on segments and facets until
+/// these are unions of Delaunay edges and faces. Points are rounded to doubles before they are inserted.
 ///
-/// Budgets, beyond which a segment's facets or a facet are given up and later recovered by the constrained methods:
-///   - `max_steiner_per_facet` points on one segment, or on one facet that meets another at less than 90 degrees or
-///     has segments meeting at less than 60; others always end (section 3.2; Ruppert 1995), so none is
-///     given up;
-///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; and 100,000
-///   more on the others;
-///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate, which is 4096
-///   ulps of it.
+/// Budgets, beyond which a facet or all facets at a segment are given up and later recovered by the constrained
+/// methods:
+///   - `max_steiner_per_facet` points on one segment, or on one facet that meets another at less than 90 degrees or has
+///     segments that meet at less than 60 degrees. Refinement of other facets always ends (section 3.2; Ruppert 1995),
+///     so none of them is given up;
+///   - 30 points for each vertex of the model, and 3,000 more, on all such facets and segments together; as many, and
+///     100,000 more, on the others;
+///   - no new edge on a segment or in a facet shorter than `min_edge`: 2^-40 of the largest coordinate (4096 ulps).
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ namespace geomesh::recover {
 
 /// Reasons for which conforming mode gives a facet up.
 enum class GivenUpFor : std::uint8_t {
-  points,     ///< too many points (max_steiner_per_facet) on it or on one of its segments
+  points,     ///< too many points (max_steiner_per_facet) on the facet or on one of its segments
   shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
   place,      ///< the place of a point equals a vertex, or rounding has made the draft invalid
   budget,     ///< the total number of points for such facets and segments is exhausted
@@ -35,14 +35,14 @@ class ConformingRecovery {
  public:
   ConformingRecovery(Recovery& recovery, const RecoverOptions& options);
 
-  /// Recovers segments, then facets, each including what the other has lost again, until nothing is missing or
-  /// everything missing has been given up. Returns false if more points than the budget were needed in all; what is
-  /// still missing has then been given up too.
+  /// Recovers segments, then facets, and again those that were lost meanwhile, until nothing is missing or everything
+  /// missing has been given up. Returns false if more points than the budget allows were needed in all; items that are
+  /// still missing have then been given up, too.
   bool run();
   /// Returns the facets that were given up, sorted.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- protected:  // refinement that keeps the mesh Delaunay continues from here (remesh/conforming/conforming_refiner.hpp)
+ protected:  // used by the refinement that keeps the mesh Delaunay (remesh/conforming/conforming_refiner.hpp)
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();
@@ -51,8 +51,8 @@ class ConformingRecovery {
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  /// Returns the vertex, among those of the cells that the missing subsegment crosses, from which it is seen at the
-  /// largest angle, if that is obtuse; else no_vertex.
+  /// Returns the vertex from which the missing subsegment is seen at the largest angle, among those of the cells that
+  /// it crosses. Returns no_vertex if that angle is not obtuse.
   VertexIndex encroaching_vertex(const Subsegment& s);
   /// Returns whether v lies on a model segment that has `end` as an end.
   bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
@@ -67,17 +67,18 @@ class ConformingRecovery {
   void insert_into_facet(Index f);
   bool insert_midpoint(Index f, VertexIndex a, VertexIndex b);
   void give_up_facet(Index f, GivenUpFor why);
-  /// Reports how many facets were given up, for which reasons, and the sharpest of them.
+  /// Reports how many facets were given up, for which reasons, and their sharpest angle.
   void note_given_up() const;
   void queue_facet(Index f);
 
-  /// Inserts a point and records what was lost. Returns no_vertex if nothing could be inserted.
+  /// Inserts a point and queues the segments and facets that the insertion removes from the mesh. Returns no_vertex if
+  /// nothing could be inserted.
   VertexIndex insert(const Vec3& p, VertexIndex near, VertexRecord record);
   bool is_edge_of_new_star(VertexIndex a, VertexIndex b) const;
   bool is_within_budget() const {
     return !recovery_.has_ended() && n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_;
   }
-  /// Restarts the count for the total budget of points.
+  /// Restarts the count of points for the total budget.
   void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
   bool too_short(const Vec3& a, const Vec3& b) const;
 
@@ -85,8 +86,8 @@ class ConformingRecovery {
   ConstrainedMesh& mesh_;
   Constraints& constraints_;
   RecoverOptions options_;
-  /// Short segments come first: they need the fewest points, and these may encroach on longer segments, which are split
-  /// afterwards.
+  /// Order of missing segments. Short ones come first, because they need the fewest points, and these points may
+  /// encroach on longer segments, which are split afterwards.
   struct QueuedSegment {
     double squared_length;
     Index segment;
@@ -104,9 +105,9 @@ class ConformingRecovery {
   FaceMap facet_of_face_;                        ///< faces that were found to be parts of facets
   std::vector<std::uint8_t> facet_queued_;       ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
-  /// For each vertex of the model: whether segments meet there at less than 60 degrees.
+  /// for each vertex of the model, whether segments meet there at less than 60 degrees
   std::vector<std::uint8_t> vertex_is_sharp_;
-  std::vector<std::uint8_t> facet_is_sharp_;       ///< for each subfacet: whether the budget applies to it
+  std::vector<std::uint8_t> facet_is_sharp_;       ///< whether the budget of points applies to each subfacet
   std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;

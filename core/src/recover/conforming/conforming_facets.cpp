@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Recovers facets by comparison with a draft (section 3.2). A facet is present where mesh faces cover it, whichever
-/// they are, so cocircular points, and points that rounding has moved off the plane, need no special treatment. Where
-/// it is missing, the draft determines where a point is inserted.
+/// Recovers facets by comparison with a draft triangulation (Cavalcanti and Mello 1999, section 3.2). A facet is
+/// present if any mesh faces cover it, so that cocircular points, and points that rounding has moved off the plane,
+/// need no special treatment. If the facet is missing, the draft determines where points are inserted.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +17,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The draft: a constrained Delaunay triangulation of the facet's vertices in a frame of its plane.
+/// The draft of a facet: a constrained Delaunay triangulation of the facet's vertices in a frame of its plane.
 class Draft {
  public:
   Draft(const ConstrainedMesh& mesh, const Triangle& plane, const FacetPiece& piece) : piece_(piece) {
@@ -55,8 +55,8 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
-/// Returns, for each draft triangle that is not a face, its longest missing edge, or all three edges if all are
-/// present; the longest first.
+/// Returns the longest missing edge of each draft triangle that is not a mesh face, or its three edges if none is
+/// missing. The longest edges come first.
 std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
   const auto squared_length = [&mesh](const DirectedEdge& e) {
     const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);
@@ -117,7 +117,7 @@ bool ConformingRecovery::register_if_present(Index f) {
 void ConformingRecovery::insert_into_facet(Index f) {
   constraints_.make_piece(f);
   for (const DirectedEdge& e : constraints_.piece_of(f).border)
-    // An edge of a segment that was given up.
+    // This edge is missing because its segment was given up.
     if (mesh_.find_edge(e[0], e[1]) == no_cell) return give_up_facet(f, GivenUpFor::points);
   if (facet_is_sharp_[f] && points_on_facet_[f] >= options_.max_steiner_per_facet)
     return give_up_facet(f, GivenUpFor::points);
@@ -125,8 +125,8 @@ void ConformingRecovery::insert_into_facet(Index f) {
   if (!draft.build()) return give_up_facet(f, GivenUpFor::place);
   const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
   if (edges.empty()) return give_up_facet(f, GivenUpFor::place);
-  // The preliminary triangulation is updated once a round. A point near one that was inserted in this round is left
-  // out, because that one may have made it unnecessary.
+  // The draft is updated once in a round. A point near another one that was inserted in this round is left out, because
+  // the other point may have made it unnecessary.
   std::vector<Vec3> added;
   for (const DirectedEdge& e : edges) {
     const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;
@@ -165,7 +165,7 @@ void ConformingRecovery::give_up_facet(Index f, GivenUpFor why) {
 
 namespace {
 
-/// Returns the smallest angle of a triangle in degrees, and its corner in `where`.
+/// Returns the smallest angle of a triangle in degrees, and stores the position of its corner in `where`.
 double smallest_angle(const ConstrainedMesh& mesh, const Triangle& t, Vec3& where) {
   double smallest = 180;
   for (unsigned i = 0; i < 3; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Recovers segments by stitching with protecting spheres (section 3.1; Ruppert 1995, section 5; Si and Gaertner 2005,
-/// "Meshing piecewise linear complexes by constrained Delaunay tetrahedralizations", for the choice of the sphere).
+/// Recovers segments by stitching with protecting spheres (Cavalcanti and Mello 1999, section 3.1; Ruppert 1995,
+/// section 5; Si and Gaertner 2005, "Meshing piecewise linear complexes by constrained Delaunay tetrahedralizations",
+/// for the choice of the sphere).
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +17,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns whether the angle is smaller than that with this cosine, by more than rounding of the directions explains.
+/// Returns whether the angle between a and b is smaller than that with this cosine, by more than a rounding error.
 bool is_sharp(const Vec3& a, const Vec3& b, double cosine) {
   return dot(a, b) > (cosine + recovery_budget.sharp_rounding) * std::sqrt(dot(a, a) * dot(b, b));
 }
@@ -78,7 +79,7 @@ void ConformingRecovery::mark_sharp_vertices() {
 /// Marks facets that meet another one at less than 90 degrees, or have a sharp vertex.
 void ConformingRecovery::mark_sharp_facets() {
   facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
-  std::vector<Vec3> inner;  // for the facets around a subsegment: the direction into each of them
+  std::vector<Vec3> inner;  // the direction into each facet around a subsegment
   for (const Subsegment& s : constraints_.subsegments) {
     inner.clear();
     for (const Index f : s.subfacets) inner.push_back(inwards(s, f));
@@ -97,8 +98,7 @@ bool ConformingRecovery::is_sharp_segment(const Subsegment& s) const {
          std::any_of(s.subfacets.begin(), s.subfacets.end(), [&](Index f) { return facet_is_sharp_[f] != 0; });
 }
 
-/// Returns the direction from a border edge into the facet, perpendicular to the edge; zero if the facet lies on both
-/// sides of it.
+/// Returns the direction into the facet, perpendicular to a border edge; zero if the facet lies on both sides of it.
 Vec3 ConformingRecovery::inwards(const Subsegment& s, Index f) const {
   const Triangle& t = constraints_.subfacets[f].vertices;
   const Vec3& o = mesh_.point(t[0]);
@@ -134,8 +134,8 @@ VertexIndex ConformingRecovery::insert(const Vec3& p, VertexIndex near, VertexRe
   return insertion_.vertex;
 }
 
-/// Returns whether a-b is an edge of a cell that the last insertion made. These cells suffice: an edge of a removed
-/// cell remains only if one of them has it, and all edges at the new vertex are theirs.
+/// Returns whether a-b is an edge of a cell that the last insertion made. These cells suffice, because an edge of a
+/// removed cell remains only if a new cell has it, and all edges at the new vertex belong to new cells.
 bool ConformingRecovery::is_edge_of_new_star(VertexIndex a, VertexIndex b) const {
   return std::any_of(mesh_.last_created().begin(), mesh_.last_created().end(),
                      [&](CellIndex c) { return mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b); });
@@ -185,9 +185,9 @@ bool ConformingRecovery::is_on_segment_from(VertexIndex v, VertexIndex end) cons
   return r.origin == VertexOrigin::input && segment_of_ends_.find({v, end}) != no_index;
 }
 
-/// Finds the point on the sphere through the encroaching vertex v, with its centre at the end of the model's segment at
-/// which it meets a segment of v sharply, so that points on segments which meet sharply lie on common spheres. Returns
-/// its distance from s.a, or a negative value if there is no such sphere or it does not meet s.
+/// If the model segment of s meets a segment of the encroaching vertex v sharply at a common end, returns the point of
+/// s on the sphere around that end through v, as a distance from s.a. Points on segments that meet sharply then lie on
+/// common spheres. Returns a negative value if there is no such sphere or it does not intersect s.
 double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexIndex v) const {
   if (s.segment == no_index) return -1;
   const Vec3 &a = mesh_.point(s.a), &b = mesh_.point(s.b), &p = mesh_.point(v);
@@ -206,9 +206,9 @@ double ConformingRecovery::place_on_common_sphere(const Subsegment& s, VertexInd
   return place < length ? place : -1;
 }
 
-/// Returns a point on a common sphere; otherwise the projection of the encroaching vertex, so that points do not cause
-/// more distant ones than necessary; if that is closer to an end than half of the vertex's own distance from the end,
-/// the point as far from the end as the vertex (Si and Gaertner 2005).
+/// Returns the place at which to split s: a point on a common sphere if there is one. Otherwise it is the projection of
+/// the encroaching vertex, so that points do not cause more distant ones than necessary. If the projection is closer to
+/// an end than half of the vertex's distance from it, the place is as far from it as the vertex (Si and Gaertner 2005).
 Vec3 ConformingRecovery::split_place(const Subsegment& s) {
   const Vec3 a = mesh_.point(s.a), b = mesh_.point(s.b);
   const VertexIndex v = encroaching_vertex(s);

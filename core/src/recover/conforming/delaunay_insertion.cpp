@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Lists the edges, except most of those that are kept, and the inner faces of the cavity, whose cells must be marked.
+/// Lists the inner faces of the cavity, and its edges except most that remain in the mesh. Its cells must be marked.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();
@@ -24,14 +24,14 @@ void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, D
       if (n < c && is_inner[f])
         out.faces.push_back({v[face_vertices[f][0]], v[face_vertices[f][1]], v[face_vertices[f][2]]});
     }
-    // An edge lies in the two faces opposite the other vertices: if one of these is on the boundary, so is the edge,
-    // and it is kept.
+    // An edge of a cell lies in the two faces opposite the other vertices. If one of these faces is on the boundary of
+    // the cavity, the edge is on it, too, and remains in the mesh.
     for (const auto& [i, j, k, l] : edges_and_others)
       if (is_inner[k] && is_inner[l]) out.edges.push_back({v[i], v[j]});
   }
 }
 
-/// Marks the cells in conflict. Returns false if there is no place for p.
+/// Marks the cells in conflict with p. Returns false if p is outside the mesh or equals a vertex.
 bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::vector<CellIndex>& cavity) {
   const TetMesh& cells = mesh.cells();
   const CellIndex first = mesh.locate(p, start);

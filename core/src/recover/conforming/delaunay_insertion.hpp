@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Insertion of a point into the Delaunay mesh of conforming mode by the cavity algorithm (section 2.1 of the paper).
-/// The mesh is the perturbed Delaunay triangulation of its vertices before and after, so the cavity is star-shaped
-/// (equation 1, checked).
+/// Insertion of a point into the Delaunay mesh of conforming mode by the cavity algorithm (Cavalcanti and Mello 1999,
+/// section 2.1). The mesh is the perturbed Delaunay triangulation of its vertices before and after, so the cavity is
+/// star-shaped (equation 1, checked).
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -19,8 +19,7 @@ struct DelaunayInsertion {
 /// Inserts a point and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
-/// Returns the cells in conflict with p, the one that contains p first; none if p equals a vertex or lies outside the
-/// box.
+/// Returns the cells in conflict with p, first the one that contains p; none if p is a vertex or outside the box.
 std::vector<CellIndex> conflict_cells(ConstrainedMesh& mesh, const Vec3& p, CellIndex start);
 /// Replaces the cells in conflict with p by the star of p. `cavity` must contain all of them and not be empty.
 void insert_into(ConstrainedMesh& mesh, const Vec3& p, std::span<const CellIndex> cavity, DelaunayInsertion& out);

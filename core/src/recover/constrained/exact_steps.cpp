@@ -57,14 +57,14 @@ class SegmentStep {
   }
 
  private:
-  /// Returns a plane through the crossed simplex that does not contain the line.
+  /// Returns three vertices of a plane through the crossed simplex that does not contain the line.
   Triangle plane_through(const Crossing& c) const {
     if (c.kind == CrossingKind::face) return {c.v[0], c.v[1], c.v[2]};
     for (const VertexIndex u : mesh_.cells().vertices(c.cell))
       if (u != c.v[0] && u != c.v[1] && mesh_.orient(a_, b_, c.v[0], u) != Sign::zero) return {c.v[0], c.v[1], u};
     return {c.v[0], c.v[1], c.v[0]};
   }
-  /// Returns a rough parameter, which is used only to order the crossings that are tried.
+  /// Returns the rough parameter of a crossing on the line, which is used only to order the crossings that are tried.
   double rough_parameter_of(const Crossing& c) const {
     const Triangle plane = plane_through(c);
     const auto height = [&](VertexIndex v) {

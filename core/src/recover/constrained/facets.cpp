@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-/// Recovers facets, whose segments are all present: the mesh edges that pierce a missing subfacet are removed by flips;
-/// if that fails they are split one after the other where they pierce it. Splits of edges leave only tetrahedra, so the
-/// prisms and pyramids of the paper's section 3.3 never occur. After as many splits as edges pierce the subfacet it is
-/// a union of faces, so this always terminates.
+/// Recovers facets after all their segments. The mesh edges that pierce a missing subfacet are removed by flips; if
+/// that fails, they are split one after the other where they pierce the subfacet. Splits of edges leave only
+/// tetrahedra, so that the prisms and pyramids of Cavalcanti and Mello 1999 (section 3.3) never occur. After as many
+/// splits as edges pierce the subfacet it is a union of faces, so this always terminates.
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +22,8 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Forbids edges whose ends lie on different sides of the subfacet: inside the ring of a piercing edge, such an edge
-/// pierces it too.
+/// Forbids flips to create edges whose ends lie on different sides of the subfacet, because inside the ring of a
+/// piercing edge such an edge pierces the subfacet, too.
 class NoNewPiercing : public EdgeRule {
  public:
   explicit NoNewPiercing(const FacetSides& sides) : sides_(sides) {}
@@ -46,7 +46,7 @@ class FacetRecovery {
     is_plain_ = !recovery.constraints.is_piece(subfacet);
   }
 
-  /// Locks a piece that faces cover. Returns false if none do.
+  /// Locks the faces that cover a piece of a facet. Returns false if faces do not cover it.
   bool as_it_is() {
     const FacetTrace trace = trace_piece(mesh_, recovery_.constraints, subfacet_);
     if (trace.status != FacetTrace::Status::complete) return false;
@@ -68,7 +68,7 @@ class FacetRecovery {
     return true;
   }
 
-  /// Only applies while no point has been added: the sheet is the whole subfacet.
+  /// Recovers the subfacet, a triangle without added points, by filling the cavity around its piercing edges anew.
   bool by_cavity(std::size_t max_nodes) {
     const FacetTrace trace = checked_trace();
     if (trace.status != FacetTrace::Status::pierced || !is_plain_) return false;
@@ -81,9 +81,9 @@ class FacetRecovery {
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
-  /// A trace takes time proportional to the facet's size, and a large polygon may need as many points. Therefore only
-  /// its first points are each followed by a trace, which saves some points. After that the facet is traced only when
-  /// the last edge has been split: a point does not change the other edges that pierce.
+  /// Recovers the subfacet by points. A trace takes time proportional to the facet's size, and a large polygon may need
+  /// as many points. Therefore only its first points are each followed by a trace, which saves some points. After that
+  /// the facet is traced only when the last listed edge has been split: a point does not change the other edges.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
@@ -135,8 +135,8 @@ class FacetRecovery {
   // If rounding bends a border with added points, the trace may leave the subfacet through cells that are flat in its
   // plane. It then meets other items, so no error is reported without an exact test against the corners.
 
-  /// Returns whether the edge passes through the triangle of the corners or touches it, so that it has the edges
-  /// between the corners on one side.
+  /// Returns whether the edge passes through the triangle of the subfacet's corners or touches it. The edges between
+  /// the corners are then all on one side of the edge.
   bool is_passed_by(PiercingEdge e) const {
     bool left = false, right = false;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -146,8 +146,8 @@ class FacetRecovery {
     }
     return !(left && right);
   }
-  /// Returns whether the vertex lies in the triangle of the corners, including its border, or in the polygon if the
-  /// trace is exact and no added point bends it.
+  /// Returns whether the vertex lies in the triangle of the subfacet's corners, including its border, or in the polygon
+  /// if the trace is exact and no added point bends it.
   bool holds(VertexIndex v) const {
     if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
     const std::vector<VertexIndex> members = members_of(recovery_.constraints, subfacet_);
@@ -167,8 +167,8 @@ class FacetRecovery {
     return true;
   }
 
-  /// Computes the point in the plane of the input's corners, with twice a double's precision, because the plane of a
-  /// thin triangle is known to fewer digits than its corners.
+  /// Returns the point at which the edge pierces the plane of the input's corners. It is computed with twice a double's
+  /// precision, because the plane of a thin triangle is known to fewer digits than its corners.
   Vec3 piercing_point(const PiercingEdge& e) const {
     using exact::TwoDouble;
     const Vec3 &p = mesh_.point(plane_[0]), &a = mesh_.point(e.below), &b = mesh_.point(e.above);
@@ -198,9 +198,9 @@ class FacetRecovery {
     return out;
   }
 
-  /// Removes as many of a list of piercing edges as flips can. No flip makes another one pierce, so the list needs no
-  /// new trace. Up to one level deep, flips examine only the cells at the edge's ends; if these have not changed since
-  /// a failure, flips would fail again.
+  /// Removes as many of a list of piercing edges as flips can. No flip creates another piercing edge, so the list needs
+  /// no new trace. Up to one level deep, flips examine only the cells at the edge's ends; if these have not changed
+  /// since a failure, flips would fail again.
   void remove_by_flips(std::vector<Piercing>& left, unsigned depth) {
     EdgeRemover remover(mesh_, recovery_.constraints, &work_left_);
     const NoNewPiercing rule(sides_);
@@ -257,7 +257,7 @@ class FacetRecovery {
     Constraints& constraints = recovery_.constraints;
     const Index facet = constraints.subfacets[subfacet_].facet;
     if (!is_plain_) {
-      // A face of another facet: rounding has folded two facets that meet at a very small angle onto each other.
+      // A face belongs to another facet: rounding has folded facets that meet at a tiny angle onto each other.
       for (const Triangle& t : trace.faces)
         if (constraints.subfacet_of(t[0], t[1], t[2]) != no_index)
           return recovery_.end(error_of_facet_not_recovered(recovery_, subfacet_));
@@ -278,8 +278,8 @@ class FacetRecovery {
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
   bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
-  bool has_been_split_ = false;  ///< whether a point was added here
-  std::size_t n_traced_ = 0;     ///< counted against traced_of_facet in the budget
+  bool has_been_split_ = false;  ///< whether this object has added a point
+  std::size_t n_traced_ = 0;     ///< faces and edges traced, limited by traced_of_facet in the budget
   std::size_t work_left_ = 0;    ///< remaining work of flips, from flips_tried in the budget
 };
 
@@ -287,7 +287,7 @@ class FacetRecovery {
 
 namespace {
 
-/// Some vertices may be inserted later (hard_parts_first.hpp).
+/// Returns whether all vertices of the subfacet are in the mesh. Some may be inserted later (hard_parts_first.hpp).
 bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   const auto in_mesh = [&](VertexIndex v) { return recovery.mesh.in_mesh(v); };
   const Constraints& c = recovery.constraints;
@@ -296,7 +296,8 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
 
-/// At a missing edge, a trace of the piece would leave it and follow its plane through the whole mesh.
+/// Returns whether all border edges of the piece are in the mesh. At a missing edge, a trace of the piece would leave
+/// it and follow its plane through the whole mesh.
 bool has_all_edges(Recovery& recovery, Index piece) {
   Constraints& c = recovery.constraints;
   const std::vector<DirectedEdge>& border = c.piece_of(piece).border;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/// Recovers segments by flips alone: the first simplex that the line crosses is removed, alternately from both ends
-/// (after the boundary recovery of George and Borouchaki 1998 and of Si 2015; own design on the n-to-m removal of
-/// edge_removal.hpp).
+/// Recovers missing segments by flips alone: the first simplex that the segment crosses is removed, alternately from
+/// both ends (after the boundary recovery of George and Borouchaki 1998 and of Si 2015; own design on the n-to-m
+/// removal of edge_removal.hpp).
 #include "recover/model/crossing.hpp"
 #include "recover/model/messages.hpp"
 #include "recover/model/recover.hpp"
@@ -22,7 +22,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
   const FaceRef beyond = mesh.cells().mirror(crossing.face);
   const VertexIndex a = mesh.cells().vertex(crossing.cell, crossing.face.face());
   const VertexIndex d = mesh.cells().vertex(beyond.cell(), beyond.face());
-  const auto v = crossing.v;  // counter-clockwise as seen from a
+  const auto v = crossing.v;  // vertices of the face, counter-clockwise as seen from a
   for (unsigned k = 0; k < 3; ++k) {
     const VertexIndex p = v[k], q = v[(k + 1) % 3];
     if (mesh.orient(p, q, d, a) == Sign::positive) continue;
@@ -35,7 +35,7 @@ bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& cr
 
 namespace {
 
-/// Removes the first crossing, alternately from both ends.
+/// Repeatedly removes the first crossing of the missing edge a-b, alternately from both ends.
 bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left) {
   EdgeRemover remover(recovery.mesh, recovery.constraints, &work_left);
   unsigned failures = 0;
@@ -64,8 +64,8 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
   return false;
 }
 
-/// Removes any crossing if that leaves fewer of them, or sometimes as many. (In the plane, too, a crossed edge of a
-/// quadrilateral that is not convex has to wait for its neighbours.)
+/// Removes any crossing of the missing edge a-b if that leaves fewer crossings, or sometimes as many. (In the plane,
+/// too, a crossed edge of a quadrilateral that is not convex has to wait for its neighbours.)
 class CrossingReduction {
  public:
   CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left)
@@ -97,7 +97,7 @@ class CrossingReduction {
   bool step(bool sideways) {
     const std::vector<Crossing> crossings = line_.crossings;
     for (std::size_t k = 0; k < crossings.size() && work_left_ > 0; ++k) {
-      // An attempt that was rolled back may have renumbered slots.
+      // An attempt that was rolled back may have renumbered slots, so the crossings are found anew.
       if ((!walk_line(mesh_, a_, b_, line_) || line_.crossings.size() != crossings.size())) return false;
       const std::size_t mark = mesh_.mark();
       if (remove_crossed(recovery_, remover_, line_.crossings[k], depth_) && is_progress(crossings.size(), sideways)) {

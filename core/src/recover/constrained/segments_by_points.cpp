@@ -19,8 +19,8 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the parameter on a-b at which the line meets the plane of p, q, r; floating point is accurate enough, since
-/// membership is declared.
+/// Returns the parameter on a-b at which the line meets the plane of p, q, r; floating point is accurate enough,
+/// because the point is declared to lie on the segment.
 double plane_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r) {
   const Vec3 n = cross(q - p, r - p);
   const double da = dot(n, a - p), db = dot(n, b - p);
@@ -93,26 +93,27 @@ std::size_t n_crossings(ConstrainedMesh& mesh, const Subsegment& s) {
   return line.crossings.size();
 }
 
-/// Returns the number of points on one subsegment above which more are useless: each removes a crossing, but flips that
-/// were tried before may have made others.
+/// Returns the largest useful number of points on one subsegment. Each point removes a crossing, but flips that were
+/// tried before may have made other crossings.
 std::size_t most_points(ConstrainedMesh& mesh, const Subsegment& s) {
   return recovery_budget.points_on_subsegment + recovery_budget.points_on_crossing * n_crossings(mesh, s);
 }
 
-/// Flips may restore what points have removed, so once their work is used up only points are added, which terminates.
-/// Deep flips hardly ever clear lines with many crossings, at ten times the cost.
+/// Recovers a part of a subsegment by flips. Flips may restore crossings that points have removed, so once the work
+/// allowed for flips is used up only points are added, which terminates. Deep flips hardly ever clear lines with many
+/// crossings, at ten times the cost.
 bool recover_parted_by_flips(Recovery& recovery, const Subsegment& s, std::size_t& work_left) {
   const unsigned depth = n_crossings(recovery.mesh, s) > recovery_budget.crossings_flipped ? 1 : 2;
   return work_left > 0 && recover_segment_by_flips(recovery, s.a, s.b, depth, work_left);
 }
 
-/// Recovery of subsegments by points.
+/// Recovers missing subsegments by adding points.
 class PointsOnSegments {
  public:
   explicit PointsOnSegments(Recovery& recovery)
       : recovery_(recovery), mesh_(recovery.mesh), constraints_(recovery.constraints) {}
 
-  /// Ends the attempt if no point can be placed or `most_points` do not suffice.
+  /// Recovers one subsegment. Ends the attempt if no point can be placed or `most_points` points do not suffice.
   void recover(Index first) {
     std::vector<Index> stack{first};
     std::size_t work_left = recovery_budget.flips_tried;

@@ -75,7 +75,8 @@ Number determinant(const std::array<std::array<Number, 3>, 3>& u) {
 
 }  // namespace
 
-/// Returns whether the frame of a place and the declared membership of the others imply that all are coplanar.
+/// Returns whether four vertices are known to be coplanar, because one of them was placed exactly in a plane or on a
+/// line and the others lie there by declaration.
 bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   for (const VertexIndex x : v) {
     if (!contains(x)) continue;
@@ -97,8 +98,8 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   return false;
 }
 
-/// Returns whether all points have one coordinate in common, as on the sides of a box. The rest is zero if the place is
-/// its nearest double.
+/// Returns whether all points have one coordinate in common, as on the sides of a box. A coordinate counts only if it
+/// is a double, so that its rest is zero.
 bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   for (std::size_t i = 0; i < 3; ++i)
     if (std::all_of(v.begin(), v.end(),
@@ -107,15 +108,16 @@ bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, cons
   return false;
 }
 
-// The nearest double and the rounded rest give a coordinate with a relative error of 2^-105. A difference of two of
-// them therefore has an error of 4 units of itself and 2^-103 of the greater one. The bound of the first filter is that
-// of filters.hpp, trebled for the first, and six products with one factor that wrong for the second. The second filter
-// works with about 2^-104; its bound, 2^-96 of the greatest product, leaves room for 256 roundings.
+// Error bounds. The nearest double and the rounded rest give a coordinate with a relative error of 2^-105. The
+// difference of two coordinates therefore has two errors: 4 units of itself, and 2^-103 of the greater coordinate. The
+// bound of the first filter is that of filters.hpp, trebled for the first error, plus six products with one factor that
+// has the second error. The second filter works with a precision of about 2^-104; its bound, 2^-96 of the greatest
+// product, leaves room for 256 roundings.
 namespace {
 
 constexpr double widening_of_rests = 3;
 
-/// Returns the error of a determinant that offsets with these magnitudes and errors in each coordinate cause.
+/// Returns the error of a determinant of offsets with these magnitudes (`reach`) and errors (`wrong`).
 double error_by_rests(const Vec3& reach, const Vec3& wrong) {
   return 8 *
          (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
@@ -164,8 +166,8 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
   return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
 }
 
-/// Computes the determinant of the nearest doubles. Each has an error of at most an ulp, and a difference of two an
-/// error of 2^-51 of the greater, which is no farther from zero than the sum of d and the offset from d.
+/// Computes the determinant of the nearest doubles and its error bound. Each coordinate has an error of at most an ulp,
+/// and a difference of two at most 2^-51 of the greater, which is no farther from zero than d plus the offset.
 filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const Vec3& d = points[v[3]];
   const Vec3 a = points[v[0]] - d, b = points[v[1]] - d, c = points[v[2]] - d;
@@ -184,8 +186,8 @@ Sign ExactPlaces::side_of_end(const std::vector<Vec3>& points, const std::array<
   return decide(points, v);
 }
 
-/// Returns the side of a place between the ends of its line: that of both ends, or of one of them if the other is in
-/// the plane. Returns nothing if the ends lie on different sides, or may have moved.
+/// Returns the orientation if one of the vertices lies between the ends of its line: it is on the side of both ends, or
+/// of one if the other is in the plane. Returns nothing if the ends lie on different sides, or may have moved.
 std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
                                               const std::array<VertexIndex, 4>& v) const {
   for (std::size_t k = 0; k < 4; ++k) {

@@ -3,7 +3,7 @@
 /// Vertices of the mesh under recovery whose places are not doubles but exact sums of doubles. A Steiner point at a
 /// dyadic parameter of its segment, or of its facet's plane, lies on it exactly in this form; rounded it would not.
 ///
-/// Each such vertex has a double beside it too, the nearest one (ConstrainedMesh::point): for what needs no exactness.
+/// The nearest doubles of each such place are also stored (ConstrainedMesh::point), for inexact computations.
 #pragma once
 
 #include <array>
@@ -42,9 +42,10 @@ class ExactPlaces {
   void set(VertexIndex v, ExactPlace place);
   void erase(VertexIndex v);
 
-  /// Like orient3d, on exact places; at least one of the vertices must have one. `points` are those of all vertices.
+  /// Returns the orientation of four vertices like orient3d. At least one of them must have an exact place. `points`
+  /// are the nearest doubles of all vertices.
   Sign orient(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Like orient2d, of the coordinates (i, j) of three vertices.
+  /// Returns the orientation of the coordinates (i, j) of three vertices like orient2d.
   Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
                    std::size_t j) const;
   /// Returns six times the signed volume, exactly.
@@ -56,11 +57,11 @@ class ExactPlaces {
     double widening = 1, slack = 0;
   };
   OffsetError offset_error(const std::vector<Vec3>& points, VertexIndex from, std::span<const VertexIndex> to) const;
-  /// Returns to - from, each coordinate with a negligible error.
+  /// Returns the vector between two vertices, each coordinate with a negligible error.
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
 
-  /// Returns the place minus its nearest double, rounded.
+  /// Returns the exact place of v minus its nearest double, rounded; zero for other vertices.
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
   /// Returns how many orientations have been decided: a measure of work that is the same on every machine.
   std::size_t n_decided() const { return n_decided_; }
@@ -70,7 +71,7 @@ class ExactPlaces {
   struct Row {
     ExactPlace place;
     Vec3 rest;                     ///< place minus its nearest double, rounded
-    bool is_between_ends = false;  ///< whether it is on a line, strictly between the ends of its frame
+    bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
   };
   /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
   struct Rough {
@@ -87,7 +88,7 @@ class ExactPlaces {
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
   VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
-  std::vector<Index> row_of_;      ///< for each vertex from the first one
+  std::vector<Index> row_of_;      ///< row of each vertex from first_ on
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

@@ -61,8 +61,7 @@ unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b
 }
 
 CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
-  // Walks in the star of a towards b; a star is small, so if the walk has not arrived soon the star is searched
-  // instead.
+  // Walks in the star of a towards b. If the walk has not arrived soon, the star, which is small, is searched instead.
   CellIndex c = cell_of_[a];
   Random random = walk_choices(a, b);
   for (unsigned step = 0; step < recovery_budget.star_walk; ++step) {
@@ -84,7 +83,7 @@ bool ConstrainedMesh::ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRin
   out.q = b;
   turn_about_edge(mesh_, cell, a, b, out.cells, out.ring);
   if (std::find(out.ring.begin(), out.ring.end(), infinite_vertex) != out.ring.end()) return false;
-  // Uses a start that does not depend on the course of recovery.
+  // Begins the ring at its smallest vertex, so that it does not depend on the course of recovery.
   const auto start = std::min_element(out.ring.begin(), out.ring.end()) - out.ring.begin();
   std::rotate(out.ring.begin(), out.ring.begin() + start, out.ring.end());
   std::rotate(out.cells.begin(), out.cells.begin() + start, out.cells.end());

@@ -20,15 +20,15 @@
 
 namespace geomesh::recover {
 
-/// The cells about an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
+/// The cells around an edge p-q: cells[i] is positive as (p, q, ring[i], ring[i+1]), indices modulo the size.
 struct EdgeRing {
   VertexIndex p = no_vertex, q = no_vertex;
   std::vector<CellIndex> cells;
   std::vector<VertexIndex> ring;
 };
 
-/// The random choices of a walk's direction. They depend only on where it starts and ends, and not on earlier walks, so
-/// that queries have no side effects.
+/// Returns the random choices of direction for a walk from a to b. They depend only on a and b, and not on earlier
+/// walks, so that queries have no side effects.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
 /// Locks of faces, stored in the flags of cells.
@@ -64,7 +64,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// Adds a vertex that is not yet in any cell.
   VertexIndex add_point(const Vec3& p);
   VertexIndex add_point(ExactPlace place);
-  /// Only for vertices whose star the caller has checked (or that are in no cell).
+  /// Moves a vertex. The caller must have checked its star, unless the vertex is in no cell.
   void move_point(VertexIndex v, const Vec3& p) {
     exact_.erase(v);
     points_[v] = p;
@@ -85,7 +85,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
-  /// Returns the error of those offsets, for filters of determinants.
+  /// Returns the error of offsets from one vertex, for filters of determinants.
   ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
     return exact_.offset_error(points_, from, to);
   }
@@ -95,7 +95,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
       return exact_.orient(points_, {a, b, c, d});
     return orient3d(points_[a], points_[b], points_[c], points_[d]);
   }
-  /// Returns the orientation of the coordinates i and j.
+  /// Returns the orientation of the coordinates i and j of three vertices.
   Sign orient_flat(VertexIndex a, VertexIndex b, VertexIndex c, std::size_t i, std::size_t j) const {
     return exact_.orient_flat(points_, {a, b, c}, i, j);
   }
@@ -109,13 +109,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   /// Collects all cells with v (including ghosts). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
-  /// Returns temporary marks on cells. A star uses them too.
+  /// Returns temporary marks on cells, which star() uses, too.
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
   /// Returns a cell with both vertices, or no_cell. Walks around a towards b, so a must be in the mesh; exact.
   CellIndex find_edge(VertexIndex a, VertexIndex b);
-  /// Examines the cell `hint` first, which may be any, including a dead one or no_cell.
+  /// Returns a cell with both vertices, or no_cell. Examines `hint` first: any cell, a dead one or no_cell.
   CellIndex find_edge(VertexIndex a, VertexIndex b, CellIndex hint) {
     const bool is_there =
         hint < mesh_.n_slots() && mesh_.is_live(hint) && mesh_.has_vertex(hint, a) && mesh_.has_vertex(hint, b);
@@ -125,17 +125,17 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
   /// Returns the face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
-  /// Like find_face, for a `cell` that has a and b. O(cells around a-b).
+  /// Returns the same face as find_face, starting from a `cell` that has a and b. O(cells around a-b).
   FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
-  /// Like find_face, for one given cell with all three vertices.
+  /// Returns the same face as find_face, for a `cell` that has all three vertices.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// For a walk in the star of a towards b: returns a face of cell c, which has a, beyond whose plane b lies; one of
-  /// several is chosen by `random`. 4 if c's cone at a contains b.
+  /// Returns the exit of a walk in the star of a towards b: a face of cell c at a beyond whose plane b lies. `random`
+  /// chooses one of several. Returns 4 if the cone of c at a contains b.
   unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
-  /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from beside it if it is a
-  /// ghost); no_cell if p is outside the box. Exact.
+  /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from its finite neighbour
+  /// if it is a ghost); no_cell if p is outside the box. Exact.
   CellIndex locate(const Vec3& p, CellIndex start);
 
   /// Replaces `old_cells` by `tetrahedra`. The two sets have the same boundary faces (checked); locks of faces that
@@ -144,12 +144,12 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   void replace(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra);
   const std::vector<CellIndex>& last_created() const { return created_; }
 
-  /// Finds the cavity of an insertion, while nothing is locked and no undo is open: the cells that `in_cavity(cell)`
-  /// accepts, searched from `first`, which is one of them, through faces. They remain marked until replace_by_star.
-  /// O(cells tested).
+  /// Finds the cavity of an insertion: the cells that `in_cavity(cell)` accepts and that are connected through faces
+  /// with `first`, which is one of them. The cells remain marked until replace_by_star. No face may be locked and no
+  /// undo may be open. O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Sets these marks on the same cells again, or removes them.
+  /// Sets the marks of find_cavity on the cells of a cavity again; unmark_cavity removes them.
   void mark_cavity(std::span<const CellIndex> cavity) {
     for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
   }
@@ -171,21 +171,20 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// docs/decisions/house.md explains why it is not the journal of remeshing.
   std::size_t mark();
   void roll_back(std::size_t mark);
-  /// Ends what mark() began and keeps the changes.
+  /// Ends the undo that mark() began and keeps the changes.
   void keep();
 
-  /// Sets another seed, which leads to other random choices.
   void reseed(std::uint32_t seed) { random_ = Random(seed); }
   /// Returns deterministic pseudo-random numbers.
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
-  /// Set during the search for a cavity: the cell was found to lie outside it.
+  /// Flag for cells that the search for a cavity has found to be outside the cavity.
   static constexpr std::uint8_t tested_flag = 0x40;
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< the slot that it had then
+    CellIndex slot;  ///< slot of the cell when it was created
   };
   /// Rows at which the lists of removed and created cells of each replacement begin.
   struct JournalEntry {
@@ -211,7 +210,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes_ = 0;
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star: the old cell's face below it
+  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star, the face of the removed cell that is its base
   std::vector<CellIndex> tested_;    ///< cells found to be outside during the search for a cavity
   EpochMarks marks_;
   Random random_;

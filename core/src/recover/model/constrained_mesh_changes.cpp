@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implements ConstrainedMesh's changes: cells are exchanged for others of the same region, and the journal undoes
-// exchanges.
+// Implements changes of ConstrainedMesh: exchanges of cells for others in one region, and the journal to undo them.
 #include "recover/model/constrained_mesh.hpp"
 
 namespace geomesh::recover {
@@ -21,7 +20,7 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
 void ConstrainedMesh::exchange_cells(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra,
                                      bool is_noted) {
   const auto make = [&](std::size_t k) {
-    if (k == 0) created_.clear();  // old_cells may refer to this list
+    if (k == 0) created_.clear();  // cleared only here, because old_cells may refer to this list
     const CellIndex c = mesh_.add_cell(tetrahedra[k]);
     created_.push_back(c);
     if (is_noted) journal_created_.push_back({tetrahedra[k], c});
@@ -32,8 +31,8 @@ void ConstrainedMesh::exchange_cells(std::span<const CellIndex> old_cells, std::
   exchange(old_cells, tetrahedra.size(), make, nothing, nothing);
 }
 
-/// Turns from a cell of the cavity around edge p-q through its face `exit`, and returns the face of the cavity's
-/// boundary that comes first, as seen from outside.
+/// Turns around edge p-q from a cell of the cavity through its face `exit`, and returns the first face of the cavity's
+/// boundary, as seen from outside.
 FaceRef ConstrainedMesh::boundary_about_edge(CellIndex cell, unsigned exit, VertexIndex p, VertexIndex q) const {
   FaceRef next = mesh_.neighbor(cell, exit);
   while (is_in_cavity(next.cell())) {
@@ -47,8 +46,7 @@ void ConstrainedMesh::replace_by_star(std::span<const CellIndex> cavity, VertexI
   GEOMESH_CHECK(journal_depth_ == 0);
   created_.clear();
   star_faces_.clear();
-  // The old cells keep their links, so that the algorithm can turn in them; their outer neighbours are linked to the
-  // new ones.
+  // Outer neighbours are linked to the new cells. The old cells keep their links, for turns around edges in the cavity.
   for (const CellIndex c : cavity)
     for (unsigned i = 0; i < 4; ++i) {
       const FaceRef outer = mesh_.neighbor(c, i);
@@ -104,8 +102,7 @@ void ConstrainedMesh::roll_back(std::size_t mark) {
     journal_.pop_back();
     cells.clear();
     for (std::size_t i = entry.created; i < journal_created_.size(); ++i) {
-      // Slots are reused, so the cell may have another one now; a positive cell (a,b,c,d) is the one above its face
-      // a,b,c.
+      // Slots are reused, so the cell may be in another slot. A positive cell (a,b,c,d) lies above its face a,b,c.
       const auto& [t, slot] = journal_created_[i];
       cells.push_back(mesh_.vertices(slot) == t ? slot : find_face(t[0], t[1], t[2]).cell());
     }

@@ -24,29 +24,27 @@ struct Subsegment {
   Index facet = no_index;    ///< for an edge inside a facet: that facet
   bool live = true;
   std::vector<Index> subfacets;
-  CellIndex seen_in = no_cell;  ///< a cell that contained it when it was last found (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had the edge when it was last found (presence.hpp)
 };
 
 using DirectedEdge = std::array<VertexIndex, 2>;
 
-/// A triangle that is a face of the mesh or should become one. If it is a `piece`, it is a part of a facet that any
-/// faces may cover.
+/// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< in the orientation of the facet; for a piece: three of its vertices, which span its plane
+  Triangle vertices{};  ///< three vertices in the facet's orientation; those of a piece span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
-  CellIndex seen_in = no_cell;  ///< a cell that had it as a face when it was last found (presence.hpp)
+  CellIndex seen_in = no_cell;  ///< a cell that had this face when it was last found (presence.hpp)
 };
 
 /// A part of a facet with more than three vertices on its border or inside: an exactly planar polygon, or a triangle on
-/// whose border points were added. Any mesh faces between its vertices that cover it are accepted, so inner edges
-/// require no points.
+/// whose border points were added. Any mesh faces between its vertices may cover it, so inner edges require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
       border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions
   std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
-  std::vector<Triangle> seen{};      ///< faces that covered it when it was last found (presence.hpp)
+  std::vector<Triangle> seen{};      ///< faces that covered the piece when it was last found (presence.hpp)
   std::vector<CellIndex> seen_in{};  ///< cells that contained these faces
 };
 
@@ -86,14 +84,14 @@ class Constraints {
   Index add_subsegment(VertexIndex a, VertexIndex b, Index segment, Index facet);
   /// Adds a subfacet. Edges that are not subsegments yet become edges inside the facet.
   Index add_subfacet(const Triangle& t, Index facet);
-  /// Removes a subfacet, and edges inside a facet that no longer bound anything.
+  /// Removes a subfacet, and its edges inside the facet that bound no other subfacet.
   void remove_subfacet(Index subfacet);
   void remove_subsegment(Index subsegment);
 
-  /// Adds a part of a facet by its border, whose edges are subsegments already.
+  /// Adds a piece of a facet, given by its border. The edges of the border must be subsegments.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
-  /// For presence.hpp.
+  /// Remembers the faces that cover a piece, and the cells that contain them (presence.hpp).
   void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
     pieces_[subfacets[subfacet].piece].seen = faces;
     pieces_[subfacets[subfacet].piece].seen_in = cells;

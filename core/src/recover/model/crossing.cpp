@@ -9,13 +9,13 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns whether b is in the closed cone of cell c at its vertex a, and if so, what the ray crosses.
+/// Returns which simplex of the face of cell c opposite a the ray from a to b crosses, if b is in the cell's cone at a.
 bool crossing_in_cell(const ConstrainedMesh& mesh, CellIndex c, VertexIndex a, VertexIndex b, Crossing& out) {
   const TetMesh& cells = mesh.cells();
   const unsigned i = cells.index_of(c, a);
   const auto& v = cells.vertices(c);
   const auto& local = face_vertices[i];
-  std::array<Sign, 3> side;  // sides of the plane opposite local[k]
+  std::array<Sign, 3> side;  // sides of b relative to the faces at a, where face k is opposite local[k]
   for (unsigned k = 0; k < 3; ++k) {
     side[k] = mesh.orient(a, v[local[(k + 1) % 3]], v[local[(k + 2) % 3]], b);
     if (side[k] == Sign::positive) return false;
@@ -61,7 +61,7 @@ Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b) {
 
 namespace {
 
-/// Follows the line from a to b simplex by simplex. All signs are exact.
+/// Follows the line from a to b from one crossed simplex to the next. All signs are exact.
 class LineWalk {
  public:
   LineWalk(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, LineCrossings& out)
@@ -125,7 +125,7 @@ class LineWalk {
         cross_edge(at, c, v[k], d);
         return true;
       }
-    return false;  // through d
+    return false;  // the line runs through vertex d
   }
 
   bool leave_edge(Crossing& at) {
@@ -147,7 +147,7 @@ class LineWalk {
     }
     return false;
   }
-  /// Leaves in the plane of face p,q,u, through p-u or q-u.
+  /// Leaves the ring of edge p-q in the plane of face p,q,u, through p-u or q-u.
   bool leave_in_plane(Crossing& at, CellIndex c, VertexIndex p, VertexIndex q, VertexIndex u, VertexIndex w) const {
     const int sp = static_cast<int>(mesh_.orient(a_, b_, w, p)), su = static_cast<int>(mesh_.orient(a_, b_, w, u));
     if (su == 0) return false;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds, exactly, where the straight line from a vertex towards a missing neighbour first leaves the star of that
-/// vertex.
+/// Finds the simplex through which the straight line from a vertex towards a missing neighbour first leaves the star of
+/// that vertex, with exact predicates.
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -10,19 +10,19 @@ namespace geomesh::recover {
 
 enum class CrossingKind {
   edge_present,  ///< the two vertices are connected by an edge
-  vertex,        ///< the line runs through `v[0]`, which lies strictly between them
+  vertex,        ///< the line runs through `v[0]`, which lies strictly between the two vertices
   edge,          ///< the line crosses the interior of edge v[0]-v[1]
   face,          ///< the line crosses the interior of `face` = v[0] v[1] v[2]
 };
 
 struct Crossing {
   CrossingKind kind = CrossingKind::edge_present;
-  CellIndex cell = no_cell;  ///< a cell with the start and the crossed simplex
-  FaceRef face;              ///< the face of `cell` opposite the start
+  CellIndex cell = no_cell;  ///< a cell with the start of the line and the crossed simplex
+  FaceRef face;              ///< the face of `cell` opposite the start of the line
   std::array<VertexIndex, 3> v{no_vertex, no_vertex, no_vertex};
 };
 
-/// Both vertices must be in the mesh. O(degree of a).
+/// Returns the first simplex that the line from a to b crosses. Both vertices must be in the mesh. O(degree of a).
 Crossing first_crossing(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b);
 
 /// The simplices that the line from a to b crosses, in order, and the cells that must be removed for a-b to be an edge.
@@ -31,8 +31,8 @@ struct LineCrossings {
   std::vector<CellIndex> cells;     ///< cells whose interior the line meets, and all cells around each crossed edge
 };
 
-/// Returns false if the line runs through a vertex or meets a ghost; what was found before that is in `out`. Both
-/// vertices must be in the mesh and not connected. O(cells crossed).
+/// Finds all crossings of the line from a to b. Returns false if the line runs through a vertex or meets a ghost; `out`
+/// then has the crossings before that. Both vertices must be in the mesh and not connected. O(cells crossed).
 bool walk_line(ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, LineCrossings& out);
 
 }  // namespace geomesh::recover

@@ -111,8 +111,8 @@ class Declarer {
     }
     out_.constraints.add_subfacet(v, f);
   }
-  /// Uses the border as directed edges of the draft that are segments, so that the loops' own orientation does not
-  /// matter.
+  /// Takes the border from the draft: the directed edges of its triangles that are segments. The orientation of the
+  /// loops therefore does not matter.
   void add_piece(const FacetTriangulation& draft, const FacetPolygon& polygon, Index f) {
     FacetPiece piece;
     for (const Triangle& t : draft.triangles)
@@ -129,7 +129,7 @@ class Declarer {
     const Triangle& t = draft.triangles.front();
     out_.constraints.add_piece({local_[t[0]], local_[t[1]], local_[t[2]]}, std::move(piece), f);
   }
-  /// `other` is a second facet that takes part in the fault, no_index if there is none.
+  /// Throws the error of an invalid facet. `other` is a second facet that takes part in the fault, or no_index.
   [[noreturn]] void fail(Index f, const FacetFault& fault, Index other = no_index) const {
     ErrorContext context;
     context.facets = {f};

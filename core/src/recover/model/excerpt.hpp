@@ -10,9 +10,9 @@
 
 namespace geomesh::recover {
 
-/// Returns the finite cells within two steps of these vertices; if there are more than `max_cells`, those nearest by
-/// steps; with them the declared segments and facets whose vertices are all among theirs. O(cells of the excerpt +
-/// declared constraints).
+/// Returns the finite cells within two steps of these vertices, and the declared segments and facets whose vertices all
+/// belong to these cells. If there are more than `max_cells` cells, those with the fewest steps are taken. O(cells of
+/// the excerpt + declared constraints).
 std::shared_ptr<const MeshExcerpt> excerpt_about(const Recovery& recovery, std::span<const VertexIndex> vertices,
                                                  std::size_t max_cells = 4000);
 

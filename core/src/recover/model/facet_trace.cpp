@@ -8,15 +8,15 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Records why the trace has ended; the first contact found is kept.
+/// Records why the trace has ended. If it has touched a vertex, the first such contact is kept.
 void fail(FacetTrace& out, FacetTrace::Status status, VertexIndex culprit = no_vertex) {
   if (out.status == FacetTrace::Status::touched) return;
   out.status = status;
   out.culprit = culprit;
 }
 
-/// Returns whether the border of the faces is that of the subfacet: each directed edge is on the border or cancels with
-/// its reverse, and none occurs twice.
+/// Returns whether the faces cover the subfacet once: each directed edge of a face is on the subfacet's border or
+/// cancels with its reverse, and none occurs twice.
 bool covers_once(const std::vector<Triangle>& faces, const std::vector<DirectedEdge>& border_list,
                  const DirectedEdgeSet& border) {
   DirectedEdgeSet edges;
@@ -31,13 +31,13 @@ bool covers_once(const std::vector<Triangle>& faces, const std::vector<DirectedE
   return true;
 }
 
-/// Finds the edges that pierce a facet, from one to the next through the cells around them.
+/// Finds the edges that pierce a facet, from one piercing edge to the next through the cells around them.
 class PiercingSearch {
  public:
   PiercingSearch(ConstrainedMesh& mesh, const FacetSides& sides, FacetTrace& out)
       : mesh_(mesh), sides_(sides), out_(out) {}
 
-  /// Adds to the trace the edge and all that are connected with it.
+  /// Adds to the trace a piercing edge and all that are connected with it.
   void follow(VertexIndex below, VertexIndex above, CellIndex cell) {
     std::vector<PiercingEdge> queue;
     add({below, above, cell}, queue);
@@ -73,16 +73,16 @@ class PiercingSearch {
   DirectedEdgeSet seen_;  ///< from below
 };
 
-/// The vertices of the ring around an edge p->q of a facet that are on the edge's left, in the facet or cut by it, as
-/// rows of the ring; the ring's size if there is none.
+/// Searches the ring around an edge p->q of a facet for a vertex that is on the edge's left, in the facet or cut by it.
+/// Functions return its row in the ring, or the ring's size if there is none.
 class LeftOfEdge {
  public:
   LeftOfEdge(const ConstrainedMesh& mesh, const FacetSides& sides, const EdgeRing& ring, DirectedEdge edge,
              VertexIndex right)
       : mesh_(mesh), sides_(sides), ring_(ring.ring), edge_(edge), right_(right) {}
 
-  /// Finds the vertex of the edge's ring whose face with the edge belongs to the facet and lies clearly to the left of
-  /// the edge. If several consecutive faces do, because the cells between them are flat by rounding, the first one is
+  /// Finds the vertex of the ring whose face with the edge belongs to the facet and lies clearly to the left of the
+  /// edge. If several consecutive faces do, because the cells between them are flat up to rounding, the first one is
   /// returned, so that these cells count as above the facet. Exact signs do not help here, because rounding bends the
   /// faces around an added point.
   std::size_t clear_member() const {
@@ -93,9 +93,9 @@ class LeftOfEdge {
         return i;
     return n;
   }
-  /// Seen along p->q the ring turns once, counter-clockwise, so an edge of it that passes from below to above does so
-  /// on the left. If rounding bends the faces around an added point, several edges may do so: the one clearest on the
-  /// left is used.
+  /// Finds the edge of the ring that pierces the facet. Seen along p->q the ring turns once, counter-clockwise, so an
+  /// edge of it that passes from below to above does so on the left. If rounding bends the faces around an added point,
+  /// several edges may do so; the one that is most clearly on the left is used.
   std::size_t crossing_edge() const {
     const std::size_t n = ring_.size();
     std::size_t best = n;
@@ -110,7 +110,8 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Members on the line of p-q, up to rounding, have no direction: a face with one of them is a part of zero width.
+  /// Finds a member of the facet on the line of p-q, up to rounding, which therefore has no direction: its face with
+  /// the edge is a part of the facet of zero width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -119,8 +120,8 @@ class LeftOfEdge {
         thin = i;
     return thin;
   }
-  /// Returns a vertex in the plane that is not a member: it lies in the facet, because otherwise an edge of the mesh
-  /// would cross the border.
+  /// Finds a vertex in the plane that is not a member of the facet. It lies in the facet, because otherwise an edge of
+  /// the mesh would cross the border of the facet.
   std::size_t touched() const {
     const std::size_t n = ring_.size();
     for (std::size_t i = 0; i < n; ++i)
@@ -132,14 +133,14 @@ class LeftOfEdge {
 
  private:
   bool may_follow(VertexIndex u) const { return u != right_ && sides_.is_member(u); }
-  /// Returns the cosine of the angle around p-q between the facet's left and the point.
+  /// Returns the cosine of the angle around p-q between the direction to the facet's left and the point v.
   double leftness(const Vec3& v) const {
     const Vec3 &p = mesh_.point(edge_[0]), &q = mesh_.point(edge_[1]);
     const Vec3 normal = sides_.normal(), turn = cross(q - p, v - p);
     const double length = std::sqrt(dot(normal, normal) * dot(turn, turn));
     return length > 0 ? dot(normal, turn) / length : -1;
   }
-  /// Returns where edge u-v crosses the plane.
+  /// Returns the point at which edge u-v crosses the facet's plane.
   Vec3 in_plane(VertexIndex u, VertexIndex v) const {
     const Vec3 normal = sides_.normal(), &a = mesh_.point(u), &b = mesh_.point(v);
     const double ha = dot(normal, a - sides_.origin()), hb = dot(normal, b - sides_.origin());
@@ -178,8 +179,8 @@ class Tracer {
   }
 
  private:
-  /// An edge whose left side has not been examined yet, a cell that contains it (no_cell: not known) and the corner of
-  /// the face on its right (no_vertex: the edge is on the border).
+  /// An edge whose left side has not been examined yet, a cell that contains the edge (no_cell if unknown) and the
+  /// corner of the face on its right (no_vertex if the edge is on the border).
   struct FrontEdge {
     DirectedEdge edge;
     CellIndex cell;
@@ -187,7 +188,7 @@ class Tracer {
   };
 
   /// Finds what lies to the left of p->q, as seen from above: a face of the facet, or a cell that the facet cuts. The
-  /// face on the right is neither, however rounding turns it.
+  /// corner `right` of the face on the right is never accepted, however rounding turns that face.
   void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
@@ -203,7 +204,8 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// In the ring around p-q exactly one face, edge or vertex lies on the left in the plane.
+  /// Finds what lies to the left of p->q with exact signs: in the ring around p-q exactly one face, edge or vertex lies
+  /// on the left in the plane.
   void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
     const std::size_t n = ring_.ring.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -216,7 +218,7 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Accepts the face of p, q and vertex i of the ring around them.
+  /// Accepts as part of the facet the face of p, q and vertex i of the ring around them.
   void accept(VertexIndex p, VertexIndex q, std::size_t i) {
     const VertexIndex v = ring_.ring[i];
     const CellIndex cell = ring_.cells[i];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Determines how a subfacet, whose border edges are present, lies in the mesh: which mesh faces are part of it and
-/// which mesh edges pierce it. Because no mesh edge crosses the subfacet's border, the part of the subfacet in a cell
-/// is the whole section of that cell or nothing. After the first piercing edge, found in the ring of a border edge, the
-/// sides of the vertices alone therefore decide: every edge of a pierced cell whose ends lie on different sides pierces
-/// the subfacet too.
+/// Determines how a subfacet with a complete border lies in the mesh: which mesh faces are part of it and which mesh
+/// edges pierce it. Because no mesh edge crosses the subfacet's border, the part of the subfacet in a cell is the whole
+/// section of that cell or nothing. After the first piercing edge, found in the ring of a border edge, the sides of the
+/// vertices alone therefore decide: every edge of a pierced cell whose ends lie on different sides of the plane pierces
+/// the subfacet.
 #pragma once
 
 #include <algorithm>
@@ -18,25 +18,25 @@ namespace geomesh::recover {
 
 struct PiercingEdge {
   VertexIndex below = no_vertex, above = no_vertex;
-  /// A cell that contained it when it was found, because stars of needles are too large to be searched.
+  /// A cell that contained the edge when it was found, because stars of needles are too large to be searched.
   CellIndex cell = no_cell;
 };
 
 struct FacetTrace {
   enum class Status {
     complete,  ///< the faces cover the subfacet
-    pierced,   ///< edges pierce it
-    touched,   ///< `culprit` lies in it and is not declared to be part of it
+    pierced,   ///< edges pierce the subfacet
+    touched,   ///< `culprit` lies in the subfacet but is not declared to be part of it
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
-  std::vector<Triangle> faces;         ///< in the orientation of the subfacet
-  std::vector<CellIndex> cells;        ///< for each of these faces a cell that contains it
-  std::vector<PiercingEdge> piercing;  ///< in the order in which they were found, each once
+  std::vector<Triangle> faces;         ///< faces of the subfacet, in its orientation
+  std::vector<CellIndex> cells;        ///< for each face, a cell that has it
+  std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };
 
-/// Sides of vertices relative to the plane of a triangle; `members` (declared to lie on it) are on it.
+/// Sides of vertices relative to the plane of a triangle. `members` are vertices that are declared to lie in the plane.
 class FacetSides {
  public:
   FacetSides(const ConstrainedMesh& mesh, const Triangle& plane, std::vector<VertexIndex> members)
@@ -50,8 +50,7 @@ class FacetSides {
   }
   /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Returns whether v lies to the left of p->q, as seen from above. Precondition: all three are members, and
-  /// is_exact().
+  /// Returns whether v lies left of p->q, as seen from above. Precondition: p, q and v are members, and is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;
@@ -89,7 +88,7 @@ class FacetSides {
   bool is_exact_ = false;
 };
 
-/// `border` contains directed edges of the mesh with the subfacet on their left.
+/// Traces a subfacet through the mesh. `border` contains directed edges of the mesh with the subfacet on their left.
 FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -26,8 +26,8 @@ std::string list(const Recovery& recovery, std::vector<Index> facets) {
   return out;
 }
 
-/// A contradiction among input vertices is an error of the input; one that involves added vertices is caused by
-/// rounding them.
+/// Returns the kind of error for a contradiction among these vertices. If all are from the input, the input is invalid;
+/// if one was added, rounding of added vertices has caused it.
 ErrorKind kind_for(const Recovery& recovery, std::initializer_list<VertexIndex> vertices) {
   return all_input(recovery, vertices) ? ErrorKind::invalid_input : ErrorKind::cannot_mesh;
 }
@@ -149,7 +149,7 @@ Error error_of_facet_not_recovered(const Recovery& recovery, Index subfacet) {
 
 namespace {
 
-/// Returns facets on which a vertex lies, else those whose segments and faces are in its star.
+/// Returns the facet on which a vertex lies, or else the facets with segments or faces in its star.
 std::vector<Index> facets_about(const Recovery& recovery, VertexIndex x) {
   const VertexRecord& record = recovery.constraints.vertices[x];
   if (record.origin == VertexOrigin::on_facet) return {record.owner};

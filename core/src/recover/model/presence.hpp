@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Determines which declared constraints are in the mesh. Each subsegment, subfacet and piece stores where it was found
-/// last; that place is examined before the mesh is searched, so repeated queries are cheap if nothing has changed. A
-/// stored place may be outdated: it is compared with the mesh each time, so results never depend on it.
+/// Determines which declared constraints are in the mesh. Each subsegment, subfacet and piece stores the cell in which
+/// it was last found. This cell is examined before the mesh is searched, so repeated queries are cheap if nothing has
+/// changed. Stored cells may be outdated; they are compared with the mesh each time, so results never depend on them.
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -14,11 +14,11 @@ namespace geomesh::recover {
 /// Returns a cell that contains the subsegment, or no_cell if it is not an edge. Both its ends must be in the mesh.
 CellIndex cell_of_subsegment(ConstrainedMesh& mesh, Constraints& constraints, Index subsegment);
 
-/// Returns the face of a subfacet that is not a piece, from the cell above it, or an invalid reference if there is
-/// none. Its vertices must be in the mesh.
+/// Returns the face of a subfacet that is not a piece, seen from the cell above it, or an invalid reference if the mesh
+/// has no such face. The vertices of the subfacet must be in the mesh.
 FaceRef face_of_subfacet(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
-/// Like trace_facet, for a declared piece; if the faces that covered it last still exist, it is not traced again.
+/// Traces a declared piece like trace_facet. If the faces that covered it last still exist, it is not traced again.
 FacetTrace trace_piece(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
 /// Returns for each subsegment a cell that contains it, or no_cell, in one pass over the cells. O(cells).

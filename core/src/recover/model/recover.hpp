@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The stages of recovery in constrained mode, in the paper's order (section 3): segments, facets, what is still
-/// missing. All work is local to what is missing.
+/// The stages of recovery in constrained mode, in the order of Cavalcanti and Mello 1999, section 3: segments, facets,
+/// removal of added points. All work is local to the missing items.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Recovery {
   /// Row in plc.points for each vertex (no_vertex for added ones).
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
-  const ModelNames& names;  ///< used for the texts of messages; their data refer to items of `plc`
+  const ModelNames& names;  ///< used for the texts of messages; data of errors refer to items of `plc`
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   double expected_points_per_vertex =
@@ -36,16 +36,16 @@ struct Recovery {
       recovery_budget.doubtful_points_per_vertex;
   std::vector<Index> hard_segments{},
       hard_facets{};  ///< model segments and facets that flips and cavities did not recover
-  /// Least distance of a point on a segment from another of its points: 64 ulps of the largest coordinate. If a closer
-  /// one would be needed, recovery starts again.
+  /// Least distance of a point on a segment from other points on it: 64 ulps of the largest coordinate. If a closer
+  /// point would be needed, recovery starts again.
   double least_spacing = 0;
   /// Whether Steiner points have exact places (exact_places.hpp) and are rounded at the end.
   bool has_exact_points = false;
-  unsigned attempt = 0;  ///< number of the attempt: another one works in another order and puts points elsewhere
+  unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
   std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of regions without a filling (region_filling.cpp)
 
-  /// Why this attempt cannot continue. If a stage sets it, that stage and those after it return at once.
+  /// The reason why this attempt cannot continue. If a stage sets it, that stage and all later ones return at once.
   std::optional<Error> dead_end{};
   bool has_ended() const { return dead_end.has_value(); }
   /// Only the first reason is stored.
@@ -53,10 +53,10 @@ struct Recovery {
     if (!dead_end) dead_end = std::move(why);
   }
 
-  /// Must be called for each point that flips could not avoid. Crossing facets need points without end, so when there
-  /// are more than a valid model usually needs, the model is searched for crossings. If there is one, the attempt ends.
+  /// Must be called for each point that flips could not avoid. Crossing facets need points without end. If there are
+  /// more points than usual for valid models, crossings are searched for, and the attempt ends if one is found.
   void count_added_point();
-  /// Returns Error{invalid_input} with both items if there is a crossing.
+  /// Returns Error{invalid_input} with both items if two items of the model cross.
   std::optional<Error> describe_crossing() const;
   bool has_crossings() const;
 };
@@ -66,17 +66,17 @@ struct Recovery {
 void recover_segments(Recovery& recovery);
 
 /// Tries to make a-b an edge by flips alone. `work_left` is the number of edges and faces that may be tried, and is
-/// reduced. Returns false if it is still missing.
+/// reduced. Returns false if the edge is still missing.
 bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left);
 
 /// Makes every live subfacet a locked face of the mesh; all subsegments are present before and after. Flips come first,
 /// then points where mesh edges pierce the facet. Ends the attempt if a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
-/// Steiner points on segments and facets.
+/// Treatment of Steiner points on segments and facets.
 enum class BoundaryPoints {
-  may_stay,  ///< they are kept if the mesh needs them
-  must_go,   ///< they are removed, at the cost of more points inside
+  may_stay,  ///< such points are kept if the mesh needs them
+  must_go,   ///< such points are removed, at the cost of more points inside regions
 };
 
 /// Effort to remove points inside regions. Regions are decided several times faster in doubles than with exact places,
@@ -89,30 +89,28 @@ void remove_added_points(Recovery& recovery, BoundaryPoints boundary, InnerEffor
 /// Ends the attempt if an added point is left on a segment or facet (preserve_boundary).
 void require_untouched_boundary(Recovery& recovery);
 
-/// Which cells are refilled when an added point is removed.
+/// The cells that are filled anew when an added point is removed.
 enum class RefilledCells {
-  star,               ///< its own cells, and those whose faces a point moved inside does not see
-  region_about_star,  ///< also cells around them
+  star,               ///< the cells of its star, and those whose faces a point moved inside does not see
+  region_about_star,  ///< also cells around the star
 };
 
-/// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns false if nothing has
-/// changed.
+/// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
 /// Declared subfacets that are not in the mesh.
 struct MissingSubfacets {
   std::size_t n = 0;
-  std::size_t inner_edges = 0;  ///< inner edges of the missing pieces: as many as a triangulation of their borders has
+  std::size_t inner_edges = 0;  ///< inner edges of the missing pieces, as many as triangulations of their borders have
 };
 MissingSubfacets count_missing_subfacets(Recovery& recovery);
 
 /// Checks links, locks and signs of the cells after any stage; throws InternalError if one is wrong. O(cells).
 void validate_cells(const ConstrainedMesh& mesh);
-/// Checks that each live subsegment is an edge; throws as above.
+/// Checks that each live subsegment is an edge of the mesh; throws InternalError otherwise.
 void validate_segments(Recovery& recovery);
 
-/// Checks that the final cells satisfy every invariant of ConstrainedMesh and contain every constraint; throws
-/// InternalError otherwise.
+/// Throws InternalError unless the final cells satisfy every invariant of ConstrainedMesh and contain every constraint.
 void validate_recovered(Recovery& recovery);
 
 }  // namespace geomesh::recover

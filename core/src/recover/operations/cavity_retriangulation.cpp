@@ -29,7 +29,7 @@ Cavity::Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexInd
     }
 }
 
-/// Returns whether the face belongs to a cell with the vertex that is removed.
+/// Returns whether the face belongs to a cell with the dropped vertex and has this vertex itself.
 bool Cavity::is_of_dropped(FaceRef face) const {
   const TetMesh& cells = recovery_.mesh.cells();
   return dropped_ != no_vertex && cells.vertex(face.cell(), face.face()) != dropped_ &&
@@ -112,7 +112,7 @@ bool Cavity::may_grow_over(const BoundaryFace& side) const {
   return !mesh.cells().is_ghost(n) && !std::binary_search(forbidden_.begin(), forbidden_.end(), n);
 }
 
-/// Returns false, with the cavity unchanged, if growing would enclose a constraint.
+/// Adds the cell beyond a face to the cavity. Returns false, changing nothing, if this would enclose a constraint.
 bool Cavity::grow_over(FaceRef face) {
   const std::vector<BoundaryFace> before = boundary_;
   add_cell(recovery_.mesh.cells().mirror(face).cell());
@@ -122,8 +122,8 @@ bool Cavity::grow_over(FaceRef face) {
   return false;
 }
 
-/// Returns whether the last cell moved a vertex or a subsegment of the previous boundary inside. Only parts of the cell
-/// can be affected.
+/// Returns whether the cell added last moved a vertex or a subsegment of the previous boundary inside the cavity. Only
+/// vertices and edges of this cell can be affected.
 bool Cavity::swallows_constraint(const std::vector<BoundaryFace>& before) const {
   const CellIndex last = cells_.back();
   for (const BoundaryFace& side : before) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Recovers constraints without points by emptying a cavity and refilling it, with the constraint as a sheet in it (the
-/// cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift wrapping, because the
-/// mesh is no longer Delaunay).
+/// Recovers constraints without adding points: a cavity is emptied and filled anew, with the constraint as a sheet of
+/// triangles inside it (the cavities of Shewchuk 2002 and of Si and Gaertner 2011, filled by search instead of by gift
+/// wrapping, because the mesh is not Delaunay).
 #pragma once
 
 #include "recover/model/recover.hpp"
@@ -11,24 +11,22 @@
 
 namespace geomesh::recover {
 
-/// Effort spent on a cavity.
 struct CavityEffort {
   std::size_t max_nodes = recovery_budget.filling_nodes;
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// Cells to be emptied, with their boundary. No vertex except those dropped, no subsegment and no locked face may lie
-/// inside.
+/// Cells to be replaced, with their boundary. No subsegment, locked face or vertex but the dropped one is inside.
 class Cavity {
  public:
-  /// `cells` contains none twice. `dropped` is a vertex to be removed (no_vertex: none); faces with it are not part of
-  /// the boundary, so the caller closes the gaps by sheets. `is_valid()` returns whether the inside may be emptied. O(n
-  /// log n) for n cells.
+  /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
+  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()`: whether the inside may be emptied. O(n log
+  /// n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds a triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  /// Adds a sheet: a triangle that is a face of every filling, on the side from which it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
-  /// Sets cells into which the cavity must not grow; sorted.
+  /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
 
   bool is_valid() const;
@@ -45,7 +43,7 @@ class Cavity {
 
  private:
   struct BoundaryFace {
-    Triangle triangle;  ///< counter-clockwise as seen from inside
+    Triangle triangle;  ///< counter-clockwise as seen from inside the cavity
     FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
   };
 
@@ -64,10 +62,10 @@ class Cavity {
   VertexIndex dropped_;
 };
 
-/// Makes a-b an edge as the border of a triangle a,b,c with a vertex c that is connected with both already.
+/// Makes a-b an edge of the mesh, as a side of a triangle a,b,c whose vertex c is already connected with both ends.
 bool recover_segment_by_cavity(Recovery& recovery, VertexIndex a, VertexIndex b, const CavityEffort& effort);
 
-/// Makes the triangle a face, given the cells around the edges that pierce it. Its edges must be present.
+/// Makes the triangle t, whose edges must be present, a face. `pierced` are the cells around the edges that pierce it.
 bool recover_face_by_cavity(Recovery& recovery, const Triangle& t, std::vector<CellIndex> pierced,
                             const CavityEffort& effort);
 

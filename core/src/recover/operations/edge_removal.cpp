@@ -68,8 +68,8 @@ bool EdgeRemover::replace_ring(const EdgeRing& ring, VertexIndex ear) {
 bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   const std::size_t n = ring.ring.size();
   for (std::size_t i = 0; i < n; ++i) {
-    // v leaves the ring if edge u-w pierces the triangle p, q, v; of the edges at v only the one that u-w passes
-    // prevents this.
+    // Vertex v leaves the ring if edge u-w pierces triangle p, q, v. Of the edges at v, only p-v or q-v prevents this,
+    // if u-w passes it on the wrong side.
     const VertexIndex u = ring.ring[(i + n - 1) % n], v = ring.ring[i], w = ring.ring[(i + 1) % n];
     const bool beside_p = mesh_.orient(u, w, v, ring.p) != Sign::positive;
     const bool beside_q = mesh_.orient(u, w, ring.q, v) != Sign::positive;
@@ -79,7 +79,7 @@ bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   return false;
 }
 
-/// Returns false if the work is used up.
+/// Counts one edge or face as tried. Returns false if the work allowed is used up.
 bool EdgeRemover::spend() {
   if (!work_left_) return true;
   if (*work_left_ == 0) return false;

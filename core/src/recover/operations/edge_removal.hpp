@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Removal of a mesh edge by flips, without a point: the n cells about it are replaced by 2(n-2) (3-2 and 4-4 flips are
-/// n = 3 and 4). EdgeShell finds a triangulation of the ring that gives positive cells; if there is none, edges of the
-/// ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips of Si 2015, "TetGen",
-/// section 4.2; own design).
+/// Removal of a mesh edge by flips, without adding a point: the n cells around the edge are replaced by 2(n-2) cells
+/// (3-2 and 4-4 flips are n = 3 and 4). EdgeShell finds a triangulation of the ring that gives positive cells; if there
+/// is none, edges of the ring's cells are removed first, recursively, to make the ring smaller (the n-to-m flips of Si
+/// 2015, "TetGen", section 4.2; own design).
 #pragma once
 
 #include "recover/model/constrained_mesh.hpp"
@@ -12,7 +12,7 @@
 
 namespace geomesh::recover {
 
-/// Rule for new edges that a removal must not make.
+/// A rule that forbids new edges in a removal.
 class EdgeRule {
  public:
   virtual ~EdgeRule() = default;
@@ -22,7 +22,7 @@ class EdgeRule {
 class EdgeRemover {
  public:
   /// `work_left` is the number of edges and faces that may still be tried, in all calls and by other users of the same
-  /// counter; null: unlimited.
+  /// counter; null means unlimited.
   EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints, std::size_t* work_left = nullptr)
       : mesh_(mesh), constraints_(constraints), work_left_(work_left) {}
 

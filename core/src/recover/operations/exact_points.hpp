@@ -8,24 +8,25 @@
 
 namespace geomesh::recover {
 
-/// Returns the parameter from a (0) to b (1) at which the line through them meets the plane of p, q, r. The ends must
-/// not both lie in that plane.
+/// Returns the parameter, from 0 at a to 1 at b, at which the line a-b meets the plane of three vertices, up to
+/// `error`. The ends must not both lie in that plane.
 exact::LongExpansion crossing_parameter(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex b,
                                         const Triangle& plane, double error);
 
-/// Returns the place on the line through a and b at parameter t, up to `error`; if a and b are exact places of another
-/// line, the place is on that line.
+/// Returns the place on the line through a and b at parameter t, up to `error`. If a and b are exact places on another
+/// line, the result lies exactly on that line.
 ExactPlace place_on_line(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, const exact::LongExpansion& t,
                          double error);
 
-/// Returns the place in the plane of three vertices where the line through below and above meets it, up to `error`.
+/// Returns the place at which the line through below and above meets the plane of three vertices, up to `error`. It
+/// lies exactly in the plane.
 ExactPlace place_in_plane(const ConstrainedMesh& mesh, const Triangle& plane, VertexIndex below, VertexIndex above,
                           double error);
 
 /// Returns the place of x moved by a step along its line (step.x), in its plane (step.x, step.y along the frame's
 /// sides), or freely. x must be exact.
 ExactPlace place_moved(const ConstrainedMesh& mesh, VertexIndex x, const Vec3& step);
-/// Returns a place off line and plane.
+/// Returns the place of x moved by a step in any direction, off its line or plane.
 ExactPlace place_beside(const ConstrainedMesh& mesh, VertexIndex x, const Vec3& step);
 
 }  // namespace geomesh::recover

@@ -14,17 +14,17 @@ namespace geomesh::recover {
 namespace {
 
 LocalTriangle reversed(const LocalTriangle& t) { return {t[0], t[2], t[1]}; }
-/// Returns the same key for the three rotations of a triangle; that of the reversed one differs in the last bit.
+/// Returns the same key for all rotations of a triangle. The key of the reversed triangle differs in the last bit.
 std::uint32_t key_of(LocalTriangle t) {
   const bool odd = SideMasks::sort(t);
   return static_cast<std::uint32_t>(2 * SideMasks::row_of(t[0], t[1], t[2]) + (odd ? 1 : 0));
 }
-/// Returns the three faces of the cell (t, v) adjacent to t, as seen from inside it.
+/// Returns the three faces of the cell (t, v) other than t, as seen from inside the cell.
 std::array<LocalTriangle, 3> side_faces(const LocalTriangle& t, LocalVertex v) {
   return {LocalTriangle{t[0], v, t[1]}, LocalTriangle{t[1], v, t[2]}, LocalTriangle{t[2], v, t[0]}};
 }
 
-/// The vertices of a polyhedron by local number, with what their places imply about cells between them.
+/// The vertices of a polyhedron by local number. Tests with exact signs which cells between them are possible.
 class Corners {
  public:
   Corners(const ConstrainedMesh& mesh, std::vector<VertexIndex>&& vertices)
@@ -39,7 +39,8 @@ class Corners {
   }
   SideMasks::Masks sides(const LocalTriangle& t) { return sides_.sides(t); }
 
-  /// Sorts by the centre of the sphere through face and vertex: the nearer it is, the emptier the sphere.
+  /// Sorts the candidates by the centre of the sphere through face t and the candidate: the nearer the centre, the
+  /// emptier the sphere. Returns their number.
   std::size_t sort_by_sphere(const LocalTriangle& t, VertexMask candidates,
                              std::array<LocalVertex, SideMasks::max_vertices>& order) const {
     const Vec3 &a = point(t[0]), u = point(t[1]) - a, w = point(t[2]) - a, n = cross(u, w);
@@ -57,7 +58,7 @@ class Corners {
     return count;
   }
 
-  /// Returns whether the cell of t and the vertex of its side faces contains another vertex.
+  /// Returns whether the cell with the face t and the given side faces contains another vertex.
   bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
     return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
              mask_of(side[0])) &
@@ -78,8 +79,7 @@ class Corners {
   const Vec3& point(LocalVertex v) const { return mesh_.point(vertices_[v]); }
   VertexMask all() const { return vertices_.size() == 64 ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1; }
 
-  /// Returns whether edge a-b meets triangle t, which has neither vertex, in the interior of both or on the border of
-  /// one.
+  /// Returns whether edge a-b meets triangle t without vertex a or b, in the interior of both or on the border of one.
   bool edge_crosses(LocalVertex a, LocalVertex b, const LocalTriangle& t) {
     if (mask_of(t) & (bit(a) | bit(b))) return false;
     if (sides_.sign(t[0], t[1], t[2], a) * sides_.sign(t[0], t[1], t[2], b) >= 0) return false;
@@ -93,17 +93,17 @@ class Corners {
   SideMasks sides_;
 };
 
-/// A face not yet covered, as seen from the side to be filled.
+/// A face that no cell covers yet, as seen from the side to be filled.
 struct OpenFace {
   LocalTriangle v{};
   std::uint32_t key = 0;
-  SideMasks::Masks sides{};   ///< vertices above and below it
-  VertexMask candidates = 0;  ///< vertices with which it may be connected
+  SideMasks::Masks sides{};   ///< vertices above and below the face
+  VertexMask candidates = 0;  ///< vertices that may form a cell with the face
   int n_candidates = 0;
   bool is_filtered = false;  ///< whether the candidates have been tested against all open faces at this node
 };
 
-/// Counts the open faces by key, with the changes since the start, so that they can be undone.
+/// Counts the open faces by key, and records the changes so that they can be undone.
 class OpenCounts {
  public:
   explicit OpenCounts(std::size_t n_keys) : n_(n_keys, 0) {}
@@ -131,7 +131,7 @@ class OpenCounts {
   std::vector<Change> changes_;
 };
 
-/// Searches cells that fill a polyhedron: the face with the fewest possible vertices is covered first.
+/// Searches by backtracking for cells that fill a polyhedron. The face with the fewest possible vertices comes first.
 class Filler {
  public:
   Filler(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const Triangle> boundary,
@@ -199,7 +199,7 @@ class Filler {
         filtered = i;
     return filtered;
   }
-  /// A vertex that is not possible now is not possible deeper in the search.
+  /// Removes candidates of a face that do not fit the open faces. They are impossible deeper in the search, too.
   void filter(const Front& front, OpenFace& face) {
     for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
       const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
@@ -274,7 +274,7 @@ class Filler {
   FillingLimits limits_;
   Corners corners_;
   std::vector<Front> levels_;  ///< the open faces at each depth of the search
-  OpenCounts open_;            ///< counts of the current level
+  OpenCounts open_;            ///< counts of open faces at the current level
   std::vector<std::array<LocalVertex, 4>> cells_;
   std::size_t n_nodes_ = 0;
 };

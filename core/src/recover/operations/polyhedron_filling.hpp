@@ -27,14 +27,15 @@ struct FillingLimits {
   std::size_t max_nodes = 400;  ///< tetrahedra tried
 };
 
-/// `boundary` contains triangles that are counter-clockwise as seen from inside. A triangle may occur in both
-/// orientations (a sheet attached inside) and is then a face of the filling. Polyhedra of more than 64 vertices are
-/// rejected.
+/// Returns cells that fill a polyhedron, or nothing. `boundary` contains triangles that are counter-clockwise as seen
+/// from inside. A triangle may occur in both orientations (a sheet attached inside) and is then a face of the filling.
+/// Polyhedra of more than 64 vertices are rejected.
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                         std::span<const Triangle> boundary,
                                                         const FillingLimits& limits = {});
 
-/// Returns all of `boundary` connected with v if every triangle without v is exactly visible from it.
+/// Returns the cells that connect v with the triangles of `boundary` that do not have v, if all these triangles are
+/// visible from v, decided exactly; otherwise nothing.
 std::optional<std::vector<Tetrahedron>> fan_from(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                  std::span<const Triangle> boundary, VertexIndex v);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Determines on which side of the plane of three vertices each of up to 64 vertices lies, as bit masks; each triple is
-/// decided once and exactly, when needed or all together.
+/// Determines on which side of the plane of three vertices each of up to 64 vertices lies, as bit masks. The plane of
+/// each triple is decided once and exactly, when it is first needed or together with all others.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
-/// Positions of the vertices of one polyhedron: offsets between them, and error bounds of determinants of these.
+/// Positions of the vertices of a polyhedron: offsets between vertices, and error bounds of their determinants.
 class LocalPlaces {
  public:
   LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {
@@ -36,31 +36,32 @@ class LocalPlaces {
     }
     if (vertices.empty()) return;
     const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
-    // Two vertices are at most twice as far from each other as from the first, and two offsets are multiplied.
+    // Two vertices are at most twice as far from each other as from the first vertex. Two offsets are multiplied, so
+    // the error grows by a factor of four.
     error_bound_ = {error.widening, 4 * error.slack};
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Offsets from one vertex, for loops that write to memory.
+  /// Offsets from one vertex to the others, for loops that write to memory.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
     Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
   };
   From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
-  /// Error bound of an estimated determinant of these offsets.
+  /// Error bound of an estimated determinant of offsets between vertices.
   struct ErrorBound {
     double widening = 1, slack = 0;
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns how many orientations of a triangle with one other vertex each involve a vertex that has an exact place.
+  /// Returns in how many orientations of a triangle with another vertex at least one vertex has an exact place.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
 
  private:
-  std::vector<Vec3> near_, rest_;  ///< the nearest double, and the rest
+  std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex, and the rest
   VertexMask exact_ = 0;           ///< vertices whose places are not doubles
   ErrorBound error_bound_;
 };
@@ -68,10 +69,10 @@ class LocalPlaces {
 class SideMasks {
  public:
   static constexpr std::size_t max_vertices = 64;
-  /// Vertices v for which (t, v) is positive, and those for which it is negative.
+  /// The vertices v for which the cell (t, v) on a triangle t is positive, and those for which it is negative.
   using Masks = std::pair<VertexMask, VertexMask>;
 
-  // Rows of increasing triples are sums of binomial coefficients (the combinatorial number system).
+  // The row of an increasing triple is a sum of binomial coefficients (the combinatorial number system).
   static constexpr std::size_t n_triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
   static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) {
     return n_triples(k) + j * (j - 1) / 2 + i;
@@ -87,12 +88,12 @@ class SideMasks {
     return odd;
   }
 
-  /// `vertices` has at most max_vertices, in the mesh's numbering.
+  /// `vertices` are at most max_vertices vertices in the mesh's numbering.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
-  /// For callers that need most triples: O(n^4 / 24) determinants instead of O(n^4 / 6), with common parts computed
-  /// outside the loops.
+  /// Decides all triples, for callers that need most of them: O(n^4 / 24) determinants instead of O(n^4 / 6), with
+  /// common parts computed outside the loops.
   void decide_all() {
     const std::size_t n = vertices_.size();
     known_.assign(n_triples(n), {0, 0});
@@ -106,11 +107,11 @@ class SideMasks {
     }
   }
 
-  /// @name For increasing triples, after decide_all
+  /// @name Masks of increasing triples, valid after decide_all
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
-  /// Returns what sides({i, j, k}) does, for i < j and any other vertex k, without sorting the three.
+  /// Returns the same as sides({i, j, k}), for i < j and any other vertex k, without sorting the three vertices.
   Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
     if (k < i) return of_sorted(k, i, j);
     if (k > j) return of_sorted(i, j, k);
@@ -141,8 +142,8 @@ class SideMasks {
   }
 
  private:
-  /// Signs in a polyhedron are unpredictable, so all vertices are estimated without a branch. Uncertain ones are
-  /// decided afterwards.
+  /// Decides on which side of triangle t each vertex lies. Signs in a polyhedron are unpredictable, so all vertices are
+  /// estimated without a branch, and uncertain ones are decided afterwards.
   Masks decide(const LocalTriangle& t) const {
     if (mesh_.has_exact_places()) mesh_.exact_places().count_decided(places_.n_exact_about(mask_of(t)));
     const LocalPlaces::From offset_to = places_.offsets_from(t[2]);
@@ -168,8 +169,8 @@ class SideMasks {
     return vertices_.size() == max_vertices ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1;
   }
 
-  /// Decides all (i, j, k, l) with i < j without a branch, since signs in a region are unpredictable. Uncertain ones
-  /// are decided afterwards.
+  /// Decides the signs of (i, j, k, l) for all i < j without a branch, because signs in a region are unpredictable.
+  /// Uncertain ones are decided afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
     const LocalPlaces::ErrorBound error_of = places_.error_bound();
@@ -193,7 +194,7 @@ class SideMasks {
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
-  /// Stores the sign of (i, j, k, l) for each order of the four, by the sign of its permutation.
+  /// Stores the sign of (i, j, k, l) for each order of the four vertices, by the sign of the permutation.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
     const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
       (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));

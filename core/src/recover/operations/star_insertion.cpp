@@ -14,8 +14,8 @@ bool contains(std::span<const CellIndex> cells, CellIndex c) {
   return std::find(cells.begin(), cells.end(), c) != cells.end();
 }
 
-/// Writes the boundary faces to `out` as (f0, f1, f2, x); returns false if the cavity must grow into `grow` (no_cell:
-/// it cannot).
+/// Writes the cells that connect x with the boundary faces of the cavity to `out`. Returns false if one of them is not
+/// positive; the cavity must then grow into the cell `grow`, or cannot grow if that is no_cell.
 bool stellate(const ConstrainedMesh& mesh, const Cavity& cavity, VertexIndex x, std::vector<Tetrahedron>& out,
               CellIndex& grow) {
   const TetMesh& cells = mesh.cells();
@@ -42,7 +42,7 @@ bool stellate(const ConstrainedMesh& mesh, const Cavity& cavity, VertexIndex x, 
   return true;
 }
 
-/// Returns whether every vertex and subsegment of the cavity (except `split`) is on its boundary.
+/// Returns whether every vertex and subsegment of the cavity (except the subsegment `split`) is on its boundary.
 bool keeps_constraints(const ConstrainedMesh& mesh, const Constraints& constraints, std::span<const CellIndex> cavity,
                        std::span<const Tetrahedron> star, Index split) {
   std::vector<std::array<VertexIndex, 2>> kept;
@@ -115,7 +115,7 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
   for (std::size_t i = cells.size(); i-- > about.size();)
     if (spoils_star(mesh, cavity, cells[i], x)) {
       cavity.erase(i);
-      i = cells.size();  // its neighbours may be hidden now
+      i = cells.size();  // neighbours of the removed cell may be hidden from x
     }
   CellIndex unused = no_cell;
   if (!stellate(mesh, cavity, x, star, unused) || !keeps_constraints(mesh, constraints, cells, star, no_index))
@@ -126,7 +126,8 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
 
 namespace {
 
-/// `side(face)` returns the side of the place relative to the face of a cell, whose vertices it receives.
+/// Returns the finite cells that contain a place inside or on their boundary, given one of them. side(face) returns the
+/// side of the place relative to the face of a cell.
 template <class Side>
 std::vector<CellIndex> cells_touching(const ConstrainedMesh& mesh, CellIndex cell, const Side& side) {
   const TetMesh& cells = mesh.cells();

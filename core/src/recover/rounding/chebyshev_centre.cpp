@@ -10,10 +10,10 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The unknowns of the program: a displacement and, last, the least height.
+/// The unknowns of the linear program: a displacement and, last, the least height.
 using Unknowns = std::array<double, 4>;
 
-constexpr double no_length = 1e-12;  ///< length of a projected unit vector that is due to rounding
+constexpr double no_length = 1e-12;  ///< a projected unit vector shorter than this is due to rounding
 
 double dot(const Unknowns& u, const Unknowns& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]; }
 
@@ -21,7 +21,7 @@ Unknowns plus(const Unknowns& u, double factor, const Unknowns& v) {
   return {u[0] + factor * v[0], u[1] + factor * v[1], u[2] + factor * v[2], u[3] + factor * v[3]};
 }
 
-/// Maximises the least height subject to at + slope . displacement >= least height.
+/// Solves the linear program: maximises the least height subject to at + slope . displacement >= least height.
 class ActiveSetWalk {
  public:
   ActiveSetWalk(std::span<const LinearHeight> heights, unsigned n_directions)
@@ -36,7 +36,7 @@ class ActiveSetWalk {
   }
 
  private:
-  /// Returns false at the optimum.
+  /// Makes one step from vertex to vertex. Returns false at the optimum.
   bool step() {
     find_orthonormal_base();
     Unknowns way = upwards;
@@ -44,7 +44,7 @@ class ActiveSetWalk {
     if (dot(way, way) > no_length * no_length) return go(way);
     return drop_what_holds_back();
   }
-  /// Moves up to the first height that limits the step.
+  /// Moves in the direction `way` up to the first height that limits the step.
   bool go(const Unknowns& way) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t blocking = heights_.size();
@@ -61,12 +61,13 @@ class ActiveSetWalk {
     active_.push_back(blocking);
     return true;
   }
-  /// The upward direction is a sum of the active rows: one with a positive factor can be dropped. Returns false if
-  /// there is none.
+  /// The upward direction is a combination of the active rows. Drops a row with a positive factor. Returns false if
+  /// there is none, which is the optimum.
   bool drop_what_holds_back() {
     std::vector<double> factors(active_.size());
     Unknowns rest = upwards;
-    for (std::size_t k = active_.size(); k-- > 0;) {  // back substitution: row k is in the span of the first k + 1
+    // back substitution: row k is in the span of the first k + 1 base vectors
+    for (std::size_t k = active_.size(); k-- > 0;) {
       const double across = dot(row_of(active_[k]), base_[k]);
       factors[k] = dot(rest, base_[k]) / across;
       rest = plus(rest, -factors[k], row_of(active_[k]));
@@ -96,7 +97,7 @@ class ActiveSetWalk {
   std::span<const LinearHeight> heights_;
   unsigned n_directions_;
   Unknowns place_{};
-  std::vector<std::size_t> active_;  ///< heights that equal the least one, with independent rows
+  std::vector<std::size_t> active_;  ///< heights that equal the least height, with independent rows
   std::vector<Unknowns> base_;       ///< orthonormal base of the active rows
 };
 

@@ -17,7 +17,7 @@ struct LinearHeight {
 /// Returns the displacement in the first `n_directions` directions (1 to 3) for which the least of `heights` is
 /// greatest. This is a linear program in the displacement and that height, solved from vertex to vertex by active sets.
 /// All heights must be positive at 0. The least height never decreases, so any end of the walk is valid. Complexity:
-/// O(heights) for each of at most `most_steps` steps; some ten on stars.
+/// O(heights) for each of at most `most_steps` steps; about ten steps suffice for stars.
 std::array<double, 3> chebyshev_centre(std::span<const LinearHeight> heights, unsigned n_directions,
                                        unsigned most_steps);
 

@@ -24,8 +24,7 @@ ExactVector offset(const ConstrainedMesh& mesh, VertexIndex from, VertexIndex to
   return out;
 }
 
-/// Returns six times the volume of the cell that a place forms with a face, as a function of the place's offset from
-/// `origin`.
+/// Returns six times the volume of the cell of a place and a face, as a function of the place's offset from `origin`.
 WidePlane plane_of(const ConstrainedMesh& mesh, const Triangle& face, const Vec3& origin) {
   const ExactVector u = offset(mesh, face[0], face[1]), v = offset(mesh, face[0], face[2]);
   WidePlane out;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The kernel of a vertex' star: the places from which all of its faces are visible, so that all of its cells are
-/// positive.
+/// The kernel of a vertex' star: the places of the vertex from which all opposite faces are visible, so that all cells
+/// of the star are positive.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace geomesh::recover {
 
-/// Returns the kernel of a star without ghosts whose cells are positive. Its lattice is that of the doubles with an ulp
-/// of the star's largest coordinate. Returns nothing if a coordinate is zero everywhere. O(cells).
+/// Returns the kernel of a star without ghosts whose cells are positive. The spacing of its lattice is an ulp of the
+/// star's largest coordinate along each axis. Returns nothing if a coordinate is zero everywhere. O(cells).
 std::optional<WidePolyhedron> kernel_of_star(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star,
                                              VertexIndex x);
 

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// A direction in which an exact point may move, and the argument of place_moved that moves it by unit length.
+/// A direction in which an exact point may move, and the step for place_moved() that moves it by unit length.
 struct Freedom {
   Vec3 direction, step;
 };
@@ -35,8 +35,8 @@ class Star {
     });
   }
 
-  /// Returns how far to move in each direction so that the least height over the star's faces is greatest; nothing if
-  /// there is no gain.
+  /// Returns how far to move the vertex in each direction so that the least height over the star's faces is greatest;
+  /// nothing if there is no gain.
   std::optional<std::array<double, 3>> best_steps(std::span<const Freedom> freedoms) const {
     std::vector<LinearHeight> heights;
     for (const CellIndex c : cells_) {
@@ -102,7 +102,8 @@ void centre(ConstrainedMesh& mesh, VertexIndex x) {
   }
 }
 
-/// Rounds to the nearest double, otherwise to one that is an ulp or two away.
+/// Rounds an exact point to the nearest double, or to a double an ulp or two away, so that all cells of its star are
+/// positive. Returns false if there is no such double.
 bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
   const Star star(mesh, x);
   const ExactPlace exact = mesh.exact_places().of(x);
@@ -125,7 +126,7 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
 
 namespace {
 
-/// Rounded Steiner points beside x are centred again, each at another double, which can give x more room.
+/// Centres the rounded Steiner points beside x again, each at another double, which can give x more room.
 void make_room(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   for (const VertexIndex y : mesh.neighbors(x)) {
@@ -139,8 +140,7 @@ void make_room(Recovery& recovery, VertexIndex x) {
   }
 }
 
-/// Returns exact vertices that will be part of the result. Vertices in no cell, or inside the part that is left out,
-/// are not changed.
+/// Returns the exact vertices that will be part of the result, without those in no cell or outside the model.
 std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;
@@ -152,8 +152,8 @@ std::vector<VertexIndex> vertices_to_round(Recovery& recovery) {
   return out;
 }
 
-/// Tries any double from which the whole star is visible, however thin the star. Points of segments and facets stay
-/// near these.
+/// Moves x to any double from which its whole star is visible, however thin the star is. Points of segments and facets
+/// are not moved, because they must remain near these.
 bool round_anywhere_in_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;
@@ -172,8 +172,8 @@ bool round_anywhere_in_star(Recovery& recovery, VertexIndex x) {
   return false;
 }
 
-/// Returns places near a star where there may be more room than in it: the centres of the cells around it that nothing
-/// locked separates from it.
+/// Returns places beside a star at which there may be more room than inside: the centres of the adjacent cells that no
+/// locked face separates from the star.
 std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<CellIndex>& star, VertexIndex x) {
   std::vector<CellIndex> cells;
   for (const CellIndex c : star) {
@@ -191,7 +191,7 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
   return out;
 }
 
-/// Replaces an inner point by a double near its star; the star grows across faces that are not visible from it.
+/// Replaces an inner point by a double beside its star, which grows across faces that the double does not see.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;

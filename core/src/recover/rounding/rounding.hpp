@@ -7,12 +7,12 @@
 
 namespace geomesh::recover {
 
-/// Every vertex of the mesh is a double afterwards, and every cell is positive. Points are first moved along their
-/// segments, in their facets' planes or inside, to where their stars are thickest. Returns points that no double near
-/// them can replace; they remain exact.
+/// Rounds all exact points of the mesh to doubles and keeps every cell positive. Points are first moved along their
+/// segments, in the planes of their facets or inside regions, to where their stars are thickest. Returns the points
+/// that no double near them can replace; they remain exact.
 std::vector<VertexIndex> round_exact_points(Recovery& recovery);
 
-/// Points of `left` inside regions are moved to any double from which their whole stars are visible, however thin these
+/// Moves points of `left` inside regions to any doubles from which their whole stars are visible, however thin these
 /// are. Points without such a double remain in `left`, unchanged.
 void round_anywhere_in_stars(Recovery& recovery, std::vector<VertexIndex>& left);
 

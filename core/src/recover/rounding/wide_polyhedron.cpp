@@ -16,9 +16,9 @@ using exact::TwoDouble;
 namespace {
 
 using Row = std::array<double, 3>;
-using Steps = std::array<std::int64_t, 3>;  ///< in units of the spacing
+using Steps = std::array<std::int64_t, 3>;  ///< a lattice point, in units of the spacing
 
-constexpr double too_many_steps = 0x1p60;  ///< sums of a few numbers below it fit into 64 bits
+constexpr double too_many_steps = 0x1p60;  ///< limit on numbers of steps, so that sums of a few fit into 64 bits
 
 TwoDouble dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -28,7 +28,7 @@ WidePoint scaled(double factor, const WidePoint& a) {
 }
 WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
-/// Decomposes a matrix of three columns, in place, into one with orthonormal columns times an upper triangle.
+/// QR decomposition: replaces a matrix of three columns by one with orthonormal columns; stores the triangular factor.
 struct Triangular {
   std::array<Row, 3> at{};  ///< at[j][k] is zero for j > k
 
@@ -47,13 +47,13 @@ struct Triangular {
       for (Row& r : rows) r[k] /= at[k][k];
     }
   }
-  /// Returns whether the first `n` columns are independent, as far as doubles show.
+  /// Returns whether the first `n` columns of the matrix are independent, as far as doubles show.
   bool is_regular(std::size_t n = 3) const {
     for (std::size_t k = 0; k < n; ++k)
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
     return true;
   }
-  /// Returns the x for which the triangle times x is b.
+  /// Returns the solution x of: triangular factor times x = b.
   Row solve(const Row& b) const {
     Row x{};
     x[2] = b[2] / at[2][2];
@@ -72,7 +72,7 @@ class AnalyticCentre {
     heights_ = heights_at(place_);
   }
 
-  /// Uses Newton's method. Returns false if rounding prevents progress.
+  /// Finds the centre by Newton's method. Returns false if rounding prevents progress.
   bool find() {
     for (unsigned i = 0; i < recovery_budget.analytic_steps; ++i) {
       const auto rows = rows_in_round_frame();
@@ -91,15 +91,17 @@ class AnalyticCentre {
   const std::vector<double>& heights() const { return heights_; }
 
  private:
-  static constexpr double near_enough = 0.1;  ///< the decrement: within a tenth of the ellipsoid
+  /// Newton decrement at which the search ends, within a tenth of the ellipsoid
+  static constexpr double near_enough = 0.1;
 
   std::vector<double> heights_at(const WidePoint& p) const {
     std::vector<double> out;
     for (const WidePlane& plane : planes_) out.push_back((plane.at + dot(plane.normal, p)).hi);
     return out;
   }
-  /// Returns normals divided by heights, in a frame in which the ellipsoid is a ball. Two-doubles preserve the digits
-  /// that doubles lose in a frame that is not close to that yet, so that each round gains the digits of a double.
+  /// Returns the normals divided by the heights, in a frame in which the ellipsoid is a ball. The frame is found in
+  /// rounds. Two-doubles preserve the digits that doubles lose in a frame that is not close to it yet, so that each
+  /// round gains the digits of a double.
   std::optional<std::vector<Row>> rows_in_round_frame() {
     constexpr unsigned most_rounds = 8;
     constexpr double nearly = 1e-3;
@@ -125,7 +127,7 @@ class AnalyticCentre {
     frame_[1] = scaled(1 / r[1][1], sum(frame_[1], scaled(-r[0][1], frame_[0])));
     frame_[2] = scaled(1 / r[2][2], sum(frame_[2], sum(scaled(-r[0][2], frame_[0]), scaled(-r[1][2], frame_[1]))));
   }
-  /// Returns how far along a step the product of the heights is greatest.
+  /// Returns how far to move along `step` so that the product of the heights is greatest.
   static double length_along(const std::vector<Row>& rows, const Row& step) {
     constexpr unsigned halvings = 40;
     constexpr double most = 0x1p20;
@@ -160,7 +162,8 @@ class AnalyticCentre {
   std::vector<double> heights_;
 };
 
-/// The lattice in the shape of the polyhedron: rows are planes, in units of their heights over the centre.
+/// The lattice of doubles, measured by the shape of the polyhedron. Each row of numbers belongs to a plane, in units of
+/// the centre's height over the plane.
 class ShapedLattice {
  public:
   ShapedLattice(const WidePolyhedron& polyhedron, const AnalyticCentre& centre)
@@ -172,9 +175,9 @@ class ShapedLattice {
   /// if numbers exceed the range of doubles.
   bool prepare() { return reduce() && go_near_centre(); }
 
-  /// Returns for each row by how much one step along each vector of the basis changes it.
+  /// Returns for each plane by how much one step along each basis vector changes the height over it.
   const std::vector<Row>& rows() const { return rows_; }
-  /// Returns the rows at the lattice point near the centre: positive inside.
+  /// Returns the heights over all planes at the lattice point near the centre; they are positive inside the polyhedron.
   std::vector<double> rows_near_centre() const {
     std::vector<double> out;
     const WidePoint y = place_of(near_);
@@ -184,11 +187,10 @@ class ShapedLattice {
     }
     return out;
   }
-  /// Returns the length of the shortest step out of the plane of the first two vectors.
+  /// Returns the distance of the layers of lattice points that are parallel to the first two basis vectors.
   double third_height() const { return third_height_; }
 
-  /// Returns the point so many steps along each vector of the basis from the one near the centre, or the origin if it
-  /// is too far away.
+  /// Returns the point `steps` along the basis from the lattice point near the centre; the origin if that is too far.
   Vec3 point(const Row& steps) const {
     Steps there = near_;
     for (std::size_t j = 0; j < 3; ++j)
@@ -200,8 +202,8 @@ class ShapedLattice {
   }
 
  private:
-  /// Returns the exact place. Vectors of the basis may be longer than the polyhedron, and a double has too few digits
-  /// for them.
+  /// Returns the exact place of a lattice point. Vectors of the basis may be longer than the polyhedron, and a double
+  /// has too few digits for them.
   WidePoint place_of(const Steps& steps) const {
     WidePoint out;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -219,7 +221,7 @@ class ShapedLattice {
         rows_[i][k] = dot(polyhedron_.planes[i].normal, step).hi / heights_[i];
     }
   }
-  /// Computes steps += factor * vector; returns false if that is too far.
+  /// Computes steps += factor * vector; returns false if a number becomes too large.
   static bool add(Steps& steps, double factor, const Steps& vector) {
     for (std::size_t i = 0; i < 3; ++i) {
       const double product = factor * static_cast<double>(vector[i]);
@@ -236,7 +238,7 @@ class ShapedLattice {
       find_rows();
       std::vector<Row> scratch = rows_;
       const Triangular r(scratch);
-      if (!r.is_regular(k)) return false;  // the others may look dependent until these are reduced
+      if (!r.is_regular(k)) return false;  // the other vectors may look dependent until the first ones are reduced
       third_height_ = r.at[2][2];
       if (k == 3) return true;
       bool changed = false;
@@ -291,7 +293,7 @@ class ShapedLattice {
   double third_height_ = 0;
 };
 
-/// The numbers x with at + slope x > 0 for all given lines.
+/// The numbers x with at + slope x > 0 for all lines given to cut().
 struct Interval {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   void cut(double at, double slope) {
@@ -329,7 +331,7 @@ bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bo
   for (const double z : layers.integers(std::numeric_limits<std::size_t>::max())) {
     std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) at[i] = near[i] + z * slopes[i][2];
-    Interval lines;  // in this layer: the lines for which some x is above all planes
+    Interval lines;  // the lines of this layer that have a point above all planes
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double p = slopes[i][0], q = slopes[j][0];

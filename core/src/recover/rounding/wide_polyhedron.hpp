@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// An open convex polyhedron that may be far thinner than the spacing of doubles about it, and the doubles in it.
+/// Finds doubles in an open convex polyhedron that may be far thinner than the spacing of doubles around it.
 ///
-/// Thin is not empty. A slab of 1e-15 m by 10 m by 10 m has 1e23 points of a lattice of 1e-12 m, unless it lies along
-/// that. They are seldom near any given place in it, so they are not looked for about one. The basis of the lattice is
-/// reduced in the shape of the polyhedron (Lenstra 1983, integer programming in a fixed dimension).
+/// A thin polyhedron need not be empty. A slab of 1e-15 m by 10 m by 10 m has 1e23 points of a lattice of 1e-12 m,
+/// unless it is parallel to a plane of the lattice. These points are seldom near a given place in the slab, so they are
+/// not searched around one. Instead, the basis of the lattice is reduced in the shape of the polyhedron (Lenstra 1983,
+/// integer programming in a fixed dimension).
 #pragma once
 
 #include <array>
@@ -24,17 +25,16 @@ struct WidePlane {
   exact::TwoDouble at;
 };
 
-/// A bounded polyhedron with all planes positive at `inside`. Places are relative to `origin`.
+/// A bounded polyhedron. The point `inside` is on the positive side of all planes. Places are relative to `origin`.
 struct WidePolyhedron {
-  Vec3 origin;   ///< a multiple of the spacing
+  Vec3 origin;   ///< origin of the frame, whose coordinates are multiples of the spacing
   Vec3 spacing;  ///< powers of two: multiples of them are doubles everywhere in the polyhedron
   std::vector<WidePlane> planes;
   WidePoint inside;
 };
 
-/// Passes points of the lattice that lie in the polyhedron, up to rounding, to `accept` until it returns true. Those
-/// far from all planes come first on the whole. Returns false if none was accepted. Bounded work: O(planes^2) for each
-/// of at most a thousand points.
+/// Passes lattice points in the polyhedron, up to rounding, to `accept` until it returns true. Points far from all
+/// planes tend to come first. Returns false if none was accepted. O(planes^2) for each of at most a thousand points.
 bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bool(const Vec3&)>& accept);
 
 }  // namespace geomesh::recover

@@ -11,7 +11,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns the normal whose length is twice the area.
+/// Returns the normal of a subfacet, whose length is twice the area.
 Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, Index subfacet) {
   const Triangle& t = constraints.subfacets[subfacet].vertices;
   const Vec3& origin = points[t[0]];
@@ -34,7 +34,7 @@ std::optional<double> exact_product(double x, double y) {
   return product;
 }
 
-/// Adds to coordinate `axis` multiples of the next one and of the one after that.
+/// A shear that adds to coordinate `axis` multiples of the two other coordinates.
 class Shear {
  public:
   Shear(const Vec3& normal, std::size_t axis) : axis_(axis) {
@@ -81,8 +81,7 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
-/// Returns the axes, the one nearest to the normal first. Components of the normal that differ by less than the step of
-/// slopes count as equal.
+/// Returns the axes, the nearest to the normal first. Its components are compared up to the step of slopes.
 std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const auto nearness = [&](std::size_t axis) {
@@ -95,7 +94,6 @@ std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   return axes;
 }
 
-/// Returns the extents of the box of all segments.
 Vec3 extents_of(const std::vector<Vec3>& points, const Constraints& constraints) {
   Box3 box;
   for (const Subsegment& s : constraints.subsegments)

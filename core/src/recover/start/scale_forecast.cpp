@@ -20,7 +20,7 @@ struct HalfPlane {
 
 /// Returns whether the half-planes have a point in common, by processing them one by one (Seidel 1991): the current
 /// point is the best one in a fixed direction. If it is outside the next half-plane, it is replaced by the best one on
-/// that border. O(n^2), in practice less.
+/// the border of that half-plane. O(n^2), in practice less.
 bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   double s = far, t = far;
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -50,8 +50,8 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   return true;
 }
 
-/// Collects the vertices of the cells that the missing subsegment crosses, or of those around a present one and their
-/// neighbours beyond.
+/// Collects the vertices of the cells that a missing subsegment crosses. For a present subsegment, collects those of
+/// the cells around it and of their neighbours.
 void gather_about(ConstrainedMesh& mesh, const Subsegment& s, CellIndex cell, std::vector<VertexIndex>& out) {
   const TetMesh& cells = mesh.cells();
   out.clear();
@@ -100,7 +100,7 @@ double ScaleForecast::n_missing(const std::array<int, 3>& exponents) const {
 bool ScaleForecast::is_delaunay(const Sample& sample, const Vec3& scale) {
   const auto place = [&](const Vec3& p) { return Vec3{scale.x * p.x, scale.y * p.y, scale.z * p.z}; };
   const Vec3 a = place(sample.a), b = place(sample.b), o = 0.5 * (a + b), d = 0.5 * (b - a);
-  // The plane between the ends, with axes as long as d.
+  // The plane that bisects the subsegment, with axes as long as its half d.
   const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z), squared = dot(d, d),
                length = std::sqrt(squared);
   Vec3 u = cross(d, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1});

@@ -29,7 +29,7 @@ class ScaleForecast {
   struct Sample {
     Vec3 a, b;
     std::vector<Vec3> about;  ///< vertices that may lie in a sphere through a and b
-    double weight;            ///< number of subsegments that it represents
+    double weight;            ///< number of subsegments that the sample represents
   };
 
   static bool is_delaunay(const Sample& sample, const Vec3& scale);

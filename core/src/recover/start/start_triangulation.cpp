@@ -37,7 +37,7 @@ std::vector<Vec3> vertices_with_box(const PiecewiseLinearComplex& plc, const Dec
   return points;
 }
 
-/// Counts cells of input vertices only; ghosts and free slots have other vertices.
+/// Counts the cells that have input vertices only. Ghosts and free slots have other vertices.
 std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   std::size_t n = 0;
   for (CellIndex c = 0; c < cells.n_slots(); ++c) {
@@ -50,7 +50,7 @@ std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
 /// A triangulation of all vertices, and the positions of the subsegments in it.
 struct Candidate {
   TetMesh cells;
-  std::vector<CellIndex> subsegments;  ///< for each one a cell, no_cell if it is missing
+  std::vector<CellIndex> subsegments;  ///< a cell that has each subsegment, no_cell if it is missing
   DelaunayStatistics statistics;
 
   std::size_t n_missing() const {
@@ -74,8 +74,8 @@ class StartSearch {
     return {std::move(cells), std::move(subsegments), delaunay.statistics};
   }
 
-  /// Improves `best` as long as a step of one axis saves a twentieth of the missing subsegments, if any. Frames without
-  /// hope according to the forecast are not triangulated. Returns the exponents of the scales.
+  /// Improves `best` by hill climbing: an axis is scaled by two as long as this saves a twentieth of the missing
+  /// subsegments. Frames that the forecast excludes are not triangulated. Returns the exponents of the scales.
   std::array<int, 3> climb(Candidate& best) const {
     std::array<int, 3> exponents{0, 0, 0};
     ScaleForecast forecast = forecast_from(best);
@@ -94,9 +94,9 @@ class StartSearch {
     return exponents;
   }
 
-  /// Scales each axis as long as that reduces the crossings, and accepts a triangulation that misses few more segments.
-  /// The needles of fans are missing until the last of several steps, while each step lets them cross fewer cells.
-  /// Nothing is tried unless flips would take much longer than all these triangulations.
+  /// Scales each axis as long as that reduces the crossings of missing segments, and accepts a triangulation that
+  /// misses few more segments. The needles of fans are missing until the last of several steps, while each step lets
+  /// them cross fewer cells. Nothing is tried unless flips would take much longer than all these triangulations.
   void reduce_crossings(Candidate& best, std::array<int, 3> exponents) const {
     constexpr std::size_t share = recovery_budget.crossings_loss;
     double least = n_crossings(best);
@@ -121,7 +121,7 @@ class StartSearch {
  private:
   static constexpr std::size_t whole = recovery_budget.stretch_gain, rest = whole - 1;
 
-  /// Returns the number of simplices that the missing subsegments cross, estimated from a sample of these.
+  /// Returns the number of simplices that the missing subsegments cross, estimated from a sample.
   double n_crossings(Candidate& candidate) const {
     std::vector<Index> missing;
     for (Index s = 0; s < candidate.subsegments.size(); ++s)
@@ -169,8 +169,9 @@ bool is_many(std::size_t n_missing, const Constraints& constraints) {
          recovery_budget.stretch_from * n_missing > constraints.subsegments.size();
 }
 
-/// Searches with the facets level, if possible, and in the given frame unless fewer segments are missing with level
-/// facets. A level frame is also tried if polygons lack inner edges, which the scales of axes do not count.
+/// Searches for a stretched frame in which fewer segments are missing: with level facets, if possible, and in the given
+/// frame unless fewer segments are missing with level facets. A level frame is also tried if inner edges of polygons
+/// are missing, which the search for scales does not count.
 void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& points, const Constraints& constraints,
              const DelaunayOptions& options, const RunContext& context) {
   if (!is_many(best.n_missing() + inner_edges, constraints)) return;

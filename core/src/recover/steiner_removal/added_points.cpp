@@ -60,7 +60,8 @@ void clear_chord(Recovery& recovery, VertexIndex x) {
         .remove(ends[0], ends[1], recovery_budget.chord_depth, nullptr, recovery_budget.chord_effort);
 }
 
-/// `effort`: 0 the star only; 1 after flips at the point; 2 with the cells around the star and flips of its link.
+/// Tries to take x off its segment or facet. Effort 0 uses the star of x only; 1 also makes flips at x; 2 also uses the
+/// cells around the star and flips of its link.
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   if (take_point_off_boundary(recovery, x)) return true;
   if (effort == 0) return false;
@@ -71,8 +72,8 @@ bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
                         after_link_flips(recovery, x, [&] { return take_point_off_boundary(recovery, x); }));
 }
 
-/// Starts with the last point, which depends on those before it. Sets `changed` if any was removed, and returns how
-/// many are left.
+/// Tries to take all added points off segments and facets. Starts with the last point, which depends on those before
+/// it. Sets `changed` if any was taken off, and returns how many are left.
 template <class TakeOff>
 std::size_t take_points_off_boundary(Recovery& recovery, bool& changed, const TakeOff& take_off) {
   std::size_t left = 0;

@@ -5,9 +5,9 @@
 ///
 /// For a facet's inner point the two sectors are the halves of its star. A moved point sees the sector's part of the
 /// link if it moves little. It sees the facets' new triangles if it moves to the inner side of their planes; exact
-/// tests decide which step is small enough, and the sector grows across parts of the link that are not visible from it.
-/// A sector that surrounds the segment (the border of a facet that ends inside a region, a well) has no such side: it
-/// is divided by sheets, triangles at the segment that become faces of the mesh.
+/// tests decide which step is small enough, and the sector grows across parts of the link that are not visible from the
+/// moved point. A sector that surrounds the segment (the border of a facet that ends inside a region, a well) has no
+/// such side: it is divided by sheets, triangles at the segment that become faces of the mesh.
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +24,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Cells for the sectors of an added point's star, sector by sector.
+/// Finds cells that fill the sectors of an added point's star, one sector after the other.
 class SectorFilling {
  public:
   SectorFilling(Recovery& recovery, VertexIndex x, const StarFans& around, RefilledCells refilled,
@@ -37,7 +37,7 @@ class SectorFilling {
         refilled_(refilled),
         grown_(star) {}
 
-  /// Fills without a point, else with one. The removed cells then belong to the sector.
+  /// Fills a sector without a point if possible, otherwise with a point moved into it, and adds replaced cells to it.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
     const std::vector<Triangle> boundary = cavity.boundary();
@@ -60,7 +60,7 @@ class SectorFilling {
     out.forbid(grown_);
     return out;
   }
-  /// Fills without a point, including cells around the sector.
+  /// Fills a sector together with cells around it, without a point.
   bool fill_by_region(Sector& s) {
     std::optional<Region> region =
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
@@ -77,8 +77,8 @@ class SectorFilling {
     sort_unique(grown_);
     return true;
   }
-  /// Returns whether the filling contains the segment, which is tested for a well: it has no facet that would ensure
-  /// it.
+  /// Returns whether the filling has the segment as an edge. This is tested only for a segment without facets (a well),
+  /// because facets would ensure it.
   bool has_segment(const std::vector<Tetrahedron>& filling) const {
     if (around_.halves.empty() || !around_.fans.empty()) return true;
     return std::any_of(filling.begin(), filling.end(), [&](const Tetrahedron& t) {
@@ -110,7 +110,7 @@ class SectorFilling {
     return false;
   }
 
-  /// Moves a point beside the one that is removed.
+  /// Moves the point `moved` to a place beside the point that is removed.
   void move_beside(VertexIndex moved, const Vec3& step) {
     if (mesh_.is_exact(x_)) {
       mesh_.move_point(moved, place_beside(mesh_, x_, step));
@@ -128,7 +128,7 @@ class SectorFilling {
   std::vector<CellIndex> grown_;  ///< the star and the cells into which sectors have grown, sorted
 };
 
-/// The change of facets, segment and cells that removes the point.
+/// Removes an added point from its facets or segment, and from the mesh.
 class PointRemoval {
  public:
   PointRemoval(Recovery& recovery, VertexIndex x, RefilledCells refilled)
@@ -154,8 +154,8 @@ class PointRemoval {
   }
 
  private:
-  /// Fills all sectors, dividing those that cannot be filled by up to `n_sheets` sheets. Returns false if that fails;
-  /// none of the points added inside is left then.
+  /// Fills all sectors. Sectors that cannot be filled are divided by sheets, at most `n_sheets` in all. If that fails,
+  /// removes the points that were added inside and returns false.
   bool fill_sectors(unsigned n_sheets) {
     std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
     SectorFilling filling(recovery_, x_, around_, refilled_, star_);
@@ -175,14 +175,13 @@ class PointRemoval {
     }
     return false;
   }
-  /// Returns whether the edge that would replace the segment's two parts already exists and is not the border of a thin
-  /// part of a facet.
+  /// Returns whether the edge that would replace the two halves of the segment at x already exists and is not the
+  /// border of a thin part of a facet.
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });
   }
-  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the thin rest of the
-  /// same one.
+  /// Returns whether a triangle that a facet would get already exists: in another facet, or in the rest of the facet.
   bool repeats_subfacet() const {
     return std::any_of(around_.fans.begin(), around_.fans.end(), [&](const Fan& f) {
       return std::any_of(f.triangles.begin(), f.triangles.end(),

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Finds the tetrahedra of which a filling of a region can consist: those that contain no other vertex, and whose edges
-/// and faces cross neither the boundary nor required items. Those without a partner are then removed repeatedly.
+/// and faces cross neither the boundary nor required items. Tetrahedra without a partner on the other side of a face
+/// are then removed repeatedly.
 #pragma once
 
 #include <array>
@@ -15,32 +16,32 @@
 
 namespace geomesh::recover {
 
-/// Faces are numbered triangles of local vertices; side 2 f of face f is above it (with its vertices in increasing
-/// order), 2 f + 1 below.
+/// Candidates for the cells of a region. A face is a numbered triangle of local vertices; side 2 f of face f is above
+/// it (with its vertices in increasing order), side 2 f + 1 is below.
 class FillingCandidates {
  public:
   struct Cell {
     std::array<LocalVertex, 4> vertices;  ///< increasing
     bool is_positive;                     ///< in that order
-    std::array<std::uint32_t, 4> sides;   ///< side of each of its faces on which it lies
+    std::array<std::uint32_t, 4> sides;   ///< for each face of the cell, the side on which the cell lies
     VertexMask mask() const { return bit(vertices[0]) | bit(vertices[1]) | bit(vertices[2]) | bit(vertices[3]); }
   };
 
   FillingCandidates(const ConstrainedMesh& mesh, const Constraints& constraints, const Region& region);
 
-  /// Returns false if it is already evident that there is no filling: a boundary face has no candidate on its inner
-  /// side. O(n^4) for n vertices.
+  /// Finds the candidates. Returns false if it is already evident that there is no filling, because a boundary face has
+  /// no candidate on its inner side. O(n^4) for n vertices.
   bool find();
 
   /// Returns the cells in increasing order of vertices.
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Returns the rows of the cells on a side of a face.
+  /// Returns the rows of the candidates on a side of a face.
   std::span<const std::uint32_t> beside(std::uint32_t side) const {
     return {rows_.data() + begin_[side], rows_.data() + end_[side]};
   }
   std::size_t n_faces() const { return is_required_.size() / 2; }
   bool is_boundary(std::size_t face) const { return is_required_[2 * face] || is_required_[2 * face + 1]; }
-  /// Returns whether the boundary requires a cell there.
+  /// Returns whether the boundary requires a cell on this side of a face.
   bool is_required(std::uint32_t side) const { return is_required_[side] != 0; }
 
   LocalVertex local(VertexIndex v) const;
@@ -70,9 +71,9 @@ class FillingCandidates {
   std::size_t n_;
   SideMasks sides_;
   std::vector<LocalTriangle> boundary_;
-  std::vector<VertexMask> forced_;   ///< the other ends of required edges
-  std::vector<VertexMask> allowed_;  ///< the other ends of possible edges
-  std::vector<VertexMask> thirds_;   ///< for each pair of vertices: those with which it may form a face
+  std::vector<VertexMask> forced_;   ///< the other ends of required edges at each vertex
+  std::vector<VertexMask> allowed_;  ///< the other ends of possible edges at each vertex
+  std::vector<VertexMask> thirds_;   ///< for each pair of vertices, those with which it may form a face
   std::vector<std::uint8_t> is_required_;
   std::vector<Cell> cells_;
   std::vector<std::uint32_t> rows_, begin_, end_;  ///< cells by side

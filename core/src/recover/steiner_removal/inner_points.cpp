@@ -14,7 +14,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Tries a fan from a neighbour, then a search.
+/// Fills the star of x without x: by a fan from a neighbour of x, or else by a search.
 bool empty_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<CellIndex> star;
@@ -51,7 +51,7 @@ bool remove_from_region(Recovery& recovery, VertexIndex x, std::size_t max_verti
   return true;
 }
 
-/// Returns the added points inside regions; the outside is not written, so points there are ignored.
+/// Returns the added points inside regions, without those outside the model, which are not part of the result.
 std::vector<VertexIndex> inner_points(const Recovery& recovery) {
   const ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> out;
@@ -67,7 +67,7 @@ template <class Remove>
 void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
   std::erase_if(points, [&](VertexIndex x) {
     recovery.context.check_cancelled();
-    return !recovery.mesh.in_mesh(x) || remove(x);  // it may have been removed together with another one
+    return !recovery.mesh.in_mesh(x) || remove(x);  // x may have been removed together with another point
   });
 }
 

@@ -17,20 +17,20 @@ inline bool is_on_boundary(const Recovery& recovery, VertexIndex x) {
   return recovery.mesh.in_mesh(x) && recovery.constraints.vertices[x].origin != VertexOrigin::inside;
 }
 
-/// Returns the neighbours of x on its segment: two unless x is the end of a hanging one.
+/// Returns the neighbours of x along its segment: two, unless the segment ends at x.
 std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x);
 
-/// Removes edges at x that may be removed. Returns whether any was removed.
+/// Removes edges at x by flips. Returns whether any was removed.
 bool lower_degree(Recovery& recovery, VertexIndex x);
 
 /// Removes x from a segment that a region surrounds, at the cost of points in the region: up to five points beside x
-/// become the apexes of sheets that divide it. Returns false if nothing has changed.
+/// become the apexes of triangles (sheets) that divide the region. Returns false if nothing has changed.
 bool take_off_with_sheets(Recovery& recovery, VertexIndex x);
 
 /// Removes added points that are on no constraint if their star, or a region around it, can be filled without them.
 void remove_inner_points(Recovery& recovery, InnerEffort effort);
 
-/// Returns for each cell 1 if no locked face separates it from the box, so that it is left out in the end.
+/// Returns for each cell 1 if no locked face separates it from the box, which means that it is outside the model.
 std::vector<std::uint8_t> cells_outside(const ConstrainedMesh& mesh);
 
 }  // namespace geomesh::recover

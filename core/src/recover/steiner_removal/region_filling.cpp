@@ -95,7 +95,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 
 namespace {
 
-/// States the formula, whose first variables are the candidates in their order.
+/// States the formula for the filling of a region and solves it. Its first variables are the candidates in their order.
 class RegionFiller {
  public:
   RegionFiller(const Region& region, const FillingCandidates& candidates) : region_(region), candidates_(candidates) {}
@@ -109,10 +109,10 @@ class RegionFiller {
   }
 
  private:
-  /// Returns false if it is already evident that there is no filling.
+  /// States the formula. Returns false if it is already evident that there is no filling.
   bool state() {
     const std::size_t n_cells = candidates_.cells().size(),
-                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // a face has two cells or more
+                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // each face has at least two cells
     solver_.reserve(n_cells + n_faces, 2 * n_faces, 4 * n_cells + 2 * n_faces);
     for (std::size_t i = 0; i < n_cells; ++i) solver_.new_variable();
     prefer_kept();
@@ -154,7 +154,7 @@ class RegionFiller {
     solver_.add_clause(clause_);
     solver_.add_choice(candidates_.beside(side));
   }
-  /// States that a cell on one side makes the triangle a face, and that a face has a cell on each side.
+  /// States that a triangle is a face if a cell on one side of it is chosen, and that a face has a cell on each side.
   void state_inner(std::uint32_t face) {
     const std::uint32_t is_face = solver_.new_variable();
     for (const std::uint32_t side : {2 * face, 2 * face + 1}) {
@@ -193,8 +193,7 @@ void refill(ConstrainedMesh& mesh, const std::vector<CellIndex>& cells, const st
 
 namespace {
 
-/// Returns a hash of everything that determines a filling: vertices with their places, boundary, segments, and the
-/// preferred cells.
+/// Returns a hash of all that determines a filling: vertices with places, boundary, segments and preferred cells.
 std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
   std::uint64_t key = 0;
   const auto add = [&key](std::uint64_t word) { key = mixed(key ^ word) + word; };
@@ -218,7 +217,7 @@ std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
 
 }  // namespace
 
-// If two regions had the same key and one of them could be filled, a removable point would be kept, and nothing worse.
+// If a region had the same key as one without a filling, a removable point might be kept, but nothing worse.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region) {
   const std::uint64_t key = key_of(recovery.mesh, region);
   if (recovery.refuted_regions.count(key) > 0) return std::nullopt;

@@ -109,7 +109,7 @@ void SatSolver::assign(Literal l, std::uint32_t reason) {
   trail_.push_back(l);
 }
 
-/// Returns false on a conflict: conflict_ then contains literals that are all false though one must be true.
+/// Propagates all assignments. Returns false on a conflict: one literal in conflict_ must be true, but all are false.
 bool SatSolver::propagate() {
   while (propagated_ < trail_.size()) {
     const Literal l = trail_[propagated_++];
@@ -119,7 +119,7 @@ bool SatSolver::propagate() {
   return true;
 }
 
-/// Makes the effect true because of the cause. Returns false if it is false.
+/// Makes the literal `effect` true because `cause` is true. Returns false if `effect` is already false.
 bool SatSolver::imply(Literal cause, Literal effect) {
   const int v = value(effect);
   if (v == 0) conflict_ = {~cause, effect};
@@ -127,7 +127,7 @@ bool SatSolver::imply(Literal cause, Literal effect) {
   return v != 0;
 }
 
-/// A variable has become true: all others of its choices become false, their flags true.
+/// After a variable has become true, makes the other variables of its choices false and the flags of the choices true.
 bool SatSolver::propagate_choices(std::uint32_t variable) {
   const Literal cause = Literal::yes(variable);
   for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
@@ -139,7 +139,7 @@ bool SatSolver::propagate_choices(std::uint32_t variable) {
   return true;
 }
 
-/// A flag has become false: its choices become false too.
+/// After a flag has become false, makes all variables of its choices false.
 bool SatSolver::propagate_flag(std::uint32_t flag) {
   for (std::uint32_t o = first_flag_[flag]; o != no_occurrence; o = occurrences_[o].next) {
     const Choice& choice = choices_[occurrences_[o].choice];
@@ -149,7 +149,7 @@ bool SatSolver::propagate_flag(std::uint32_t flag) {
   return true;
 }
 
-/// Visits the clauses in which ~made_true is watched.
+/// Visits the clauses in which the negation of `made_true` is watched.
 bool SatSolver::propagate_clauses(Literal made_true) {
   const Literal falsified = ~made_true;
   std::uint32_t* link = &first_watch_[made_true.code()];
@@ -178,7 +178,7 @@ bool SatSolver::propagate_clauses(Literal made_true) {
   return true;
 }
 
-/// Exchanges the second literal for a later one that is not false. Returns false if there is none.
+/// Exchanges the second literal of a clause for a later one that is not false. Returns false if there is none.
 bool SatSolver::find_other_watch(std::uint32_t clause) {
   Literal* l = literals_.data() + clauses_[clause].begin;
   for (std::uint32_t k = 2; k < clauses_[clause].size; ++k) {
@@ -189,7 +189,7 @@ bool SatSolver::find_other_watch(std::uint32_t clause) {
   return false;
 }
 
-/// Marks the literals that made `implied` true; the caller counts those of the current level through seen_.
+/// Collects in conflict_ the false literals that made `implied` true.
 void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
   conflict_.clear();
   if (reason & by_literal) {
@@ -201,8 +201,8 @@ void SatSolver::collect_reason(std::uint32_t reason, Literal implied) {
     if (literals_[c.begin + k] != implied) conflict_.push_back(literals_[c.begin + k]);
 }
 
-/// Learns the clause of the first unique implication point, with the asserted literal in front, and returns to the
-/// level where it asserts.
+/// Learns the clause of the first unique implication point, with the asserted literal in front, and undoes assignments
+/// down to the level at which the clause asserts this literal.
 void SatSolver::learn() {
   learned_.assign(1, Literal());
   std::size_t open = 0, place = trail_.size();
@@ -261,7 +261,7 @@ void SatSolver::bump(std::uint32_t variable) {
   if (heap_place_[variable] >= 0) heap_up(static_cast<std::size_t>(heap_place_[variable]));
 }
 
-/// Returns false if all variables are assigned.
+/// Assigns the unassigned variable that comes first in the order of decision. Returns false if there is none.
 bool SatSolver::decide() {
   while (!heap_.empty()) {
     const std::uint32_t v = heap_[0];

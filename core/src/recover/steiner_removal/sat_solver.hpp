@@ -13,7 +13,7 @@
 
 namespace geomesh::recover {
 
-/// Variable v itself (2v) or negated (2v + 1).
+/// A literal: variable v itself (code 2v) or negated (code 2v + 1).
 class Literal {
  public:
   Literal() = default;
@@ -42,7 +42,7 @@ class SatSolver {
  public:
   static constexpr std::uint32_t no_variable = 0xFFFFFFFFu;
 
-  /// The variable is first tried as false (prefer_yes changes this). Variables are decided in the order of their
+  /// Adds a variable. It is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
   /// Reserves memory for `n_clauses` clauses and as many choices, each kind with `n_literals` in all.
@@ -50,13 +50,13 @@ class SatSolver {
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
 
-  /// Adds: at least one of `literals`. Must be called before solve().
+  /// Adds the constraint that at least one of `literals` is true. Must be called before solve().
   void add_clause(std::span<const Literal> literals);
-  /// Adds: at most one of `variables`, and if one is true so is `flag` (another variable; none: no_variable). Must be
-  /// called before solve().
+  /// Adds the constraint that at most one of `variables` is true, and that `flag` (another variable, or no_variable) is
+  /// true if one of them is. Must be called before solve().
   void add_choice(std::span<const std::uint32_t> variables, std::uint32_t flag = no_variable);
 
-  /// Returns unknown if it is not decided after `max_conflicts`.
+  /// Decides whether the formula can be satisfied. Returns unknown after `max_conflicts` conflicts.
   Satisfiability solve(std::size_t max_conflicts);
   /// Returns the value of a variable, after solve() has returned satisfiable.
   bool is_true(std::uint32_t variable) const { return values_[variable] == 1; }
@@ -64,7 +64,7 @@ class SatSolver {
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
   static constexpr std::uint32_t by_literal =
-      0x80000000u;  ///< reason: the literal with the code in the lower bits is true
+      0x80000000u;  ///< bit of a reason that is the literal with the code in the lower bits
 
   /// The two watches of clause c are 2c and 2c + 1, stored in linked lists, because each clause always has two of them
   /// and they only change places.
@@ -79,12 +79,12 @@ class SatSolver {
   struct Choice {
     std::uint32_t begin, end, flag;
   };
-  /// A variable is in a choice, or is its flag.
+  /// An occurrence of a variable in a choice, or as the flag of a choice.
   struct Occurrence {
     std::uint32_t choice, next;
   };
 
-  /// Returns -1 if unassigned, else 0 or 1.
+  /// Returns the value of a literal: -1 if unassigned, else 0 or 1.
   int value(Literal l) const {
     return values_[l.variable()] < 0 ? -1 : values_[l.variable()] ^ static_cast<int>(l.is_negated());
   }
@@ -116,7 +116,7 @@ class SatSolver {
   std::vector<Clause> clauses_;
   std::vector<Watch> watches_;
   std::vector<std::uint32_t> first_watch_;  ///< for each literal: watches of the clauses that watch its negation
-  std::vector<std::uint32_t> chosen_;       ///< variables, choice by choice
+  std::vector<std::uint32_t> chosen_;       ///< variables of all choices, choice by choice
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
   std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable
@@ -125,7 +125,7 @@ class SatSolver {
   std::vector<Literal> trail_;
   std::vector<std::uint32_t> level_begin_;
   std::size_t propagated_ = 0;
-  std::vector<Literal> conflict_;  ///< all false
+  std::vector<Literal> conflict_;  ///< literals of the last conflict, all false
   bool contradictory_ = false;
 
   std::vector<double> activity_;

@@ -20,7 +20,7 @@ class EarClipping {
     for (std::size_t k = 0; k < corners_.size(); ++k) look_at(k);
   }
 
-  /// Returns nothing if no ear is left, or the last triangle has the wrong orientation.
+  /// Returns the triangles; nothing if no ear is left, or the last triangle has the wrong orientation.
   std::optional<std::vector<Triangle>> run() {
     std::vector<Triangle> triangles;
     while (corners_.size() > 3) {
@@ -38,8 +38,8 @@ class EarClipping {
  private:
   struct Corner {
     VertexIndex vertex;
-    double shape = -1;                     ///< shape of its ear; negative if it has the wrong orientation
-    VertexIndex found_inside = no_vertex;  ///< a vertex that its ear contains
+    double shape = -1;                     ///< shape of the corner's ear; negative if it has the wrong orientation
+    VertexIndex found_inside = no_vertex;  ///< a vertex that the corner's ear contains
   };
 
   Triangle ear(std::size_t k) const {
@@ -118,7 +118,8 @@ class FanSearch {
   }
 
  private:
-  /// Collects the two hard subsegments at x, if any, and what they connect.
+  /// Collects the two subsegments of a model segment at x, if any, and their other ends. Returns false if the segment
+  /// ends at x or more than one segment meets there.
   bool gather_segment() {
     for (VertexIndex v : mesh_.neighbors(x_)) {
       const Index s = constraints_.subsegment_of(x_, v);

@@ -22,7 +22,7 @@ RimEdges rim_edges(const StarFans& around) {
   return out;
 }
 
-/// Adds to the sector the neighbours of its cell c that no fan separates from it, out of those that are left.
+/// Adds to the sector the neighbours of its cell c that no fan separates from c, if they have no sector yet (`left`).
 void extend(Sector& s, CellIndex c, VertexIndex x, const TetMesh& cells, std::vector<CellIndex>& left,
             const RimEdges& rims) {
   for (unsigned i = 0; i < 4; ++i) {
@@ -49,7 +49,7 @@ bool is_on_fan(const StarFans& around, VertexIndex v) {
                      [&](const Fan& f) { return std::find(f.rim.begin(), f.rim.end(), v) != f.rim.end(); });
 }
 
-/// Returns the direction from the fans of the sector across the segment.
+/// Returns the direction across the segment that points away from the fans of the sector.
 Vec3 away_from_fans(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around, const Sector& s) {
   const Vec3& o = mesh.point(x);
   Vec3 out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sectors of an added point's star: the parts between the fans of its facets, and the sheets that may divide one.
+/// Sectors of an added point's star: the parts between the fans of its facets, and sheets that may divide them.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,9 @@ namespace geomesh::recover {
 
 struct Sector {
   std::vector<CellIndex> cells;
-  std::map<std::size_t, unsigned> fans;  ///< bits by number of the fan: bit 1: the sector is above it, bit 2: below
-  Vec3 inward;                           ///< sum of the inner unit normals of the fans
+  /// for each number of a fan: 1 if the sector is above the fan, 2 if it is below, 3 if it is both
+  std::map<std::size_t, unsigned> fans;
+  Vec3 inward;  ///< sum of the inner unit normals of the fans
   std::vector<Tetrahedron> filling;
 
   bool wraps_round() const {
@@ -22,14 +23,14 @@ struct Sector {
   }
 };
 
-/// Returns the sectors of x's star, whose cells are sorted.
+/// Returns the sectors of the star of x. `star` contains the cells of the star, sorted.
 std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                    const std::vector<CellIndex>& star);
 
-/// Returns the triangles that replace those at x, as seen from the sector.
+/// Returns the triangles that replace those at x, in the orientation as seen from the sector.
 std::vector<Triangle> sheets_of(const Sector& s, const StarFans& around);
 
-/// Returns vertices connected with both ends inside the sector, those that divide it most evenly first.
+/// Returns vertices of the sector that are connected with both ends of the segment, the most even division first.
 std::vector<VertexIndex> sheet_apexes(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                       const Sector& s);
 

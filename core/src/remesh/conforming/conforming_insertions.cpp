@@ -25,7 +25,7 @@ std::optional<ConformingRefiner::Place> ConformingRefiner::find_place(const Vec3
 }
 
 /// Finds a subsegment whose diametral sphere contains p. The cell at this subsegment on p's side has p in its
-/// circumsphere, so the edge is inside the cavity. Returns no_index if there is none.
+/// circumsphere, so the subsegment is an edge of a cell of the cavity. Returns no_index if there is none.
 Index ConformingRefiner::encroached_subsegment(const Place& place) const {
   Index least = no_index;
   for (const CellIndex c : place.cavity)
@@ -65,7 +65,7 @@ bool ConformingRefiner::insert_in_cell(CellIndex c, const Vec3& centre) {
   return true;
 }
 
-/// Returns the face of the same facet across the edge a-b.
+/// Returns the neighbouring face in the same facet across the edge a-b.
 std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const FaceOfFacet& face, VertexIndex a,
                                                                            VertexIndex b) {
   const CellIndex c = mesh_.find_edge(a, b);
@@ -78,7 +78,7 @@ std::optional<ConformingRefiner::FaceOfFacet> ConformingRefiner::next_face(const
   return std::nullopt;
 }
 
-/// Walks in the facet to the circumcentre of the face. A subsegment on the way is split instead.
+/// Walks within a facet from a face to its circumcentre and inserts it. Splits a subsegment on the way instead.
 bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   const auto at = [&](unsigned i) -> const Vec3& { return mesh_.point(face.vertices[i]); };
   const auto found = circumcentre(at(0), at(1), at(2));
@@ -111,12 +111,12 @@ bool ConformingRefiner::insert_in_face(FaceOfFacet face) {
   return true;
 }
 
-/// Splits the subsegment at its middle. At a sharp vertex it is split on a concentric shell around that vertex instead.
+/// Splits the subsegment at its middle, or, next to a sharp vertex, on a concentric shell around that vertex.
 bool ConformingRefiner::split_long(Index si) {
   const Subsegment s = constraints_.subsegments[si];
   const bool is_inner = s.segment == no_index;
   if (!s.live || (!is_inner && segment_is_given_up_[s.segment])) return false;
-  // The subsegment is missing, so it is queued and recovery will split it.
+  // A subsegment missing in the mesh is queued already, and recovery will split it.
   if (mesh_.find_edge(s.a, s.b) == no_cell) return false;
   const Vec3 p = split_place(s);
   double size = size_at(p, no_index);
@@ -134,8 +134,9 @@ bool ConformingRefiner::split_long(Index si) {
   return true;
 }
 
-/// Inserts the vertex, declares what it lies on, and handles lost subsegments and faces of facets. If the vertex lies
-/// on the facet, its star in the facet usually replaces them; otherwise the facet is queued for recovery.
+/// Inserts a vertex, calls `declare` to register the segment or facet that it lies on, and handles subsegments and
+/// faces of facets that the insertion removed. In a facet that contains the vertex, the star of the vertex usually
+/// replaces the removed faces; other facets are queued for recovery.
 void ConformingRefiner::put(const Place& place, VertexRecord record, const std::function<void(VertexIndex)>& declare,
                             const std::vector<Index>& on_subfacets, std::array<VertexIndex, 2> split) {
   recover::insert_into(mesh_, place.p, place.cavity, insertion_);

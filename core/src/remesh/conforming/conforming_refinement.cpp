@@ -17,8 +17,8 @@ namespace geomesh {
 
 namespace {
 
-/// Largest number of points that recovery may add on one facet during refinement. Each point divides the facet further,
-/// and each part may lose faces once, so the limit is high.
+/// Largest number of points that recovery may add on one facet during refinement. The limit is high because each point
+/// divides the facet further and each part may lose faces once.
 constexpr std::size_t steiner_per_refined_facet = 2000;
 
 /// For each facet of the caller's model, the components on its two sides.
@@ -39,7 +39,7 @@ remesh::FacetComponents facet_components(const PiecewiseLinearComplex& plc, cons
   return components;
 }
 
-/// For each facet of the model as recovery numbers them, the components on its two sides.
+/// The components on the two sides of each facet, for the facets as recovery numbers them.
 remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::FacetComponents& callers) {
   remesh::FacetComponents components;
   for (Index f = 0; f < names.facet.size(); ++f) {
@@ -49,25 +49,8 @@ remesh::FacetComponents in_terms_of(const ModelNames& names, const remesh::Facet
   return components;
 }
 
-double share_within_size(const ConstrainedTetrahedralization& mesh, const SizeField& size) {
-  std::vector<std::pair<std::array<VertexIndex, 2>, Index>> edges;
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-    for (const auto& e : edge_vertices) {
-      edges.push_back({sorted(std::array{mesh.tetrahedra[t][e[0]], mesh.tetrahedra[t][e[1]]}), mesh.component[t]});
-    }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end(), [](const auto& x, const auto& y) { return x.first == y.first; }),
-              edges.end());
-  const auto n = std::count_if(edges.begin(), edges.end(), [&](const auto& e) {
-    const Vec3 &a = mesh.points[e.first[0]], &b = mesh.points[e.first[1]];
-    const double ratio = distance(a, b) / size.at(0.5 * (a + b), e.second);
-    return ratio >= 0.5 && ratio <= 2;
-  });
-  return edges.empty() ? 1 : static_cast<double>(n) / static_cast<double>(edges.size());
-}
-
-/// Small input angles rule out a Delaunay mesh here, as they do in tetrahedralize. The model is then meshed and refined
-/// in constrained mode, and the facets that are not Delaunay are listed.
+/// Handles small input angles that rule out a Delaunay mesh, as tetrahedralize does: the model is meshed and refined in
+/// constrained mode, and the facets that are not Delaunay are listed.
 RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, TetrahedralizeOptions meshing,
                                         const RefineOptions& options, const RunContext& context) {
   context.note(LogLevel::warning,
@@ -79,7 +62,7 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
   result.mesh.delaunay = false;
   list_facets_off_delaunay(result.mesh);
   std::vector<Index>& off = result.mesh.recovery.facets_not_recovered;
-  if (off.empty())  // The cells between the facets may no longer be Delaunay.
+  if (off.empty())  // cells may not be Delaunay even if all facets are
     for (Index f = 0; f < plc.n_facets(); ++f) off.push_back(f);
   return result;
 }
@@ -120,7 +103,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
     refuse("the sizes require about " + estimate + " elements, more", options.max_elements);
   std::optional<StageScope> stage(std::in_place, context, "refine");
   RunContext quiet = context;
-  quiet.stage = {};  // The stages of the inner run are not reported, because they are part of this one.
+  quiet.stage = {};  // stages of tetrahedralization are part of this stage and are not reported
   remesh::ConformingRefiner::Counts counts;
   bool is_too_large = false;
   const auto step = [&](recover::Recovery& recovery, const RecoverOptions& recover, std::vector<Index>& given_up) {
@@ -149,7 +132,6 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
   result.statistics.points_on_surfaces = counts.on_facets;
   result.statistics.points_inside = counts.inside;
   result.statistics.passes = counts.rounds;
-  result.statistics.edges_within_size = share_within_size(result.mesh, result.size_field);
   if (counts.too_large > 0)
     context.note(
         LogLevel::info,

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Index unlabelled = no_index, outside = no_index - 1;
 
-/// A refused point is tried again only a few times, and only because its neighbourhood may have changed meanwhile.
+/// Largest number of rounds of refinement. Each retries refused points, because their neighbourhood may have changed.
 constexpr std::size_t max_rounds = 40;
 
 }  // namespace
@@ -67,7 +67,7 @@ void ConformingRefiner::flood(CellIndex start, Index label) {
 }
 
 /// Computes each cell's component from the facets whose components are known. Cells outside and in holes have none.
-/// Returns how many cells have one.
+/// Returns the number of cells that have a component.
 std::size_t ConformingRefiner::label_cells() {
   const TetMesh& cells = mesh_.cells();
   label_.assign(cells.n_slots(), unlabelled);
@@ -90,7 +90,8 @@ std::size_t ConformingRefiner::label_cells() {
 }
 
 void ConformingRefiner::refine_segments() {
-  for (Index s = 0; s < constraints_.subsegments.size(); ++s) {  // grows: halves follow
+  // The list of subsegments grows by halves of split ones.
+  for (Index s = 0; s < constraints_.subsegments.size(); ++s) {
     recovery_.context.check_cancelled();
     const recover::Subsegment& sub = constraints_.subsegments[s];
     if (!sub.live || sub.segment == no_index || segment_is_given_up_[sub.segment]) continue;

@@ -3,10 +3,10 @@
 /// Refinement to sizes that keeps the mesh Delaunay. Circumcentres of cells and faces, and middles of segments, are
 /// inserted into the Delaunay triangulation of conforming recovery (Ruppert 1995; Shewchuk 1998; Si 2009 for sizes).
 ///
-/// A place in the diametral sphere of a subsegment, or of a face of a facet, is not used; that subsegment or face is
-/// split instead (encroachment). No point is put nearer to another than `min_spacing` times the target size there. So
-/// refinement ends for any input angles, by packing; where small angles would need ever smaller elements, cells remain
-/// as they are.
+/// A place in the diametral sphere of a subsegment, or of a face of a facet, gets no point; that subsegment or face is
+/// split instead (encroachment). No point is put nearer to another than `min_spacing` times the target size there.
+/// Refinement therefore ends for any input angles, because only finitely many points fit. Cells at small angles that
+/// would need ever smaller elements are left as they are.
 ///
 /// An insertion may still remove parts of segments or facets. Conforming recovery restores them with points of its own,
 /// on concentric shells around sharp vertices; these count towards its budgets.
@@ -21,16 +21,14 @@
 
 namespace geomesh::remesh {
 
-/// The components below and above each facet. The value is no_index outside the model, or if the component varies along
-/// the facet.
+/// The components below and above each facet; no_index outside the model, or if the component varies along the facet.
 using FacetComponents = std::vector<std::array<Index, 2>>;
 
 class ConformingRefiner : public recover::ConformingRecovery {
  public:
-  /// Limits relative to the target size: a cell or face with a larger circumradius is split, and so is a longer
-  /// subsegment.
+  /// Largest circumradius of cells and faces, and largest length of subsegments, relative to the target size.
   static constexpr double max_radius = 0.75, max_length = 1.3;
-  /// Cells whose circumradius exceeds their shortest edge by a larger factor are split too, if spacing allows.
+  /// Cells whose circumradius is more than this factor times their shortest edge are split too, if spacing allows.
   static constexpr double max_radius_to_edge = 2;
   static constexpr double min_spacing = 0.45;
 
@@ -38,13 +36,15 @@ class ConformingRefiner : public recover::ConformingRecovery {
   ConformingRefiner(recover::Recovery& recovery, const RecoverOptions& options, const SizeField& size,
                     FacetComponents components, std::size_t max_cells);
 
-  /// Valid after run(). False if refinement stopped because the mesh had more than max_cells elements.
+  /// Refines the mesh to the target sizes; run() must have been called before. Returns false if refinement stopped
+  /// because the mesh had more than max_cells elements.
   bool refine();
 
   struct Counts {
     std::size_t on_segments = 0, on_facets = 0, inside = 0;
     std::size_t rounds = 0;
-    std::size_t too_large = 0;  ///< cells left larger than requested, because spacing or budgets forbid more
+    /// Number of cells left larger than requested, because spacing or budgets forbid more points.
+    std::size_t too_large = 0;
   };
   const Counts& counts() const { return counts_; }
 

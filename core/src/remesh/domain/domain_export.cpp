@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts the domain, or a part of it, to a mesh in the caller's terms. Declared in remesh/domain/domain_io.hpp.
+// Converts the mesh that refinement works on, or a part of it, to the caller's format. Declared in
+// remesh/domain/domain_io.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"
@@ -71,12 +72,12 @@ class Exporter {
   }
   void add_vertex(VertexIndex v) {
     if (row_[v] != no_vertex) return;
-    row_[v] = 0;  // This marks the vertex as listed; its row is set when all vertices are numbered.
+    row_[v] = 0;  // marks the vertex as listed until all listed vertices are numbered
     vertices_.push_back(v);
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }
 
-  /// Input vertices that moved, and vertices of curves, get the origin of their kind.
+  /// Returns the origin of a vertex. Input vertices that moved get the origin of their kind (curve, surface or inside).
   VertexOrigin origin_of(VertexIndex v) const {
     if (input_of(v) != no_vertex) return VertexOrigin::input;
     switch (domain_.kind(v)) {
@@ -114,7 +115,7 @@ class Exporter {
                      [](const auto& a, const auto& b) { return a.segment < b.segment; });
   }
 
-  /// Writes the cells once all vertices have rows, then the constrained faces in the order of the cells.
+  /// Writes the cells, then the constrained faces in the order of the cells. All vertices must have been numbered.
   void fill_cells() {
     constexpr std::size_t chunk = 16384;
     out_.tetrahedra.resize(cells_.size());
@@ -133,7 +134,7 @@ class Exporter {
     for (const std::vector<Face>& of_task : faces) out_.faces.insert(out_.faces.end(), of_task.begin(), of_task.end());
   }
 
-  /// Writes each face once: from the cell above it, or from the cell below if the one above is not exported.
+  /// Writes a constrained face once: from the cell above it, or from the cell below if the one above is not exported.
   void add_face(FaceRef face, std::vector<Face>& faces) const {
     const FaceTag tag = domain_.tag(face);
     if (!tag.constrained() || tag.facet() == hull_facet) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Converts a mesh in the caller's terms to the domain. Declared in remesh/domain/domain_io.hpp.
+// Converts the caller's mesh to the mesh that refinement works on. Declared in remesh/domain/domain_io.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,13 +15,13 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// A face is narrow if its height is below this share of the tolerance. Its own normal is then unreliable.
+/// A face is narrow if its height is below this share of the tolerance. The normal of a narrow face is unreliable.
 constexpr double narrow_share = 0.5;
 
 using Edge = std::array<VertexIndex, 2>;
 
 /// Finds vertices of edges with more than two outer faces, and outer vertices with more cells than a walk across faces
-/// reaches. At these vertices the surface is not a manifold.
+/// reaches. At these vertices the boundary is not a manifold.
 std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   std::vector<bool> pinched(mesh.n_vertices(), false), is_counted = pinched;
   std::vector<std::uint32_t> n_cells(mesh.n_vertices(), 0);
@@ -50,8 +50,8 @@ std::vector<bool> pinched_vertices(const DomainMesh& mesh) {
   return pinched;
 }
 
-/// Returns whether the faces at v are connected across edges. If they are not, two surfaces touch at v, or a curve
-/// touches a surface there.
+/// Returns whether the faces at v are connected across edges. If not, two surfaces, or a curve and a surface, meet in
+/// v.
 bool is_one_fan(VertexIndex v, const std::vector<Index>& faces, const std::vector<Triangle>& corners) {
   std::vector<Index> left(faces.begin() + 1, faces.end());
   std::vector<VertexIndex> reached(corners[faces[0]].begin(), corners[faces[0]].end());
@@ -83,7 +83,7 @@ std::vector<bool> pinned_vertices(const PiecewiseLinearComplex& plc, const Const
   return pinned;
 }
 
-/// Derives the kinds of the domain's vertices from the faces and curves of the given mesh.
+/// Builds the mesh that refinement works on, and the kinds of its vertices, from faces and curves of the caller's mesh.
 class Importer {
  public:
   Importer(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input, const RefineOptions& options,
@@ -117,7 +117,7 @@ class Importer {
  private:
   void add_cells() {
     domain_.reserve(2 * input_.points.size(), 2 * input_.tetrahedra.size());
-    // All vertices are corners at first, because curve_of finds no curve at vertices of the kinds that are on none.
+    // All vertices start as corners, because curve_of finds no curve at a vertex of a kind that cannot be on one.
     for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);
     for (std::size_t t = 0; t < input_.tetrahedra.size(); ++t)
       domain_.add_cell(input_.tetrahedra[t], input_.component[t]);
@@ -156,7 +156,7 @@ class Importer {
     return uses;
   }
 
-  /// Returns the direction of each face at the edge. The result is empty if edges are not to be classified by angle.
+  /// Returns the normal direction of each face. The result is empty if edges are not to be classified by angle.
   std::vector<Vec3> directions(const std::vector<EdgeUse>& uses) const {
     if (exact_) return {};
     std::vector<Index> patches;
@@ -164,7 +164,7 @@ class Importer {
     return face_directions(input_.points, faces_, patches, uses, narrow_);
   }
 
-  /// Returns false for faces too narrow to have a reliable normal.
+  /// Returns whether two faces meet at a feature edge; false for faces too narrow to have a reliable normal.
   bool is_sharp(const EdgeUse& a, const EdgeUse& b, const std::vector<Vec3>& directions) const {
     if (exact_) return false;
     const Vec3 &n = directions[a.face], &m = directions[b.face];
@@ -213,7 +213,7 @@ class Importer {
     return -dot(a, b) < cos_sharp_ * length(a) * length(b);
   }
 
-  /// Finds the kind of the vertex. It remains a corner if it is neither inside a curve nor inside a patch.
+  /// Sets the kind of a vertex. It remains a corner if it is neither inside a curve nor inside a patch.
   void classify(VertexIndex v, const std::vector<Index>& faces) {
     const auto& curves = curve_ends_[v];
     const bool is_given = input_.input_vertex[v] != no_vertex;

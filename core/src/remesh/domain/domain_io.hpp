@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Conversion of a ConstrainedTetrahedralization to the mesh that operations work on, and back.
+/// Conversion of a ConstrainedTetrahedralization to the mesh that refinement works on (DomainMesh), and back.
 #pragma once
 
 #include "common/epoch_marks.hpp"
@@ -15,28 +15,28 @@ namespace geomesh::remesh {
 /// form a patch.
 std::vector<Index> patches_of_facets(const PiecewiseLinearComplex& plc, const RefineOptions& options,
                                      const MergedFacets& merged);
-/// The patches as users name them in sizes, whatever the honour mode is.
+/// Returns the patch of each facet by which users set target sizes, whether or not surfaces are kept exactly.
 std::vector<Index> named_patches(const PiecewiseLinearComplex& plc, const RefineOptions& options);
 
-/// Builds the editable mesh; vertices and cells keep their rows. Curves are the listed segments, the edges at which not
-/// exactly two faces of one patch meet, and the edges at which two faces meet at more than the sharp angle. O(n log n).
-/// Throws InternalError if the mesh violates its invariants. `patches` is the result of patches_of_facets(plc, options,
-/// merge_pieces(...)), if it has been computed already.
+/// Builds the editable mesh; vertices and cells keep their numbers. Curves are the listed segments, the edges at which
+/// not exactly two faces of one patch meet, and the edges at which two faces meet at more than the sharp angle. O(n log
+/// n). Throws InternalError if the mesh violates its invariants. `patches` is the result of patches_of_facets(plc,
+/// options, merge_pieces(...)), if it has been computed already.
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options, std::vector<Index> patches);
 DomainMesh import_domain(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& mesh,
                          const RefineOptions& options);
 
-/// Input vertices that have not moved come first, in input order, then all others by row. Cells are ordered by row,
-/// faces by facet.
+/// Converts the mesh back to the caller's format. Input vertices that have not moved come first, in input order, then
+/// all others by their numbers in the domain. Cells are ordered by number, faces by facet.
 ConstrainedTetrahedralization export_domain(const DomainMesh& domain, const ConstrainedTetrahedralization& before,
                                             unsigned threads = 1);
 
-/// The row of v in the input PLC if it has not moved, otherwise no_vertex.
+/// Returns the index of v in the input PLC if it has not moved, otherwise no_vertex.
 VertexIndex input_vertex(const DomainMesh& domain, const ConstrainedTetrahedralization& before, VertexIndex v);
 
-/// Rows of vertices and cells in an exported piece. The arrays are as large as the mesh, so they are reused from call
-/// to call.
+/// Numbers of vertices and cells in an exported part of a mesh. The arrays are as large as the whole mesh, so they are
+/// reused from call to call.
 struct ExportScratch {
   EpochMarks marks;
   std::vector<VertexIndex> vertex_row;

@@ -37,7 +37,7 @@ CellIndex DomainMesh::add_cell(const Tetrahedron& vertices, Index component, dou
   return c;
 }
 
-/// Sets everything in a used slot except the cell's neighbours.
+/// Sets all data of a cell except its neighbours.
 void DomainMesh::set_cell(CellIndex c, const NewCell& cell, std::uint64_t time) {
   attributes_.component[c] = cell.component;
   attributes_.tags[c] = cell.tags;
@@ -82,7 +82,7 @@ void DomainMesh::link_faces(std::vector<OpenFace> faces) {
 void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const NewCell> added,
                          std::vector<CellIndex>& created) {
   const auto make = [&](std::size_t k) {
-    // The caller may pass `created` as `removed`, so it is cleared only after they are read.
+    // `created` may be the same array as `removed`, so it is cleared only after `removed` has been read.
     if (k == 0) created.clear();
     const CellIndex c = add_cell(added[k].vertices, added[k].component, added[k].shape);
     attributes_.tags[c] = added[k].tags;
@@ -175,7 +175,7 @@ std::string DomainMesh::validate(unsigned threads) const {
   return {};
 }
 
-/// Checks the invariants besides valid topology and geometry.
+/// Checks the invariants of DomainMesh beyond valid topology and geometry.
 std::string DomainMesh::validate_domain() const {
   std::vector<std::array<VertexIndex, 2>> edges;
   for (const CellIndex c : live_cells()) {
@@ -191,7 +191,7 @@ std::string DomainMesh::validate_domain() const {
       if (!tag(c, i).constrained() && component(c) != component(n.cell()))
         return describe("components leak through a face", c);
     }
-    for (const auto& e : edge_vertices)  // Vertices of any other kind cannot be on curves.
+    for (const auto& e : edge_vertices)  // only corners and vertices of the kind `curve` are on curves
       if (kinds_[t[e[0]]] <= VertexKind::curve && kinds_[t[e[1]]] <= VertexKind::curve)
         edges.push_back(sorted(std::array{t[e[0]], t[e[1]]}));
   }

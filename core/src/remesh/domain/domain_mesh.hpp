@@ -3,15 +3,15 @@
 /// The mesh that refinement and improvement work on: the editable mesh with several domains, the surfaces between them,
 /// and curves, valid after every operation.
 ///
-/// Invariants, beside those of EditableMesh (validate() checks each):
+/// Invariants in addition to those of EditableMesh (validate() checks each):
 ///   1. a face that is part of a facet carries that facet on both sides, `above` on one side and not on the other;
 ///   2. two cells of different components never share an untagged face, and a face without neighbour is tagged;
 ///   3. every registered curve edge is an edge of the mesh.
 ///
-/// There is one operation that changes connectivity: `replace`. Every local operation (split, collapse, flip,
-/// insertion) computes the two sets, checks each new cell with the exact predicate, and calls it: so no operation can
-/// make crossings, and what is not admissible is refused before anything is changed. Points that are inserted by
-/// thousands go through walled_mesh.hpp instead.
+/// Only one operation changes connectivity: `replace`. Every local operation (split, collapse, flip, insertion)
+/// computes the cells to remove and to add, checks each new cell with the exact predicate, and then calls `replace`. No
+/// operation can therefore cause crossings, and an inadmissible operation is refused before anything is changed. Points
+/// that are inserted by thousands go through walled_mesh.hpp instead.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@
 
 namespace geomesh::remesh {
 
-/// Data stored for each cell: its component, the tags of its faces, its shape if computed.
+/// Data stored for each cell: its component, the tags of its faces, and its shape (quality measure).
 struct DomainAttributes {
   using FaceMark = FaceTag;
   static constexpr bool is_closed = false;
@@ -40,11 +40,11 @@ struct DomainAttributes {
     FaceTag& own = tags[added.cell()][added.face()];
     if (other.mark.constrained())
       own = other.mark;
-    else if (own.constrained())  // A surface that the operation has moved to the border of the region.
+    else if (own.constrained())  // the operation moved a surface to the border of the region
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
-  /// Makes room for n cells. Their attributes must be set afterwards.
+  /// Makes room for n cells, whose attributes must be set afterwards.
   void grow_to(std::size_t n) {
     component.grow_to(n);
     tags.grow_to(n);
@@ -74,12 +74,12 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   // Vertices.
   std::size_t n_vertices() const { return points_.size(); }
   VertexKind kind(VertexIndex v) const { return kinds_[v]; }
-  /// The patch of a vertex on a surface, the curve class of a vertex on a curve, otherwise no_index.
+  /// Returns the patch of a vertex on a surface, the curve class of a vertex on a curve, otherwise no_index.
   Index support(VertexIndex v) const { return supports_[v]; }
   CellIndex incident_cell(VertexIndex v) const { return cell_of(v); }
   VertexIndex add_vertex(const Vec3& p, VertexKind kind, Index support = no_index);
-  /// Moves a vertex. The caller has checked that the cells around it stay positive, and refresh_shape must be called
-  /// for them afterwards.
+  /// Moves a vertex. The caller must have checked that the cells around it remain positive, and must call refresh_shape
+  /// for these cells afterwards.
   void move_vertex(VertexIndex v, const Vec3& p) {
     note_vertex(v);
     points_[v] = p;
@@ -96,7 +96,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   Vec3 middle(const Tetrahedron& t) const {
     return 0.25 * (points_[t[0]] + points_[t[1]] + points_[t[2]] + points_[t[3]]);
   }
-  /// Normal vector of a face; its length is twice the face's area.
+  /// Returns the normal vector of a face; its length is twice the area.
   Vec3 normal(const Triangle& t) const { return triangle_normal(points_[t[0]], points_[t[1]], points_[t[2]]); }
 
   // Cells.
@@ -111,17 +111,16 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   LiveCells<DomainMesh> live_cells() const { return LiveCells<DomainMesh>(*this); }
   FaceTag tag(CellIndex c, unsigned face) const { return attributes_.tags[c][face]; }
   FaceTag tag(FaceRef f) const { return tag(f.cell(), f.face()); }
-  /// The vertices of the face, counter-clockwise as seen from the cell.
+  /// Returns the vertices of a face of a cell, counter-clockwise as seen from the cell.
   Triangle face(FaceRef f) const { return face_of(vertices(f.cell()), f.face()); }
   Triangle face(CellIndex c, unsigned i) const { return face_of(vertices(c), i); }
-  /// The vertices of the face, counter-clockwise as seen from above the facet.
+  /// Returns the vertices of a face that is part of a facet, counter-clockwise as seen from above the facet.
   Triangle facet_face(FaceRef f) const {
     Triangle t = face(f);
     if (!tag(f).above()) std::swap(t[1], t[2]);
     return t;
   }
-  /// Returns whether the face is constrained and represents both of its sides: it is seen from above, or only one side
-  /// has a cell.
+  /// Returns true for one of the two sides of a constrained face: the one seen from above, or the only one with a cell.
   bool is_surface(FaceRef f) const {
     const FaceTag t = tag(f);
     return t.constrained() && (t.above() || !mesh_.mirror(f).valid());
@@ -142,24 +141,21 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     return orient3d(points_[f[0]], points_[f[1]], points_[f[2]], apex) == Sign::positive;
   }
   bool is_positive(const Tetrahedron& t) const { return sees(points_[t[3]], {t[0], t[1], t[2]}); }
-  /// The stored shape of a live cell.
   double shape_of(CellIndex c) const { return attributes_.shape[c]; }
   void refresh_shape(CellIndex c);
-  /// Stores a shape that has already been computed.
   void set_shape(CellIndex c, double shape);
-  /// The mesh's time at which a cell with this vertex was last created, or a vertex of such a cell was last moved.
+  /// Returns the mesh's time at which a cell with this vertex was last created, or a vertex of such a cell last moved.
   std::uint64_t changed_at(VertexIndex v) const { return changed_[v]; }
-  /// Advances the mesh's time and returns its former value, which is above 0. Changes after the call have later times
-  /// than changes before it.
+  /// Advances the time of the mesh and returns its former value, which is positive. Changes after the call have later
+  /// times than changes before it.
   std::uint64_t tick() { return clock_++; }
   bool has_neighbor(CellIndex c, unsigned face) const { return mesh_.neighbor(c, face).valid(); }
 
   /// Exchanges the removed cells for the added ones, which must fill the same region and be positive. Faces on the
   /// region's border keep their tags and neighbours. Returns the new cells in `created` (in the order of `added`). O(k
-  /// log k). Throws InternalError where the two regions do not have the same border.
+  /// log k). Throws InternalError if the two regions do not have the same border.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created);
-  /// Replaces cells of a block while other threads change other blocks. The caller has checked that the operation is
-  /// permitted.
+  /// Replaces cells of a block while other threads change other blocks. BlockEdit must permit the operation.
   void replace(std::span<const CellIndex> removed, std::span<const NewCell> added, std::vector<CellIndex>& created,
                BlockEdit& block);
   /// Removes a vertex that no live cell uses.
@@ -167,28 +163,28 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
 
   /// @name Blocks (mesh_blocks.hpp)
   /// @{
-  /// Gives the block a clock and free slots. Must be called for all blocks before any of them is changed.
+  /// Gives a block a clock and free cell slots. Must be called for all blocks before any of them is changed.
   void open_block(BlockEdit& block, std::size_t n_slots);
-  /// Must be called for all blocks once they have been processed.
+  /// Returns unused slots of a block to the mesh. Must be called for all blocks once they have been processed.
   void close_block(BlockEdit& block);
   /// @}
 
   /// @name Separate components
-  /// They can be changed concurrently, as long as only their inside changes.
+  /// Components can be changed concurrently, as long as only their interior changes.
   /// @{
-  /// Moves the cells of each component into a mesh of its own, in ascending order of components. This mesh is then
-  /// without cells. O(n).
+  /// Moves the cells of each component into a mesh of its own, in ascending order of components. This mesh then has no
+  /// cells. O(n).
   std::vector<MeshPart> take_apart();
-  /// Inserts the parts again in the same order, with their cells and any new vertices. Faces shared with other
-  /// components must be unchanged. O(n), plus O(m log m) for m such faces.
+  /// Inserts the components that take_apart returned, in the same order, with their cells and any new vertices. Faces
+  /// shared by components must be unchanged. O(n), plus O(m log m) for m such faces.
   void put_together(std::vector<MeshPart> parts, unsigned threads = 1);
   /// @}
 
   /// Renumbers the cells along a space-filling curve, so that neighbouring cells are close in memory. There are no free
   /// slots afterwards. O(n log n).
   void sort_cells(unsigned threads = 1);
-  /// Returns the vertices in the order of the first cell that has them, so neighbours follow each other if the cells
-  /// are sorted.
+  /// Returns the vertices in the order of the first cell that contains each of them. If the cells are sorted, vertices
+  /// close in space are close in this order.
   std::vector<VertexIndex> vertices_by_cells() const;
 
   // Patches and curves.
@@ -199,7 +195,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   const CurveClass& curve_class(Index c) const { return curve_classes_[c]; }
   Index add_curve_class(CurveClass c);
   std::size_t n_curve_classes() const { return curve_classes_.size(); }
-  /// Class of the curve edge a-b, or no_index.
+  /// Returns the class of the curve edge a-b, or no_index if a-b is not on a curve.
   Index curve_of(VertexIndex a, VertexIndex b) const {
     const bool possible = kinds_[a] <= VertexKind::curve && kinds_[b] <= VertexKind::curve;
     return possible ? curves_.find({a, b}) : no_index;
@@ -224,11 +220,11 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     note_curve(a, b);
     curves_.erase({a, b});
   }
-  /// Curve edges in ascending order of their vertices.
+  /// Returns the edges of all curves in ascending order of their vertices.
   std::vector<std::array<VertexIndex, 2>> curve_edges() const { return curves_.sorted_keys(); }
 
   /// @name Trials: changes that can be undone
-  /// There is at most one at a time, by one thread. link_cells, reserve and new patches or curve classes are not
+  /// Only one trial at a time is possible, by one thread. link_cells, reserve and new patches or curve classes are not
   /// recorded.
   /// @{
   void begin_trial();
@@ -241,8 +237,8 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (const SavedCell& s : journal_.cells) visit(s.cell);
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c) visit(c);
   }
-  /// Calls visit for those of these live cells that have changed. A cell of which only a neighbour was replaced does
-  /// not count as changed.
+  /// Calls visit for each live cell that the trial has created or changed. A cell of which only a neighbour was
+  /// replaced does not count as changed.
   template <class Visit>
   void for_each_cell_of_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)
@@ -250,13 +246,13 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
     for (CellIndex c = journal_.n_slots; c < n_slots(); ++c)
       if (is_live(c)) visit(c);
   }
-  /// Calls visit for each vertex that was created, moved, changed or removed, and for each vertex of a cell that was.
+  /// Calls visit for each vertex that the trial created, moved, changed or removed, and for vertices of changed cells.
   template <class Visit>
   void for_each_trial_vertex(const Visit& visit) const {
     for (const SavedVertex& s : journal_.vertices) visit(s.vertex);
     for (auto v = static_cast<VertexIndex>(journal_.n_vertices); v < n_vertices(); ++v) visit(v);
   }
-  /// visit(shape) for each cell that the trial changed or removed, with the shape that it had.
+  /// Calls visit(shape) for each cell that the trial has changed or removed, with the shape measure before the trial.
   template <class Visit>
   void for_each_cell_before_trial(const Visit& visit) const {
     for (const SavedCell& s : journal_.cells)
@@ -264,7 +260,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   }
   /// @}
 
-  // Adds a cell during import: first all cells, then link_cells, then the tags.
+  // For import: first add all cells, then call link_cells, then set the tags.
   CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
   void link_cells();
   void set_tag(CellIndex c, unsigned face, FaceTag t) {
@@ -284,7 +280,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   struct CellCopies;
   void copy_cell(const CellCopies& from, CellIndex c, std::vector<OpenFace>& open);
   void append(MeshPart part, unsigned threads, std::vector<OpenFace>& open);
-  /// Makes cells with equal faces neighbours of each other.
+  /// Makes cells neighbours of each other if they have a face in common.
   void link_faces(std::vector<OpenFace> faces);
   std::string validate_domain() const;
   void note_vertex(VertexIndex v) {
@@ -305,7 +301,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   std::vector<VertexKind> kinds_;
   std::vector<Index> supports_;
   std::vector<std::uint64_t> changed_;
-  std::vector<bool> pinched_;  // for each vertex of the imported mesh
+  std::vector<bool> pinched_;  // whether each imported vertex is non-manifold
 
   CellQuality measure_;
   std::uint64_t clock_ = 1;
@@ -317,18 +313,17 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   MeshJournal journal_;
 };
 
-/// Returns whether a cell at one of the vertices was created, or one of its vertices moved, since that time of the
-/// mesh.
+/// Returns whether a cell at one of the vertices was created, or a vertex of such a cell moved, after the given time.
 template <class Vertices>
 bool changed_since(const DomainMesh& mesh, const Vertices& vertices, std::uint64_t time) {
   return std::any_of(vertices.begin(), vertices.end(), [&](VertexIndex v) { return mesh.changed_at(v) > time; });
 }
 
 /// The cells of one component and the curves along their edges. Faces shared with other components are constrained and
-/// have no neighbour here. Patches and curve classes remain those of the whole mesh.
+/// have no neighbour in this mesh. Patches and curve classes remain those of the whole mesh.
 struct MeshPart {
   DomainMesh mesh;
-  std::vector<VertexIndex> vertices;  ///< rows in the whole mesh of the vertices that the part was created with
+  std::vector<VertexIndex> vertices;  ///< numbers in the whole mesh of the vertices that the component had at first
 };
 
 }  // namespace geomesh::remesh

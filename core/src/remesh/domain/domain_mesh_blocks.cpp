@@ -17,7 +17,7 @@ void DomainMesh::open_block(BlockEdit& block, std::size_t n) {
     }
     block.free.push_back(c);
   }
-  std::reverse(block.free.begin(), block.free.end());  // Slots are used from the end of the list.
+  std::reverse(block.free.begin(), block.free.end());  // free slots are used from the end of the list
 }
 
 void DomainMesh::close_block(BlockEdit& block) {
@@ -40,7 +40,7 @@ void DomainMesh::replace(std::span<const CellIndex> removed, std::span<const New
     block.free.push_back(c);
   };
   const auto make = [&](std::size_t k) {
-    // The caller may pass `created` as `removed`, so it is cleared only after they are read.
+    // `created` may be the same array as `removed`, so it is cleared only after `removed` has been read.
     if (k == 0) created.clear();
     const CellIndex c = block.free.back();
     block.free.pop_back();

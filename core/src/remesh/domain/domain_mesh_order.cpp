@@ -10,7 +10,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Number of slots including spare ones for blocks (mesh_blocks.hpp), so that no array has to double for them.
+/// Number of cell slots to reserve, with spare ones for blocks (mesh_blocks.hpp), so that no array is reallocated
+/// later.
 std::size_t with_spare_slots(std::size_t n) { return n + n / 32; }
 
 template <class Value>
@@ -22,7 +23,7 @@ void permute(PodArray<Value>& values, const std::vector<CellIndex>& old_index, u
   values = std::move(sorted);
 }
 
-/// Sorts live cells by the lowest position of their vertices in `order`, by counting.
+/// Returns the live cells by the lowest position that one of their vertices has in `order` (counting sort).
 std::vector<CellIndex> cells_along(const TetMesh& mesh, const std::vector<VertexIndex>& order, unsigned threads) {
   std::vector<Index> place(order.size()), place_of(mesh.n_slots());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<Index>(k);

@@ -9,7 +9,7 @@
 
 namespace geomesh::remesh {
 
-/// The mesh from which cells are copied, and the rows of its vertices and cells in this mesh.
+/// A source mesh of copied cells, with the numbers of its vertices and cells in the target mesh.
 struct DomainMesh::CellCopies {
   const DomainMesh& from;
   const std::vector<VertexIndex>& row;
@@ -38,7 +38,7 @@ std::vector<MeshPart> DomainMesh::take_apart() {
   return parts;
 }
 
-/// `row` must hold no_vertex everywhere, and does so again on return.
+/// Fills a part with cells of one component. `row` must hold no_vertex everywhere, and does so again on return.
 void DomainMesh::fill_part(const std::vector<CellIndex>& cells, const std::vector<CellIndex>& row_of_cell,
                            std::vector<VertexIndex>& row, MeshPart& part) const {
   DomainMesh& mesh = part.mesh;
@@ -70,7 +70,7 @@ void DomainMesh::put_together(std::vector<MeshPart> parts, unsigned threads) {
   link_faces(std::move(open));
 }
 
-/// `open` receives the faces that are to be connected with other parts.
+/// Adds the cells and new vertices of a part. `open` receives the faces at which it may be connected with other parts.
 void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenFace>& open) {
   constexpr std::size_t chunk = 16384;
   const DomainMesh& mesh = part.mesh;
@@ -88,7 +88,7 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
       if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
   });
   for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
-  // The last cell at each vertex, which is a cell of this part if other parts have the vertex too.
+  // Stores the last cell at each vertex, which is a cell of this part even if other parts have the vertex too.
   for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
     if (row_of_cell[c] == no_cell) return;
     for (const VertexIndex v : mesh.vertices(static_cast<CellIndex>(c))) {
@@ -102,8 +102,7 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
   for (const VertexIndex v : row) changed_[v] = clock_;
 }
 
-/// Copies the cell into its slot and links it with cells of its component, whose rows are known. `open` receives the
-/// other faces.
+/// Copies a cell into its slot and links it with neighbours of its component. `open` receives its other faces.
 void DomainMesh::copy_cell(const CellCopies& copies, CellIndex c, std::vector<OpenFace>& open) {
   const DomainMesh& from = copies.from;
   const CellIndex own = copies.row_of_cell[c];

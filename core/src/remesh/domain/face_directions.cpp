@@ -10,8 +10,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr unsigned most_steps = 8;  ///< Steps from a face without area across others without area.
-/// Edges within this factor of the longest count as longest: a needle has two of them, and either may be used.
+constexpr unsigned most_steps = 8;  ///< largest number of narrow faces to step across in search of a normal
+/// Edges of at least this share of the longest count as longest: a needle has two of them, and either may be used.
 constexpr double about_longest = 1 - 1e-6;
 
 double longest_edge(const std::vector<Vec3>& points, const Triangle& t) {
@@ -20,7 +20,7 @@ double longest_edge(const std::vector<Vec3>& points, const Triangle& t) {
   return longest;
 }
 
-/// The unit normal of a face, or zero if the face is narrow.
+/// Returns the unit normal of a face, or zero if the face is narrow.
 Vec3 own_direction(const std::vector<Vec3>& points, const Triangle& t, double narrow) {
   const Vec3 n = cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
   const double twice_area = length(n);

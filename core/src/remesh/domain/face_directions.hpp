@@ -10,21 +10,21 @@
 
 namespace geomesh::remesh {
 
-/// A constrained face at one of its edges.
+/// Incidence of an edge and a constrained face.
 struct EdgeUse {
   std::array<VertexIndex, 2> edge;  ///< ascending
   Index face;
 };
 
-/// Returns whether the face passes the edge from a to b, and not from b to a.
+/// Returns whether the face runs along its edge from a to b (and not from b to a).
 bool runs_along(const Triangle& t, VertexIndex a, VertexIndex b);
 
-/// Returns unit normals by face. A face lower than `narrow` could be removed by moving a point by less than that, so
-/// its own normal means nothing, as where a crossing met the side of a triangle. It takes the normal of the face beyond
-/// its longest edge. That edge must have one other face, and both must be of one patch; the normal is zero if none is
-/// found within a few steps.
+/// Returns the unit normal of each face. A face whose height is below `narrow` would vanish if one point moved by less
+/// than that, so its own normal means nothing; crossings near the side of a triangle leave such faces. It gets the
+/// normal of the face on the other side of its longest edge, if the edge has exactly these two faces and both are of
+/// one patch. The normal is zero if none is found within a few steps.
 ///
-/// Preconditions: `uses` in ascending order of edges, three for each face. O(n).
+/// Precondition: `uses` is in ascending order of edges, with three entries for each face. O(n).
 std::vector<Vec3> face_directions(const std::vector<Vec3>& points, std::span<const Triangle> faces,
                                   std::span<const Index> patch_of_face, std::span<const EdgeUse> uses, double narrow);
 

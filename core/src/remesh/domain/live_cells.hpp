@@ -5,10 +5,10 @@
 
 namespace geomesh::remesh {
 
-/// The live cells of a mesh, in the order of their slots, for a range-based `for`. Slots that are made while it runs
-/// are not seen. `std::views::filter` is not used: clang 14 cannot compile it with libstdc++ 12.
+/// The live cells of a mesh, in the order of their slots, for a range-based `for`. Slots that are added during the loop
+/// are not visited. `std::views::filter` is not used: clang 14 cannot compile it with libstdc++ 12.
 ///
-/// Mesh: `bool is_live(CellIndex)`, `CellIndex n_slots()`.
+/// The type Mesh must have `bool is_live(CellIndex)` and `CellIndex n_slots()`.
 template <class Mesh>
 class LiveCells {
  public:

@@ -19,8 +19,9 @@ namespace {
 using Edge = std::array<VertexIndex, 2>;
 using Loop = std::vector<VertexIndex>;
 
-/// Tolerances in units in the last place of the largest coordinate. Rounding moves a point, and the plane of a group,
-/// by less than one unit; the plane of the group's largest piece may be farther off while the group grows.
+/// Tolerances of coplanarity, in units in the last place of the largest coordinate. Rounding moves a point, and the
+/// plane of a group of triangles, by less than one unit. While a group grows from its largest triangle, the plane of
+/// that triangle may be farther off.
 constexpr double plane_ulps = 2, growing_ulps = 16;
 
 /// The border of a set of triangles that will become one facet.
@@ -45,7 +46,7 @@ std::vector<EdgeUse> edge_uses(const PiecewiseLinearComplex& plc) {
   return uses;
 }
 
-/// Coplanar triangles of one parent, connected across edges at which no other facet ends.
+/// Groups of coplanar pieces of one input triangle, connected across edges at which no other facet ends.
 class PlaneGroups {
  public:
   PlaneGroups(const PiecewiseLinearComplex& plc, std::span<const Index> parent, std::span<const EdgeUse> uses)
@@ -56,8 +57,8 @@ class PlaneGroups {
     join_across_edges(uses);
   }
 
-  /// Calls visit(members, normal) for each group of at least two triangles, grown from the largest facets, whose planes
-  /// are the most accurate.
+  /// Calls visit(members, normal) for each group of at least two triangles, each grown from its largest triangle, whose
+  /// plane is the most accurate.
   template <class Visit>
   void grow(const Visit& visit) const {
     std::vector<std::pair<double, Index>> order;
@@ -85,7 +86,7 @@ class PlaneGroups {
     return f < parent_.size() && parent_[f] != no_index && plc_.n_loops(f) == 1 && plc_.outer_loop(f).size() == 3;
   }
 
-  /// The position of the edge (a, b) in the triangle's loop, or 3 if it is not there.
+  /// Returns the position of the edge (a, b) in the triangle's loop, or 3 if the loop does not contain it.
   std::size_t place_of(Index f, VertexIndex a, VertexIndex b) const {
     const auto t = plc_.outer_loop(f);
     std::size_t k = 0;
@@ -93,7 +94,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Joins facets across edges with exactly two facets, if these have the same orientation and may belong to one facet.
+  /// Marks facets as neighbours across edges with exactly these two, equally oriented, pieces of one input triangle.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -119,7 +120,7 @@ class PlaneGroups {
            });
   }
 
-  /// Weighted by area.
+  /// Returns whether all members lie in their mean plane, weighted by area.
   bool are_in_mean_plane(const std::vector<Index>& members) const {
     Vec3 normal, middle;
     double weight = 0;
@@ -143,7 +144,8 @@ class PlaneGroups {
   std::vector<std::array<Index, 3>> joined_;  // neighbouring facet across each edge, for each facet
 };
 
-/// Borders of groups, and what other groups need to know of their insides. A group is identified by its first facet.
+/// Outlines of groups of triangles that are merged, and of each group the points and edges that other facets use. A
+/// group is identified by its first facet.
 class Outlines {
  public:
   Outlines(const PiecewiseLinearComplex& plc, std::span<const EdgeUse> uses)
@@ -167,7 +169,7 @@ class Outlines {
   }
 
   Index group_of(Index f) const { return group_[f]; }
-  /// Returns nothing if the facet is in no group.
+  /// Returns the outline of the group whose first facet is f, or null.
   const Outline* find(Index f) const {
     const auto at = outlines_.find(f);
     return at == outlines_.end() ? nullptr : &at->second;
@@ -210,8 +212,7 @@ class Outlines {
     return is_facet(outline) ? std::optional(std::move(outline)) : std::nullopt;
   }
 
-  /// Returns whether the outline is a valid facet. Rounding may place an inner vertex on the border, for example if a
-  /// piece was a sliver.
+  /// Returns whether the outline is a valid facet. Rounding may place inner vertices on the border, e.g. of a sliver.
   bool is_facet(const Outline& outline) const {
     FacetFault fault;
     return triangulate_facet(plc_.points, {outline.loops, outline.segments, outline.points}, fault).has_value();
@@ -252,7 +253,7 @@ class Outlines {
   std::map<Index, Outline> outlines_;
 };
 
-/// Writes the facet f, or the group whose first facet is f. Returns its row.
+/// Writes the facet f, or the group whose first facet is f. Returns the index of the written facet.
 Index write_facet(const PiecewiseLinearComplex& plc, Index f, const Outline* outline, PiecewiseLinearComplex& out) {
   if (outline) {
     const Index row = out.add_polygon(outline->loops, plc.facet_provenance[f]);

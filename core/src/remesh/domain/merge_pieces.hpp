@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Joins the pieces into which intersections have cut one input triangle, so that they are one facet again.
+/// Joins the pieces into which intersections have cut one input triangle, so that the triangle is one facet again.
 #pragma once
 
 #include <span>
@@ -11,19 +11,19 @@
 namespace geomesh::remesh {
 
 struct MergedFacets {
-  PiecewiseLinearComplex plc;       ///< the same points, segments and seeds with merged facets
-  std::vector<Index> row_of_facet;  ///< row in `plc` of each original facet
+  PiecewiseLinearComplex plc;       ///< the original points, segments and seeds, with merged facets
+  std::vector<Index> row_of_facet;  ///< facet of `plc` that contains each original facet
 };
 
-/// Merges triangles of equal parent (`parent` by facet, no_index: none; empty: nothing is merged) that are connected
-/// across edges without other facets, and that are coplanar within two ulps of the largest coordinate. A group is
-/// merged if its border passes no point twice and it can be triangulated with everything inside. Sides within a merged
-/// facet at which others end become its inner segments, and vertices that others use its inner points; vertices that
-/// nothing else uses are in no facet any more. O(n log n).
+/// Merges triangles that are pieces of one input triangle (the same number in `parent`, which is no_index if there is
+/// none; empty: nothing is merged). They must be connected across edges without other facets, and be coplanar within
+/// two ulps of the largest coordinate. A group is merged if its border passes no point twice and it can be triangulated
+/// with everything inside. Within a merged facet, edges at which other facets end become inner segments, and vertices
+/// that other items use become inner points; vertices that nothing else uses are in no facet of the result. O(n log n).
 MergedFacets merge_pieces(const PiecewiseLinearComplex& plc, std::span<const Index> parent);
 
-/// Removes the parent of each original facet that was merged with others into a facet whose row in merged.plc is one of
-/// `rows`, so that it is not merged the next time. Returns whether there was any. O(n log m) for m rows.
+/// Removes the parent of each original facet that was merged with others into one of the facets `rows` of merged.plc,
+/// so that it will not be merged again. Returns whether there was any. O(n log m) for m rows.
 bool take_apart(const MergedFacets& merged, std::vector<Index> rows, std::vector<Index>& parent);
 
 /// Copies the complex without its facets and their contents.

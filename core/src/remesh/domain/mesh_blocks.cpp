@@ -13,8 +13,8 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned most_halvings = 6;
-/// Positions of the cut within a range of vertices, for each division. Later divisions must not be cut near the cuts of
-/// the first, which are at halves, quarters and eighths.
+/// Position of the cut when vertices are bisected into blocks, for each of the divisions. Later divisions must not cut
+/// near the cuts of the first, which are at halves, quarters and eighths.
 constexpr std::array<double, MeshBlocks::n_divisions> cuts{0.5, 0.36, 0.64};
 
 std::size_t widest_axis(const DomainMesh& mesh, std::span<const VertexIndex> vertices) {

@@ -12,7 +12,7 @@
 
 namespace geomesh::remesh {
 
-/// Face i of the tetrahedron, counter-clockwise seen from vertex i.
+/// Returns face i of the tetrahedron, counter-clockwise as seen from vertex i.
 constexpr Triangle face_of(const Tetrahedron& t, unsigned i) {
   const auto& f = face_vertices[i];
   return {t[f[0]], t[f[1]], t[f[2]]};
@@ -25,9 +25,8 @@ class FaceTag {
   constexpr FaceTag(Index facet, bool above) : code_(2 * facet + (above ? 1u : 0u)) {}
   constexpr bool constrained() const { return code_ != none; }
   constexpr Index facet() const { return code_ >> 1; }
-  constexpr bool above() const {
-    return (code_ & 1u) != 0;
-  }  ///< the cell is on the side that the facet's normal points to
+  /// Returns whether the cell is on the side to which the facet's normal points.
+  constexpr bool above() const { return (code_ & 1u) != 0; }
   constexpr FaceTag opposite() const { return constrained() ? FaceTag(facet(), !above()) : *this; }
   friend constexpr bool operator==(FaceTag, FaceTag) = default;
 
@@ -42,7 +41,7 @@ inline constexpr Index hull_patch = 0x7FFFFFFEu;
 
 /// How freely a vertex may be moved or removed.
 enum class VertexKind : std::uint8_t {
-  /// Never removed: ends and junctions of curves, isolated points, and every input vertex if surfaces are kept exactly.
+  /// Never removed: ends and junctions of curves, isolated points, and all input vertices if surfaces are kept exactly.
   corner,
   curve,    ///< along its curve
   surface,  ///< within its patch
@@ -50,23 +49,23 @@ enum class VertexKind : std::uint8_t {
   dead,     ///< removed
 };
 
-/// The class of a curve edge. Edges belong to one class if the same segments and the same patches meet at them.
+/// A class of edges on curves. Edges belong to one class if the same segments and the same patches meet at them.
 struct CurveClass {
-  std::vector<Index> segments;  ///< rows in plc.segments, in ascending order
-  std::vector<Index> patches;   ///< in ascending order; a patch that continues across the edge is listed twice
+  std::vector<Index> segments;  ///< indices in plc.segments, in ascending order
+  std::vector<Index> patches;   ///< in ascending order; a patch on both sides of the edge is listed twice
   friend bool operator==(const CurveClass&, const CurveClass&) = default;
 };
 
 struct NewCell {
   Tetrahedron vertices;
   Index component = 0;
-  std::array<FaceTag, 4>
-      tags{};  ///< tags of constrained faces inside the region; faces on its border keep the tags that they have
-  double shape = unknown_shape;  ///< shape for this order of vertices, if it has been computed
+  /// Tags of constrained faces inside the region that is replaced; faces on its border keep their tags.
+  std::array<FaceTag, 4> tags{};
+  double shape = unknown_shape;  ///< shape measure for this order of vertices, if known
   static constexpr double unknown_shape = -1;
 };
 
-/// A face on the border of the removed cells. The tetrahedron (vertices, apex) will be a positive cell.
+/// A face on the border of a cavity. The tetrahedron of `vertices` and the apex of the star will be a positive cell.
 struct StarFace {
   Triangle vertices;
 };

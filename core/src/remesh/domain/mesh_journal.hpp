@@ -21,7 +21,7 @@ struct SavedVertex {
   std::uint64_t changed;
 };
 
-/// A saved cell. A live cell has vertices; a free slot needs no other data.
+/// The saved state of a cell slot. A live cell has vertices; a free slot needs no other data.
 struct SavedCell {
   CellIndex cell;
   TetMesh::Cell links{{no_vertex, no_vertex, no_vertex, no_vertex}, {}};
@@ -30,23 +30,24 @@ struct SavedCell {
   double shape = 0;
 };
 
-/// The class of a curve edge, or no_index if it was not a curve edge.
+/// The saved class of an edge on a curve, or no_index if the edge was on no curve.
 struct SavedCurve {
   VertexIndex a, b;
   Index curve;
 };
 
-/// A slot that was used or freed.
+/// A change of a cell slot, which was freed, reused or added.
 struct SlotEvent {
   enum class What : std::uint8_t { freed, reused, made };
   CellIndex cell;
   What what;
 };
 
-/// Vertices and cells are saved before their first change. Slots and curve edges are saved at every change, in order.
+/// The recorded changes of a trial. Vertices and cells are saved before their first change. Slots and curve edges are
+/// saved at every change, in order.
 struct MeshJournal {
   bool is_open = false;
-  std::size_t n_vertices = 0;  ///< number at the start of the trial, as the next two
+  std::size_t n_vertices = 0;  ///< number of vertices at the start of the trial
   CellIndex n_slots = 0;
   std::uint64_t clock = 0;
   std::vector<SavedVertex> vertices;
@@ -61,7 +62,7 @@ struct MeshJournal {
     vertex_marks_.begin();
     cell_marks_.begin();
   }
-  /// Returns whether the vertex existed at the start and is not yet saved, and marks it as saved.
+  /// Returns whether the vertex existed at the start of the trial and has not been saved, and marks it as saved.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
   bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
   void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }

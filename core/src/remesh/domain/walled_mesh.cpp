@@ -109,7 +109,7 @@ std::optional<VertexIndex> WalledMesh::insert(const Vec3& p, CellIndex home, dou
   return v;
 }
 
-/// Decides what the filters of the kernel leave open.
+/// Decides exactly the in-sphere tests that the floating-point filters of the kernel leave undecided.
 struct WalledMesh::Host final : CavityHost {
   WalledMesh& walled;
   const Vec3& p;
@@ -137,7 +137,7 @@ struct WalledMesh::Host final : CavityHost {
   }
 };
 
-/// Finds the cavity. Returns false if its base does not see p.
+/// Finds the cavity of p. Returns false if no cavity that contains the cell `home` is star-shaped about p.
 bool WalledMesh::grow(const Vec3& p, CellIndex home) {
   Host host(*this, p);
   CavityLists lists;
@@ -161,7 +161,7 @@ bool WalledMesh::sees_border(const Vec3& p) const {
                      [&](const CavityFace<3>& f) { return sees(p, f.vertices); });
 }
 
-/// Makes the cavity star-shaped, which it may not be among cells that are not Delaunay.
+/// Shrinks the cavity until it is star-shaped about p. Among cells that are not Delaunay it may not be so at first.
 bool WalledMesh::shrink(const Vec3& p, CellIndex home) {
   const std::array bases{home};
   Cavity cavity(cells_, marks_, kept_, bases);
@@ -177,7 +177,7 @@ bool WalledMesh::shrink(const Vec3& p, CellIndex home) {
   return true;
 }
 
-/// Sets the border of the cavity, and the distance of its nearest vertex from p, as the kernel does.
+/// Collects the border faces of the cavity and the distance from p to its nearest vertex, as the kernel does.
 void WalledMesh::collect_border(const Vec3& p) {
   n_border_ = 0;
   nearest_ = std::numeric_limits<double>::infinity();
@@ -193,8 +193,7 @@ void WalledMesh::collect_border(const Vec3& p) {
   }
 }
 
-/// Numbers the vertices of the border in the order in which they occur. Their numbers are in the records until the
-/// caller takes them out.
+/// Numbers the vertices of the cavity's border in order of occurrence, in their records; the caller resets these.
 void WalledMesh::number_border() {
   numbered_.clear();
   number_.resize(border_.size());
@@ -233,7 +232,6 @@ bool WalledMesh::is_on_border(VertexIndex a, VertexIndex b) const {
                      });
 }
 
-/// Replaces the cavity by the star of v.
 void WalledMesh::fill(VertexIndex v) {
   DomainAttributes& attributes = mesh_.attributes_;
   const Index component = attributes.component[cavity_[0]];
@@ -258,8 +256,7 @@ void WalledMesh::fill(VertexIndex v) {
     connect_by_sorting();
 }
 
-/// Returns whether `across` is a face of another cell of the star, at the same edge of the border as face j of this
-/// one.
+/// Returns whether `across` is a face of another cell of the star, at the same border edge as face j of `cell`.
 bool WalledMesh::is_across(const TetMesh::Cell& cell, unsigned j, FaceRef across) const {
   if (!across.valid() || across.cell() >= cells_.n_slots()) return false;
   const Tetrahedron& t = cells_.vertices(across.cell());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A DomainMesh while many points are inserted into its inside.
+/// Fast insertion of many points into the interior of a DomainMesh.
 #pragma once
 
 #include <array>
@@ -14,16 +14,16 @@
 
 namespace geomesh::remesh {
 
-/// Most cells that insertion creates are soon replaced again, so only their vertices, neighbours and components are
-/// written. Shapes, tags and the cells of vertices follow once, at the end.
+/// Most cells that insertion creates are soon replaced by further insertions, so only their vertices, neighbours and
+/// components are written at once. Shapes, tags and the cells of vertices are written at the end.
 ///
 /// As long as this object is open, each constrained face is a wall: behind it is a ghost cell, which belongs to that
-/// side of the face alone. Cavities end at ghosts, so the kernels of the Delaunay base can grow them. Ghosts share one
-/// vertex without a place, which remains in the mesh as a removed vertex.
+/// side of the face alone. Cavities end at ghosts, so the kernels of the Delaunay base can grow them. All ghosts share
+/// one vertex without a position, which remains in the mesh as a removed vertex.
 class WalledMesh {
  public:
   /// Opens the mesh, which must outlive this object and must not be used for anything else but its points and
-  /// components until `close` is called. There is no trial. O(n).
+  /// components until `close` is called. No trial may be running. O(n).
   explicit WalledMesh(DomainMesh& mesh);
   WalledMesh(const WalledMesh&) = delete;
   WalledMesh& operator=(const WalledMesh&) = delete;
@@ -36,31 +36,30 @@ class WalledMesh {
   bool is_cell(CellIndex c) const { return cells_.is_live(c) && !(cells_.flags(c) & ghost); }
   const Tetrahedron& vertices(CellIndex c) const { return cells_.vertices(c); }
   bool is_wall(CellIndex c, unsigned face) const { return cells_.flags(beyond(c, face)) & ghost; }
-  /// The cell on the other side of a face that is no wall.
+  /// Returns the cell on the other side of a face that is not constrained.
   CellIndex beyond(CellIndex c, unsigned face) const { return cells_.neighbor_cell(c, face); }
-  /// A number of two bits for each cell, which is 0 for new cells. May be set concurrently for different cells.
+  /// Returns a two-bit number that the caller stores for the cell; 0 for new cells. May be set concurrently by cell.
   unsigned note(CellIndex c) const { return cells_.flags(c) >> note_shift & 3u; }
   void set_note(CellIndex c, unsigned note) {
     std::uint8_t& flags = cells_.flags(c);
     flags = static_cast<std::uint8_t>((flags & ~(3u << note_shift)) | note << note_shift);
   }
 
-  /// Finds the cell that contains p by a walk from `start`. Returns nothing if a wall is in the way or the walk takes
-  /// too long.
+  /// Finds the cell that contains p by a walk from `start`. Returns nothing if the walk meets a wall or is too long.
   std::optional<CellIndex> locate(const Vec3& p, CellIndex start) const;
   /// Inserts p, which is in the cell `home`, by a constrained Delaunay cavity (Bowyer 1981, Watson 1981), reduced until
   /// p sees its whole border. Returns nothing if a vertex of the cavity is nearer than `spacing`, or if a vertex or an
   /// edge of a curve would be inside the cavity. All decisions about the mesh are exact.
   std::optional<VertexIndex> insert(const Vec3& p, CellIndex home, double spacing);
-  /// The vertices around the one inserted last.
+  /// Returns the vertices of the link of the vertex that was inserted last.
   std::span<const VertexIndex> link() const { return numbered_; }
 
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< larger links are connected by sorting
+  static constexpr unsigned table_side = 64;  ///< the cells of larger links are connected by sorting instead
 
-  /// A ghost, the tag of the face before it, and the ghost on the other side of this face, if that has one.
+  /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {
     CellIndex cell;
     FaceTag tag;
@@ -86,16 +85,16 @@ class WalledMesh {
   DomainMesh& mesh_;
   TetMesh& cells_;
   VertexIndex infinite_;
-  std::vector<PointRecord> records_;  ///< by vertex; `place` is 1 on curves
+  std::vector<PointRecord> records_;  ///< for each vertex; `place` is 1 for vertices on curves
   std::vector<Ghost> ghosts_;
 
-  // Lists of the same size, of which the first n_cavity_ and n_border_ items count.
+  // Cells and border faces of the cavity: only the first n_cavity_ and n_border_ entries of these equally long lists.
   std::vector<CellIndex> cavity_ = std::vector<CellIndex>(256);
   std::vector<CavityFace<3>> border_ = std::vector<CavityFace<3>>(256);
   std::size_t n_cavity_ = 0, n_border_ = 0;
-  double nearest_ = 0;  ///< squared distance of the nearest vertex of the cavity
+  double nearest_ = 0;  ///< squared distance from the new point to the nearest vertex of the cavity
   std::vector<VertexIndex> numbered_;
-  std::vector<std::array<std::uint16_t, 3>> number_;  ///< numbers of the vertices of each border face
+  std::vector<std::array<std::uint16_t, 3>> number_;  ///< for each border face, the numbers of its vertices
   std::array<FaceRef, std::size_t{table_side} * table_side> table_;
   EpochMarks marks_;
   std::vector<CellIndex> kept_;

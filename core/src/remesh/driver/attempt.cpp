@@ -28,7 +28,7 @@ double worst_shape(const DomainMesh& mesh) {
   return worst;
 }
 
-/// Builds the size field and estimates the number of elements, which `context` receives.
+/// Builds the size field, estimates the number of elements and reports it to `context`.
 void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options,
                 const LocalTolerance& tolerance, const RunContext& context, RefineResult& result) {
   SizeFields sizes = build_size_field(plc, mesh, options, tolerance);
@@ -40,7 +40,8 @@ void find_sizes(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const
   if (options.sparse_growth > 0) result.size_field = result.size_field.times(options.sparse_surfaces);
 }
 
-/// Reports the numbers of elements of the stage as shares of the estimate. `context` must outlive the result.
+/// Returns a context that reports progress as the number of elements in relation to the estimated number. `context`
+/// must outlive the returned one.
 RunContext counting_towards(double estimate, const RunContext& context) {
   RunContext counted = context;
   if (context.progress)
@@ -50,14 +51,14 @@ RunContext counting_towards(double estimate, const RunContext& context) {
   return counted;
 }
 
-/// The number of new points, as a share of the input's points, above which the mesh is made anew. If surfaces may move,
-/// fewer points can as well be inserted one by one.
+/// Least number of new points on surfaces, as a share of the input's points, for which the mesh is built anew from all
+/// points. If surfaces may move, fewer points can just as well be inserted one by one.
 double least_share_of_points(const RefineOptions& o) { return o.honour == Honour::tolerance ? 0.01 : 0; }
 
-/// Meshes anew with points on edges and facets at the target distances. A constrained Delaunay start is better than
-/// adding the points one by one among the slivers between them. Points are rounded, so pieces of an edge may pierce a
-/// facet that nearly touches it. Then facets and edges there are not divided, merged vertices there are separated, and
-/// the start is made again. Returns false if that is impossible; the mesh is then unchanged.
+/// Builds the mesh anew with points on edges and facets at the target distances. Such a constrained Delaunay mesh is a
+/// better start than one into which the points are inserted one by one, among slivers. Points are rounded, so pieces of
+/// an edge may pierce a facet that nearly touches it. In that case facets and edges there get no points, merged facets
+/// there are separated, and the mesh is built again. Returns false if that is impossible; the mesh is then unchanged.
 bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged, const RefineOptions& options,
                         ConstrainedTetrahedralization& mesh, const RunContext& context, RefineResult& result) {
   constexpr unsigned most_rounds = 16;
@@ -85,13 +86,14 @@ bool add_surface_points(const PiecewiseLinearComplex& plc, MergedFacets& merged,
     trouble.facets.insert(trouble.facets.end(), meeting.begin(), meeting.end());
     const bool comes_apart = take_apart(merged, trouble.facets, parent);
     if (!keep_whole(merged, sampled, trouble, whole) && !comes_apart) return false;
-    merged = merge_pieces(plc, parent);  // The flips of slivers may have changed facets, so these are merged again.
+    // Merges facets again, because flips of slivers may have changed them.
+    merged = merge_pieces(plc, parent);
   }
   return false;
 }
 
-/// Edges this much longer than their size remain if insertion was stuck. Improvement removes a few of them; if more
-/// than this share of the cells has one, the points are meshed anew.
+/// Edges longer than `far_too_long` times their target size remain if insertion got stuck. Improvement removes a few of
+/// them; if more than the share `worth_meshing_anew` of all cells has such an edge, the points are meshed anew.
 constexpr double far_too_long = 3, worth_meshing_anew = 1e-3;
 
 bool has_edge_far_too_long(Toolbox& tools, const Tetrahedron& t) {
@@ -112,7 +114,7 @@ bool has_borders_of_no_facet(const DomainMesh& mesh) {
   return false;
 }
 
-/// Frees the elements after import. Only the points and their provenance are needed later, for export.
+/// Frees the elements of the caller's mesh after import. Export needs only its points and their provenance.
 void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.tetrahedra = {};
   mesh.component = {};
@@ -120,9 +122,9 @@ void release_elements(ConstrainedTetrahedralization& mesh) {
   mesh.edges = {};
 }
 
-/// If edges that are far too long remain, the cells are far from Delaunay, and flips cannot help because the points
-/// beside them are too near for others. The same points are then meshed anew, and refinement continues from there.
-/// Memory that the engine needs is freed before; if it fails, the mesh is restored from its input.
+/// Meshes the points anew if edges that are far too long remain, and continues refinement from there. Such edges remain
+/// if the cells are far from Delaunay and flips cannot help, because existing points are too close to insert others.
+/// Memory that meshing needs is freed before; if meshing fails, the mesh is restored from its input.
 void refine_from_anew(Toolbox& tools, const PiecewiseLinearComplex& plc, const RefineOptions& options,
                       const std::vector<Index>& patches, ConstrainedTetrahedralization& input,
                       const RunContext& context) {
@@ -149,7 +151,7 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
   const auto count_bad = [&] { return count_below(tools.mesh, tools.mesh.measure().bad()); };
   const std::size_t n_bad = count_bad();
   Deviations found = hold_to_tolerance(tools, context);
-  // Vertices that are put where a surface was too far from the input may lie beside others.
+  // A vertex inserted where a surface was too far from the input may be close to others, and make bad cells.
   if (count_bad() > n_bad) {
     mend_bad_cells(tools, options, context);
     found = hold_to_tolerance(tools, context);
@@ -163,15 +165,14 @@ void improve_holding(Toolbox& tools, const RefineOptions& options, const RunCont
 void finish(Toolbox& tools, const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
             unsigned threads, RefineResult& result) {
   result.statistics.worst_shape_after = worst_shape(tools.mesh);
-  result.statistics.edges_within_size = share_of_edges_within_size(tools, threads);
   renew_facets(tools.mesh, tools.guard, plc);
   const std::string fault = tools.mesh.validate(threads);
   if (!fault.empty()) throw InternalError("refinement: " + fault);
   result.mesh = export_domain(tools.mesh, input, threads);
 }
 
-/// If refinement has made at least this many times the estimated elements, the rest of the run takes as much longer.
-/// This is reported before it begins.
+/// Refinement that has made `far_more` times the estimated number of elements is reported before improvement, which
+/// then takes longer in proportion.
 constexpr double far_more = 2, worth_telling = 50000;  // elements
 
 void tell_growth(const DomainMesh& mesh, const RunContext& context, RefineResult& result) {
@@ -198,7 +199,7 @@ Attempt attempt_holding(const Hold& hold, const PiecewiseLinearComplex& plc, Con
   find_sizes(plc, mesh, options, tolerance, hold.run == 0 ? context : RunContext{}, result);
   std::optional<StageScope> refining;
   if (options.refine) refining.emplace(context, "refine");
-  std::optional<DomainMesh> given;  // the surfaces of the input, for reference
+  std::optional<DomainMesh> given;  // the mesh of the input, kept for its surfaces
   if (options.refine && add_surface_points(plc, merged, options, input, context, result))
     given = std::exchange(mesh, import_domain(plc, input, options, result.kept_patch));
   const SurfaceGuard guard(given ? *given : mesh, mesh, plc, options.honour, tolerance, hold);

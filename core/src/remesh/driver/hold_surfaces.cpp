@@ -17,8 +17,8 @@ Deviations hold_to_tolerance(Toolbox& tools, const RunContext& context) {
   std::size_t n_before = std::numeric_limits<std::size_t>::max();
   for (unsigned round = 0; round < most_rounds && !found.breaches.empty(); ++round) {
     context.check_cancelled();
-    // Vertices are moved only as long as the number of breaches falls, because a vertex could otherwise alternate
-    // between two places that it has to cover.
+    // Vertices are moved only as long as the number of places outside the tolerance falls. Otherwise a vertex could
+    // alternate between two places that it has to cover.
     const MendBy by = found.breaches.size() < n_before ? MendBy::moves_and_splits : MendBy::splits;
     n_before = found.breaches.size();
     if (mend_surfaces(tools, found.breaches, by) == 0) break;
@@ -62,7 +62,7 @@ std::string breach_words(const Breach& b) {
          " is not proven to be within the tolerance, " + place_words(b.place);
 }
 
-/// Triangulates the outer loops of the facets as fans; groups are the facets.
+/// Returns a search tree of triangles: the outer loop of each facet, divided into a fan. An item's id is its facet.
 search::ClosestPointTrees facet_triangles(const PiecewiseLinearComplex& plc) {
   std::vector<Item> items;
   for (Index f = 0; f < plc.n_facets(); ++f) {
@@ -89,7 +89,7 @@ void tighten(Hold& hold, const Attempt& attempt, double tolerance) {
 }
 
 std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attempt& attempt, RefineOptions& options) {
-  std::vector<Box3> boxes;  // boxes of the places that are not within the tolerance
+  std::vector<Box3> boxes;  // boxes around the places that are not within the tolerance
   for (const Breach& b : attempt.breaches) boxes.push_back(grown({b.place, b.place}, 2 * options.tolerance));
   for (const TightZone& zone : attempt.crossings) boxes.push_back(grown(zone.box, 2 * options.tolerance));
   std::vector<Index> n_of_patch;
@@ -112,7 +112,7 @@ std::vector<KeptPlace> keep_there(const PiecewiseLinearComplex& plc, const Attem
     --n_of_patch[before];
     n_of_patch.push_back(1);
     options.facet_patch[k.facet] = own;
-    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // It is merged with no other.
+    if (!options.facet_parent.empty()) options.facet_parent[k.facet] = no_index;  // the facet is not merged with others
     if (before < options.size.patch_size.size()) {
       options.size.patch_size.resize(own + 1);
       options.size.patch_size[own] = options.size.patch_size[before];

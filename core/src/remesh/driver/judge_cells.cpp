@@ -12,8 +12,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Number of layers of cells around the examined ones. They complete the faces at the vertices, and contain most gaps
-/// between surfaces.
+/// Number of layers of cells that are exported around the examined cells. They contain all faces at the vertices of the
+/// examined cells, and most gaps between surfaces.
 constexpr unsigned rings = 2;
 
 class Judge {
@@ -35,7 +35,7 @@ class Judge {
       if (is_bad(mesh, c)) bad.push_back(static_cast<Index>(cells.size()));
       cells.push_back(c);
     }
-    if (bad.empty()) return {};  // Most meshes have no bad cells, and no copy is made for them.
+    if (bad.empty()) return {};  // Most meshes have no bad cells and need not be exported.
     const ConstrainedTetrahedralization exported = export_domain(mesh, input_);
     for (const Index row : unforced_bad_elements(exported, judging_, creases_, bad)) free.push_back(cells[row]);
     return free;

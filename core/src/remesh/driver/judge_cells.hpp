@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Finds the bad cells of an unfinished mesh that the input does not impose, evaluated as in the result
-/// (unforced_bad_elements).
+/// Finds the bad cells of an unfinished mesh that the input does not impose, by the same criteria that are applied to
+/// the result (unforced_bad_elements).
 #pragma once
 
 #include "geomesh/core/refine.hpp"
@@ -9,8 +9,8 @@
 
 namespace geomesh::remesh {
 
-/// Creates the function for a mesh imported from `input`, with sizes and patches as in `result`. All arguments must
-/// outlive the returned object.
+/// Creates the functions that find bad cells of a mesh imported from `input`, with sizes and patches as in `result`.
+/// All arguments must outlive the returned object.
 FreeCellJudge free_cell_judge(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,
                               const RefineOptions& options, const RefineResult& result);
 

@@ -18,8 +18,8 @@ namespace geomesh {
 
 namespace {
 
-/// The largest tolerance, as a share of the model's diagonal. With a larger tolerance nothing but the box would be left
-/// of most surfaces, and nearly every place of a surface would be near to every other.
+/// Largest permitted tolerance, as a share of the model's diagonal. A larger tolerance would leave only the bounding
+/// box of most surfaces, and nearly every place of a surface would be close to every other.
 constexpr double greatest_tolerance = 0.1;
 
 std::string rounded(double x) {
@@ -125,8 +125,8 @@ double estimate_elements(const PiecewiseLinearComplex& plc, const ConstrainedTet
 
 namespace {
 
-/// Runs repeat with smaller tolerances until surfaces are within the requested one, at most `most_runs` times. From run
-/// `first_run_that_keeps` on (counted from 0), facets are kept unchanged where the run before failed.
+/// Runs repeat with smaller tolerances until surfaces are within the requested tolerance, at most `most_runs` times.
+/// From run `first_run_that_keeps` on (counted from 0), facets are kept unchanged where the previous run failed.
 constexpr unsigned first_run_that_keeps = 3, most_runs = 6;
 
 RefineResult refine_within(const PiecewiseLinearComplex& plc, const ConstrainedTetrahedralization& input,

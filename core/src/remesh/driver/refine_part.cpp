@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refines a part of a mesh whose constraints are faces of no facet. Declared in geomesh/core/refine_part.hpp.
+// Refines a part of a mesh, in which constrained faces belong to no facet. Declared in geomesh/core/refine_part.hpp.
 #include "geomesh/core/refine_part.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ Corners sorted_corners(const Triangle& t) {
   return c;
 }
 
-/// A face of a tetrahedron with its cell; sorted, equal faces are neighbours.
+/// A face of a tetrahedron, identified by its sorted vertices. In a sorted list, the two sides of a face are adjacent.
 struct FaceOfCell {
   Corners corners;
   Index cell;
@@ -44,7 +44,7 @@ std::vector<FaceOfCell> faces_of_cells(const TetrahedraPart& part) {
   return faces;
 }
 
-/// Marks the points of faces without a neighbour, and of everything else that is to be kept.
+/// Marks the points of boundary faces, kept faces and kept edges as kept.
 void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
   for (std::size_t i = 0, j; i < faces.size(); i = j) {
     for (j = i; j < faces.size() && faces[j].corners == faces[i].corners;) ++j;
@@ -58,8 +58,8 @@ void keep_border(TetrahedraPart& part, const std::vector<FaceOfCell>& faces) {
     for (const VertexIndex v : e) part.is_kept[v] = 1;
 }
 
-/// The part in the terms of import_domain: what is to be kept is given as input, and faces to be kept belong to no
-/// facet.
+/// A part of a mesh in the form that import_domain takes: kept points and edges are points and segments of the PLC, and
+/// kept faces belong to no facet.
 struct Imported {
   PiecewiseLinearComplex plc;
   ConstrainedTetrahedralization mesh;
@@ -124,7 +124,7 @@ void export_part(const DomainMesh& mesh, const Imported& in, TetrahedraPart& par
     for (VertexIndex& v : e) v = row[v];
 }
 
-/// Tetrahedra that are not refined. They keep all faces and points, and are added again at the end.
+/// Keeps the faces and points of settled tetrahedra unchanged while the other tetrahedra are refined.
 class Settled {
  public:
   explicit Settled(TetrahedraPart& part) : n_faces_(part.kept_faces.size()) {
@@ -145,7 +145,7 @@ class Settled {
       if (part.is_kept[v]) is_free_later_.push_back(!was_kept[v]);
     part.is_settled.clear();
   }
-  /// Writes the refined tetrahedra into the part; points that are kept come first, in their order.
+  /// Ends the special treatment of settled tetrahedra: their faces and points are kept only if they were before.
   void release(TetrahedraPart& part) const {
     for (std::size_t v = 0; v < is_free_later_.size(); ++v)
       if (is_free_later_[v]) part.is_kept[v] = 0;
@@ -154,10 +154,11 @@ class Settled {
 
  private:
   std::size_t n_faces_;
-  std::vector<bool> is_free_later_;  // by kept point
+  std::vector<bool> is_free_later_;  // for each kept point, whether only settled tetrahedra keep it
 };
 
-/// The constraints of the mesh, in ascending order: constrained faces without a neighbour, those with one, and curves.
+/// The constraints of a mesh, each list in ascending order: constrained faces on the boundary, constrained faces
+/// inside, and edges of curves.
 struct Constrained {
   std::vector<Corners> border, faces;
   std::vector<std::array<VertexIndex, 2>> edges;
@@ -181,7 +182,7 @@ Constrained constrained_of(const DomainMesh& mesh) {
 /// Removes inner points that were made for larger sizes, because they obstruct points at the new sizes. Insertion then
 /// starts at the border, as in a mesh without inner points.
 void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
-  constexpr double far_larger = 4;  // Sizes so large that almost every inner point is superfluous.
+  constexpr double far_larger = 4;  // sizes so large that almost every inner point is superfluous
   constexpr unsigned rounds = 2;
   const SizeField loose = tools.lengths.field().times(far_larger);
   remesh::Toolbox apart(tools.mesh, tools.guard, loose, tools.statistics);
@@ -192,7 +193,7 @@ void take_points_out(remesh::Toolbox& tools, const RunContext& context) {
   }
 }
 
-/// Calls `work` for the part, and checks that everything to be kept is kept.
+/// Calls `work` on a mesh of the part, and checks afterwards that all constraints are unchanged.
 template <class Work>
 void run_on_part(TetrahedraPart& part, const SizeField& size, const RefineOptions& options,
                  RefineStatistics& statistics, const Work& work) {
@@ -232,7 +233,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   };
   const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
-    options.size_surfaces = true;  // Allows points inside, which this option governs.
+    options.size_surfaces = true;  // improvement adds inner points only with this option
     remesh::improve_mesh(tools, options, context);
   };
   const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });

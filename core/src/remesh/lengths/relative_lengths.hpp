@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
 /// Lengths relative to the requested size. Passes and operations compare edges and distances with sizes only through
-/// these two classes, so that a metric tensor could stand in place of the size.
+/// the classes LocalLength and RelativeLengths, so that a metric tensor could stand in place of the size.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace geomesh::remesh {
 /// The requested size at one place, or a multiple of it.
 class LocalLength {
  public:
-  LocalLength() = default;  ///< zero, which exceeds nothing
+  LocalLength() = default;  ///< length zero, which exceeds no vector
   explicit LocalLength(double length) : length_(length) {}
   /// Returns whether a vector is shorter than this length.
   bool exceeds(const Vec3& d) const { return squared_length(d) < length_ * length_; }
@@ -32,32 +32,31 @@ class LocalLength {
   double length_ = 0;
 };
 
-/// The lengths of a mesh's edges relative to the mean of the requested sizes at both ends. The size at a vertex is that
-/// of the component of one of its cells. It is kept until the vertex is forgotten.
+/// The lengths of a mesh's edges relative to the mean of the requested sizes at both ends. The size at a vertex is
+/// evaluated for the component of one of its cells, and stored until `forget` is called.
 class RelativeLengths {
  public:
   RelativeLengths(const DomainMesh& mesh, const SizeField& field) : mesh_(mesh), field_(field) {}
 
-  /// Returns the length of the edge relative to its size: 1 is as requested.
+  /// Returns the length of an edge divided by its target size.
   double length(VertexIndex a, VertexIndex b) { return distance(mesh_.point(a), mesh_.point(b)) / size_of_edge(a, b); }
-  /// Return whether the relative length is above or below a limit. They compute no root.
+  /// Return whether the relative length of an edge is above or below a limit, without computing a square root.
   bool is_longer(VertexIndex a, VertexIndex b, double limit) {
     const double l = absolute(a, b, limit);
     return squared_distance(mesh_.point(a), mesh_.point(b)) > l * l;
   }
   bool is_shorter(VertexIndex a, VertexIndex b, double limit) { return is_shorter(a, mesh_.point(a), b, limit); }
-  /// Returns whether the edge would be shorter than the limit if `a` were moved to p, with the size that it has now.
+  /// Returns whether the edge a-b would be shorter than the limit if `a` were moved to p but kept its target size.
   bool is_shorter(VertexIndex a, const Vec3& p, VertexIndex b, double limit) {
     const double l = absolute(a, b, limit);
     return squared_distance(p, mesh_.point(b)) < l * l;
   }
-  /// Returns the length of an edge in this direction that has the given relative length.
+  /// Returns the length in model units that the edge a-b would have with the given relative length.
   double absolute(VertexIndex a, VertexIndex b, double relative) { return relative * size_of_edge(a, b); }
-  /// Returns the size at any place.
+  /// Returns the target size at any point of a component.
   LocalLength at(const Vec3& p, Index component) const { return LocalLength(field_.at(p, component)); }
 
-  /// The size at a vertex, and the means of the sizes at the vertices of a face or cell, for passes that choose places
-  /// of new points.
+  /// Return the target size at a vertex, or its mean over a face or cell, for passes that choose places of new points.
   double size_at(VertexIndex v) {
     if (v >= sizes_.size() || sizes_[v] < 0) [[unlikely]]
       set_size(v, evaluated(v));
@@ -70,19 +69,20 @@ class RelativeLengths {
     return sum / 4;
   }
   const SizeField& field() const { return field_; }
-  /// Returns whether the field calls a function of the caller, which is evaluated on one thread only.
+  /// Returns whether the size field calls a function of the caller, which may be evaluated on one thread only.
   bool asks_caller() const { return field_.limits().background != nullptr; }
 
-  /// Evaluates all vertices that are not yet known, in parallel. Afterwards lengths can be taken concurrently.
+  /// Evaluates all target sizes at vertices that are not yet stored, in parallel. Lengths may then be used
+  /// concurrently.
   void evaluate(unsigned threads);
-  /// Stores the size at the vertex, which has been evaluated elsewhere.
+  /// Stores the target size at a vertex, evaluated elsewhere.
   void set_size(VertexIndex v, double size);
-  /// Must be called for each vertex that is moved.
+  /// Drops the stored size at a vertex. Must be called for each vertex that is moved.
   void forget(VertexIndex v) {
     if (v < sizes_.size()) sizes_[v] = -1;
   }
   void forget_all() { sizes_ = {}; }
-  /// Returns what is known of the vertices from `first` on, which another mesh receives by `add_known`.
+  /// Returns the target sizes at the vertices from `first` on, as arguments for add_known() of another mesh's lengths.
   std::vector<double> known_from(VertexIndex first);
   void add_known(VertexIndex first, std::span<const double> known);
 
@@ -92,7 +92,7 @@ class RelativeLengths {
 
   const DomainMesh& mesh_;
   const SizeField& field_;
-  std::vector<double> sizes_;  // of each vertex; negative if not yet evaluated
+  std::vector<double> sizes_;  // target size at each vertex; negative if not evaluated
 };
 
 }  // namespace geomesh::remesh

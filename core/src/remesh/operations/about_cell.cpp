@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations about one cell, the first that helps, declared in remesh/operations/improve.hpp.
+// Operations on one cell that try all its edges and faces until one improves shapes. Declared in
+// remesh/operations/improve.hpp.
 #include "remesh/operations/improve.hpp"
 
 namespace geomesh::remesh {

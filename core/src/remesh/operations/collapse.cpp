@@ -29,8 +29,8 @@ class Collapse {
     cells_.clear();
   }
 
-  /// Tries to contract towards one neighbour. It can be called for further neighbours until it returns true; the cells
-  /// at u are gathered only once.
+  /// Tries to contract the edge from u to a neighbour v, which moves u to v. Can be called for further neighbours until
+  /// it returns true; the cells at u are gathered only once.
   bool attempt(VertexIndex v, CollapseRule rule, double floor) {
     v_ = v;
     if (mesh_.kind(u_) == VertexKind::corner || mesh_.kind(u_) == VertexKind::dead) return false;
@@ -45,7 +45,7 @@ class Collapse {
   }
 
  private:
-  /// Returns whether the edge lies on u's own curve or patch, so that u may move along it.
+  /// Returns whether the contracted edge u-v lies on the curve or patch of u, so that u may move along it.
   bool support_allows() const {
     switch (mesh_.kind(u_)) {
       case VertexKind::inside:
@@ -60,8 +60,8 @@ class Collapse {
     }
   }
 
-  /// Cells with both u and v disappear. Their other two faces become one face, which must not be constrained twice, nor
-  /// lie on the outside.
+  /// Returns whether the cells at the contracted edge u-v permit the contraction. Such a cell vanishes, and two of its
+  /// faces become one. Not both of these may be constrained, and neither may be on the boundary.
   bool cells_at_edge_allow() const {
     bool joined = false;
     for (const CellIndex c : star_.cells) {
@@ -75,11 +75,11 @@ class Collapse {
     return joined;
   }
 
-  /// The surface must stay a manifold: a surface edge that moves from u to v must not exist already, except beside the
-  /// contracted edge, and neither may a surface face. (No cell has two faces with only the outside between them.)
+  /// Returns whether the surface remains a manifold. A surface edge or face that moves from u to v must not exist
+  /// already, except for the edges next to the contracted edge.
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
-    if (mesh_.is_pinched(v_)) return false;  // At a non-manifold vertex the star is only a part of its surface.
+    if (mesh_.is_pinched(v_)) return false;  // the star may be only a part of the surface at v
     std::vector<VertexIndex> beside;
     std::vector<std::array<VertexIndex, 2>> link;
     for (const Spoke& s : star_.spokes)
@@ -100,8 +100,8 @@ class Collapse {
     return rule == CollapseRule::improve ? old * (1 + 1e-9) : std::min(old * 0.999, floor);
   }
 
-  /// Examines the cells at u alone, which suffices to refuse most contractions. It ends at the first cell that would be
-  /// inverted, often before all cells are gathered.
+  /// Checks the shapes of the cells at u only, which suffices to refuse most contractions. Ends at the first cell that
+  /// would be inverted, often before all cells are gathered.
   bool shapes_may_allow(CollapseRule rule, double floor) {
     double least = std::numeric_limits<double>::infinity();
     if (cells_.empty()) mesh_.begin_star(u_, tools_.work.marks, cells_);
@@ -158,7 +158,7 @@ class Collapse {
   DomainMesh& mesh_;
   VertexIndex u_, v_ = no_vertex;
   std::vector<CellIndex>& cells_;  ///< cells around u that have been gathered so far
-  std::size_t n_grown_ = 0;        ///< number of these whose neighbours have been gathered too
+  std::size_t n_grown_ = 0;        ///< number of cells in `cells_` whose neighbours have been gathered too
   StarCavity star_, target_;
 };
 

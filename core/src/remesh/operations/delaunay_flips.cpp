@@ -28,7 +28,7 @@ class DelaunayFlipper {
         ++n;
         for (const CellIndex created : tools_.work.created) push(created);
       }
-      if (n > 8 * mesh_.n_cells()) break;  // Because of rounding, flips could undo each other for ever.
+      if (n > 8 * mesh_.n_cells()) break;  // with rounding, flips could undo each other for ever
     }
     return n;
   }
@@ -38,7 +38,7 @@ class DelaunayFlipper {
     if (mesh_.is_live(c)) stack_.push_back({c, mesh_.vertices(c)});
   }
 
-  /// Collects the cells with a face that is not locally Delaunay, in parallel, because usually there are few.
+  /// Collects the cells with a face that is not locally Delaunay, in parallel. Usually there are few such cells.
   void push_all(unsigned threads) {
     constexpr std::size_t chunk = 16384;
     std::vector<std::vector<CellIndex>> asked((mesh_.n_slots() + chunk - 1) / chunk);
@@ -55,8 +55,8 @@ class DelaunayFlipper {
 
   bool may_have_changed(CellIndex c) const { return !since_ || changed_since(mesh_, mesh_.vertices(c), *since_); }
 
-  /// Calls flip(i, neighbour, its apex) for the faces i that are not locally Delaunay, until one returns true. Returns
-  /// whether one did.
+  /// Calls flip(i, neighbouring face, apex of the neighbouring cell) for each face i that is not locally Delaunay,
+  /// until a call returns true. Returns whether one did.
   template <class Flip>
   bool any_face_to_flip(CellIndex c, const Flip& flip) const {
     const Sphere s = circumsphere(mesh_, c);
@@ -88,7 +88,7 @@ class DelaunayFlipper {
     return true;
   }
 
-  /// Tries the edges of the face for one with exactly three cells, of which the third lies between the two apexes.
+  /// Flips an edge of the face that has exactly three cells: the two at the face, and one with both of their apexes.
   bool flip32(CellIndex c, unsigned i, VertexIndex bottom) {
     const Triangle f = mesh_.face(c, i);
     for (unsigned k = 0; k < 3; ++k) {

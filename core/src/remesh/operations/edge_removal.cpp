@@ -9,11 +9,12 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// By default, an edge is removed if this raises the worst shape.
+/// The condition for the removal of an edge. By default, it must raise the worst shape.
 struct RemovalRule {
-  double worst_before = 1;  ///< If lower than the worst shape before, all new shapes need only be above this value.
-  const MeanGoal* goal = nullptr;  ///< if given, the mean shape must rise instead
-  /// The edge is flipped if the surface becomes more nearly Delaunay; shapes may fall to `floor`.
+  /// If this is below the worst shape before the removal, the new shapes need only be above this value.
+  double worst_before = 1;
+  const MeanGoal* goal = nullptr;  ///< if not null, the mean shape must rise instead of the worst
+  /// Whether to flip an edge of a surface to make the surface more nearly Delaunay; shapes may fall to `floor`.
   bool for_surface = false;
   double floor = 0;
 };
@@ -61,7 +62,7 @@ class EdgeRemoval {
 
   double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
-  /// Returns whether there would be more bad cells than before; see cavity.hpp.
+  /// Returns whether the removal would increase the number of bad cells; see cavity.hpp.
   bool adds_bad_cells() const {
     const double bad = mesh_.measure().bad();
     if (before_ >= bad) return false;
@@ -105,21 +106,21 @@ class EdgeRemoval {
       if (side.size() < 3 && other.size() < 3) return false;
       if (!solve_side(other, mesh_.component(cells[t]))) return false;
     }
-    if (!guard_allows(patch, x, y)) return false;  // The most expensive test comes last.
+    if (!guard_allows(patch, x, y)) return false;
     const FaceTag tag = faces_.tag[0];
     for (std::size_t k = 0; k < tools_.work.added.size(); ++k)
       tag_surface(tools_.work.added[k], x, y, FaceTag(tag.facet(), k < n_first ? tag.above() : !tag.above()));
     return true;
   }
 
-  /// Removes a flat cell that has two outer faces at the edge. No other cell replaces it: its two inner faces become
-  /// the surface.
+  /// Removes a flat cell whose two faces at the edge a-b are on the boundary. Its other two faces become the surface,
+  /// and no new cell takes its place.
   bool shell_off(CellIndex c) {
     if (goal_ || for_surface_ || tools_.guard.exact() || !(mesh_.shape_of(c) < mesh_.measure().bad())) return false;
     const TetMesh& topology = mesh_.cells();
     const VertexIndex x = tools_.work.ring[0], y = tools_.work.ring[1];
     const FaceTag tag = mesh_.tag(c, topology.index_of(c, x)),
-                  other = mesh_.tag(c, topology.index_of(c, y));  // the tag of (a, b, y) and (a, b, x)
+                  other = mesh_.tag(c, topology.index_of(c, y));  // tags of the faces (a, b, y) and (a, b, x)
     const unsigned opposite_a = topology.index_of(c, a_), opposite_b = topology.index_of(c, b_);
     if (!tag.constrained() || !other.constrained() || mesh_.tag(c, opposite_a).constrained() ||
         mesh_.tag(c, opposite_b).constrained())
@@ -142,10 +143,10 @@ class EdgeRemoval {
     return true;
   }
 
-  /// Returns whether x-y is already an edge of the surface or of a curve (a well). Then the faces of the exchange would
-  /// fold onto others, or two surfaces would share an edge that no curve lists. If the removed edge is inside, x-y is
-  /// in the mesh only if a cell at that edge has both. Faces of other surfaces at x-y may be beyond those cells, so all
-  /// cells at x are examined, or at y if those cannot be found.
+  /// Returns whether x-y is already an edge of the surface or of a curve (a well). If so, the new faces of the flip
+  /// would coincide with others, or two surfaces would share an edge that is on no curve. If the removed edge is not on
+  /// the boundary, x-y is an edge of the mesh only if a cell at the removed edge contains both x and y. Faces of other
+  /// surfaces at x-y may belong to further cells, so all cells at x are examined, or at y if those cannot be found.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
     if (mesh_.curve_of(x, y) != no_index) return true;
     const auto has_both = [&](CellIndex c) { return mesh_.cells().has_vertex(c, x) && mesh_.cells().has_vertex(c, y); };
@@ -163,7 +164,7 @@ class EdgeRemoval {
     });
   }
 
-  /// Tags the faces (x, y, a) and (x, y, b) of a new cell, which are now on the surface.
+  /// Tags the faces (x, y, a) and (x, y, b) of a new cell, which are on the surface after the flip.
   void tag_surface(NewCell& n, VertexIndex x, VertexIndex y, FaceTag tag) const {
     const auto at = n.vertices.begin(), end = at + 3;
     if (std::find(at, end, x) == end || std::find(at, end, y) == end) return;

@@ -9,7 +9,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Removes one unconstrained face by a multi-face flip.
+/// Replaces one unconstrained face by the edge between the two vertices opposite it (2-3 flip).
 class FaceRemoval {
  public:
   FaceRemoval(Toolbox& tools, CellIndex c, unsigned i)
@@ -35,7 +35,7 @@ class FaceRemoval {
   }
 
  private:
-  /// Whether the three new cells are positive and their shapes above `needed`.
+  /// Returns whether the three new cells are positive and their shapes above `needed`.
   bool are_all_above(double needed) const {
     const Vec3 &p = mesh_.point(top_), &q = mesh_.point(bottom_);
     if (needed >= 0 && !may_all_be_positive(p, q)) return false;
@@ -46,7 +46,8 @@ class FaceRemoval {
     return true;
   }
 
-  /// Computes the volumes first, since most of the time the new edge misses the face and no shape is needed.
+  /// Returns whether the volumes of the three new cells are positive in floating point. This is computed first, because
+  /// most often the new edge misses the face and no shape is needed.
   bool may_all_be_positive(const Vec3& p, const Vec3& q) const {
     const Vec3 &x = mesh_.point(face_[0]), &y = mesh_.point(face_[1]), &z = mesh_.point(face_[2]);
     const Vec3 a = x - p, b = y - p, c = z - p, d = q - p;

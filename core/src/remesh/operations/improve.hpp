@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Operations that raise the worst or the mean shape of the cells around a place.
+/// Local operations that raise the worst or the mean shape of cells.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace geomesh::remesh {
 
 enum class SmoothGoal {
   worst,  ///< the worst shape around the vertex must rise
-  /// The sum of the worths (MeanGoal) must rise. The worst of them must not fall below both `floor` and its former
-  /// value.
+  /// The sum of the worths of the cells (CellQuality::worth) must rise. The worst shape must not fall below both
+  /// `floor` and its former value.
   mean,
 };
 
@@ -25,13 +25,13 @@ struct SmoothRule {
   double floor = 0;
   double least_rise = 1.0005;  ///< smallest factor by which the worst shape must rise
   double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
-  bool slides_on_edges =
-      false;  ///< if surfaces are kept: whether vertices on input edges move along them; otherwise they do not move
+  /// If surfaces are kept exactly: whether vertices on input edges may move along these edges.
+  bool slides_on_edges = false;
 };
 
-/// The goal of flips that raise the mean worth (CellQuality::worth) of all cells of the mesh. The sum over the
-/// exchanged cells of their worths above `mean` must rise, whatever their number. No shape may fall below both `floor`
-/// and the worst shape before.
+/// The goal of flips that raise the mean worth (CellQuality::worth) of all cells of the mesh. A flip must raise the sum
+/// of (worth - `mean`) over the exchanged cells, whatever their number. No shape may fall below both `floor` and the
+/// worst shape before the flip.
 struct MeanGoal {
   double floor, mean;
   static constexpr double least_gain = 1e-6;
@@ -39,7 +39,7 @@ struct MeanGoal {
 };
 
 /// Moves v, within its patch or along its curve, if this raises the worst shape around it. Both the optimal place and
-/// the centroid are tried (smart smoothing). Returns whether it moved.
+/// the centroid are tried (smart smoothing). Returns whether v was moved.
 bool smooth_vertex(Toolbox& tools, VertexIndex v, const SmoothRule& rule);
 
 /// Smooths v with its own temporary storage, so that several vertices can be smoothed concurrently, if no two of them
@@ -48,8 +48,8 @@ bool smooth_beside_others(Toolbox& tools, VertexIndex v, const SmoothRule& rule,
 
 /// Removes the edge (a, b) of cell c by the triangulation of its ring that has the best worst shape (Klincsek 1980;
 /// Shewchuk 2002, "Two discrete optimization algorithms for the topological improvement of tetrahedral meshes"): 3-2,
-/// 4-4 and n-to-m flips. An edge inside a patch is exchanged on the surface too (2-2) if the envelope admits it. Only
-/// if the worst shape rises.
+/// 4-4 and n-to-m flips. An edge inside a patch is exchanged on the surface too (2-2) if the envelope admits it. The
+/// edge is removed only if the worst shape rises.
 bool remove_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b);
 
 /// Flips an edge inside a patch to the other diagonal of its two faces if the surface is more nearly Delaunay with it,
@@ -62,23 +62,21 @@ bool flip_surface_edge(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b
 bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b, VertexIndex x, VertexIndex y);
 
 /// Moves a vertex within its patch to the centroid of its faces if their worst shape (4 sqrt 3 area / sum of squared
-/// sides) rises. No cell at it may fall below both `floor` and its former shape. May run concurrently, like
-/// smooth_beside_others.
+/// sides) rises. The shape of no cell at the vertex may fall below both `floor` and its former value. May run
+/// concurrently, like smooth_beside_others.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
-/// Replaces face i of c, and adjacent faces as long as that helps, by the edge between the two opposite vertices: the
-/// 2-3 flip and multi-face removal (Shewchuk 2002, section 3). This is done only if the worst shape rises.
+/// Replaces face i of c by the edge between the two opposite vertices (2-3 flip) if this raises the worst shape.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
 
-/// Removes the edge if the new shapes are above `floor`, even if they are worse than before. It is the first step of
-/// sequences that look ahead.
+/// Removes the edge a-b if all new shapes are above `floor`, even if they are worse than before. This is the first step
+/// of sequences that look ahead.
 bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 
 bool remove_edge_for_mean(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, const MeanGoal& goal);
 
-/// A new point keeps at least this share of the target size from the vertices around it. Nearer points only crowd the
-/// mesh.
+/// Least distance of a new point from vertices around it, as a share of the target size. Closer points crowd the mesh.
 inline constexpr double usual_room = 0.5;
 
 /// Inserts a vertex into the cell if this raises the worst shape around it. The cavity grows greedily across the faces

@@ -13,7 +13,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// The face of the same patch across the edge (x, y) of a constrained face; invalid if the edge is part of a curve.
+/// Returns the face of the same patch across the edge (x, y) of a constrained face; invalid if the edge is on a curve.
 FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, VertexIndex y) {
   if (mesh.curve_of(x, y) != no_index) return {};
   std::vector<CellIndex> cells;
@@ -31,7 +31,7 @@ FaceRef surface_neighbor(const DomainMesh& mesh, FaceRef face, VertexIndex x, Ve
   return FaceRef(c, mesh.cells().index_of(c, opposite));
 }
 
-/// Walks within the patch to the face that contains the projection of p; invalid if a curve is in the way.
+/// Walks within a patch to the face that contains the projection of p. Returns an invalid face if it meets a curve.
 FaceRef locate_on_surface(const DomainMesh& mesh, const Vec3& p, FaceRef face) {
   for (unsigned step = 0; step < 300; ++step) {
     const Triangle t = mesh.face(face);
@@ -118,15 +118,14 @@ class SurfaceInsertion {
             [&](FaceRef f) { return mesh_.sees(p_, mesh_.face(f)); }) ||
         !keeps_spacing(spacing))
       return false;
-    // The cells are copied first, because gather_cells reuses the marks.
+    // gather_cells reuses the marks, so the cells of the cavity are copied first.
     tools_.work.created.assign(tools_.work.cells.begin(), tools_.work.cells.end());
     gather_cells(mesh_, tools_.work.marks, tools_.work.created, tools_.work.cavity);
     if (!opened_.empty()) drop_opened_hull_faces();
     return true;
   }
 
-  /// Removes the opened faces on the outside of the model from the cavity's border, because the new surface replaces
-  /// them.
+  /// Removes outer faces of the model that the cavity contains from its border, because the new surface replaces them.
   void drop_opened_hull_faces() {
     std::vector<Triangle> gone;
     for (const FaceRef f : opened_)
@@ -135,7 +134,7 @@ class SurfaceInsertion {
                   [&](const LinkFace& l) { return std::find(gone.begin(), gone.end(), l.vertices) != gone.end(); });
   }
 
-  /// Adds the border edges of the removed faces, oriented as their facets are.
+  /// Adds the border edges of the removed surface faces to the cavity, oriented like their facets.
   void add_spokes(StarCavity& cavity) const {
     std::vector<Spoke> edges;
     for (const FaceRef f : opened_) {
@@ -155,8 +154,7 @@ class SurfaceInsertion {
     return tools_.guard.admits(before, surface_of(mesh_, cavity, p_));
   }
 
-  /// Returns whether p keeps its distance to all vertices of the cells, including those that would disappear inside the
-  /// cavity.
+  /// Returns whether p keeps the required distance from all vertices of removed cells, even those inside the cavity.
   bool keeps_spacing(const LocalLength& spacing) const {
     for (const CellIndex c : tools_.work.cells)
       for (const VertexIndex v : mesh_.vertices(c))

@@ -27,8 +27,8 @@ Vec3 offset_of_circumcentre(const DomainMesh& mesh, const Triangle& t) {
 
 namespace {
 
-/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face is in the way or the
-/// walk takes too long.
+/// Finds the cell that contains p by a walk from `start`. Returns nothing if a constrained face or many cells
+/// intervene.
 std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex start) {
   unsigned turn = 0;  // The walk varies the order in which it tries the faces, so that it cannot cycle for long.
   const auto end = mesh.walk(
@@ -36,14 +36,14 @@ std::optional<CellIndex> locate(const DomainMesh& mesh, const Vec3& p, CellIndex
   return end.end == DomainMesh::Walk::End::found ? std::optional(end.cell) : std::nullopt;
 }
 
-/// Inserts a point by a constrained Delaunay cavity that has no part of a surface or curve inside, and its star.
-/// Circumspheres in floating point select the cells; visibility is decided exactly.
+/// Inserts a point by replacing a constrained Delaunay cavity, which has no part of a surface or curve inside, by the
+/// star of the point. Circumspheres in floating point select the cells; visibility is decided exactly.
 class InsideInsertion {
  public:
   InsideInsertion(Toolbox& tools, const Vec3& p, const InsertionRule& rule)
       : mesh_(tools.mesh), work_(tools.work), rule_(rule), p_(p) {}
 
-  /// `home` has p.
+  /// Finds the cavity of p, which is in the cell `home`.
   bool find_cavity(CellIndex home) {
     constexpr std::size_t most_cells = 400;
     if (!keeps_spacing(mesh_.vertices(home))) return false;
@@ -114,7 +114,7 @@ class InsideInsertion {
   Workspace& work_;
   const InsertionRule& rule_;
   Vec3 p_;
-  std::span<const double> shapes_;  // shapes of the new cells, one for each face of the border
+  std::span<const double> shapes_;  // shapes of the new cells, one for each border face
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ class CavityDigger {
  public:
   CavityDigger(const DomainMesh& mesh, CellIndex seed) : mesh_(mesh), cells_{seed} {}
 
-  /// Keeps the stage of growth at which the worst new shape with apex p is best. Returns false if no stage is visible
-  /// from p.
+  /// Grows the cavity and keeps the stage at which the worst new cell with apex p is best. Returns false if p sees the
+  /// whole border at no stage.
   bool dig(const Vec3& p, std::size_t max_cells) {
     cells_.resize(1);
     border_.clear();
@@ -40,12 +40,12 @@ class CavityDigger {
 
  private:
   struct BorderFace {
-    double shape = 1;  ///< shape of the new cell at this face
-    FaceRef neighbor;  ///< the face as part of the cell beyond, if there is one
+    double shape = 1;  ///< shape of the new cell that would be made at this face
+    FaceRef neighbor;  ///< the border face as a face of the cell outside
     bool is_constrained = false;
   };
 
-  /// Adds the border faces of the cell added last.
+  /// Adds the border faces of the cell that was added last.
   void add_border(const Vec3& p) {
     const CellIndex c = cells_.back();
     for (unsigned i = 0; i < 4; ++i) {
@@ -55,7 +55,7 @@ class CavityDigger {
     }
   }
 
-  /// The border face with the worst new cell; the first one of equal ones.
+  /// Returns the border face with the worst new cell; of equal ones the first.
   BorderFace worst_border() const {
     BorderFace worst;
     for (const BorderFace& f : border_)
@@ -68,8 +68,8 @@ class CavityDigger {
   std::vector<BorderFace> border_;
 };
 
-/// Returns whether a point on the edge necessarily leaves a cell hardly better than the worst removed one, because each
-/// cell at the edge passes the dihedral angle at its opposite edge on to two cells.
+/// Returns whether a point on the edge a-b necessarily leaves a cell hardly better than the worst removed cell. The
+/// dihedral angle of a cell at the edge opposite a-b is divided between two new cells.
 bool halves_a_bad_angle(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b) {
   const DomainMesh& mesh = tools.mesh;
   const auto& cells = tools.work.cells;
@@ -96,8 +96,8 @@ bool has_room(const Toolbox& tools, const StarCavity& cavity, const Vec3& p, dou
   });
 }
 
-/// Returns whether p is between two surfaces less than a quarter of the size apart, where points only make more flat
-/// elements. Examines the faces of the cavity's cells and of their neighbours.
+/// Returns whether p is between two surfaces less than a quarter of the target size apart, where points only make more
+/// flat elements. Examines the faces of the cavity's cells and of their neighbours.
 bool is_barred_by_gap(const Toolbox& tools, const StarCavity& cavity, const Vec3& p) {
   if (tools.points_in_thin_gaps) return false;
   const DomainMesh& mesh = tools.mesh;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts vertices where surfaces are too far from the input. Declared in remesh/operations/surface_repair.hpp.
+// Moves or adds vertices where surfaces are too far from the input. Declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -11,15 +11,15 @@ namespace geomesh::remesh {
 
 namespace {
 
-constexpr double least_shape = 1e-3;  ///< A breach is not repaired by making a cell worse than this.
+constexpr double least_shape = 1e-3;  ///< least shape of a cell after the repair of a surface
 
-/// A face or curve edge: a cell that has it, and its vertices.
+/// A face or an edge of a curve, given by its vertices and a cell that contains it.
 struct Place {
   CellIndex cell;
   std::vector<VertexIndex> vertices;
 };
 
-/// Finds the constrained faces and curve edges near a place, as they were when it was constructed.
+/// Finds the constrained faces and curve edges near a place, as they were when this object was constructed.
 class Finder {
  public:
   explicit Finder(const DomainMesh& mesh) : mesh_(mesh) {
@@ -37,7 +37,7 @@ class Finder {
     curves_ = search::ClosestPointTrees(std::move(curves), mesh.n_curve_classes());
   }
 
-  /// The face or edge nearest to the breach, if it still exists.
+  /// Returns the face or curve edge nearest to a place outside the tolerance, if it still exists.
   std::optional<Place> nearest(const Breach& b) const {
     const search::ClosestPoint at = (b.on_curve ? curves_ : faces_).closest(b.place, b.group);
     if (at.item == no_index) return std::nullopt;
@@ -58,7 +58,7 @@ class Finder {
   search::ClosestPointTrees faces_, curves_;
 };
 
-/// Brings a vertex of the surface, or of the curve, to the place of a breach, where no vertex is near enough.
+/// Repairs a place where a surface or curve is too far from the input, by moving a vertex there or splitting an edge.
 class Mender {
  public:
   Mender(Toolbox& tools, MendBy by) : tools_(tools), mesh_(tools.mesh), by_(by) {}
@@ -77,7 +77,7 @@ class Mender {
   }
 
  private:
-  /// A possible repair, ranked by the number of faces off the input that it leaves, then by the worst new shape.
+  /// A possible repair, ranked by how many faces it leaves too far from the input, then by the worst new shape.
   struct Option {
     std::ptrdiff_t more_off = 0;
     double shape = least_shape;
@@ -111,7 +111,7 @@ class Mender {
                          [&](const SurfaceFace& f) { return !tools_.guard.is_proven_near_reference(f); });
   }
 
-  /// Keeps the option if fewer faces are too far from the input than before, or none before and after.
+  /// Keeps a repair as an option if it leaves fewer faces too far from the input than before, or none before and after.
   void consider(const StarCavity& cavity, const std::vector<SurfaceFace>& before, std::function<void()> change) {
     const double shape = star_shape(mesh_, cavity, target_, least_shape);
     if (!(shape > least_shape) || !star_is_positive(mesh_, cavity, target_)) return;

@@ -12,15 +12,16 @@
 
 namespace geomesh::remesh {
 
-inline constexpr std::size_t max_ring =
-    12;  // The cost is cubic; longer rings are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2).
+// Largest number of vertices around an edge that may be removed. The cost is cubic in it, and edges with more vertices
+// are hardly ever worth removing (Klingner and Shewchuk 2007, section 3.2).
+inline constexpr std::size_t max_ring = 12;
 
-/// Best triangulation of a polygon of ring vertices, each triangle standing for two cells. At a side of the ring these
-/// two share the angle of one removed cell, so that one has half of it at most: that excludes most rings before any
-/// shape is computed.
+/// Finds the best triangulation of a polygon of vertices around an edge; each triangle stands for two new cells. The
+/// two cells at a side of the polygon share the dihedral angle that a removed cell had there, so one of them has at
+/// most half of it. This bound excludes most edges before any shape is computed.
 class PolygonTriangulation {
  public:
-  /// `is_whole_ring`: the side from the last vertex to the first is one of the ring too.
+  /// `is_whole_ring`: whether the side from the last vertex of the polygon to the first belongs to the ring as well.
   PolygonTriangulation(const DomainMesh& mesh, VertexIndex a, VertexIndex b, const std::vector<VertexIndex>& polygon,
                        bool is_whole_ring)
       : mesh_(mesh),
@@ -33,7 +34,7 @@ class PolygonTriangulation {
                  : is_whole_ring ? n_
                                  : n_ - 1) {}
 
-  /// The worst shape of the best triangulation, or any value not above `enough`.
+  /// Returns the worst shape of the best triangulation, or any value up to `enough` if that shape is not above it.
   double solve(double enough) {
     for (std::size_t i = 0; i < n_sides_; ++i)
       if (bound_at_side(i) <= enough) return enough;
@@ -43,8 +44,8 @@ class PolygonTriangulation {
     });
   }
 
-  /// The largest sum of the worths, each less the mean, of a triangulation that the goal allows if the worst shape was
-  /// `before`. Minus infinity if there is none above `needed`.
+  /// Returns the largest sum of (worth - mean) over the new cells among the triangulations that the goal permits;
+  /// `before` is the worst shape of the removed cells. Returns minus infinity if no sum is above `needed`.
   double solve(const MeanGoal& goal, double before, double needed) {
     const double floor = goal.least_after(before), mean = goal.mean;
     constexpr double none = -std::numeric_limits<double>::infinity();
@@ -71,8 +72,8 @@ class PolygonTriangulation {
  private:
   using Shell = EdgeShell<double, max_ring + 1>;
 
-  /// Solves by dynamic programming. An edge of the polygon has the value `of_edge`, and values not above `least` are
-  /// dropped. For value(span, left, right) see EdgeShell.
+  /// Finds the best triangulation by dynamic programming. An edge of the polygon has the value `of_edge`, and values up
+  /// to `least` are dropped. For value(span, left, right) see EdgeShell.
   template <class SpanValue>
   double triangulate(double of_edge, double least, const SpanValue& span_value) {
     struct Goal {
@@ -87,8 +88,7 @@ class PolygonTriangulation {
     return shell_.triangulate(n_, Goal{of_edge, least, span_value});
   }
 
-  /// An upper bound: the worse one of two cells over an edge of the ring cannot be better than this, nor can half of
-  /// their sum.
+  /// Returns an upper bound of the worse shape of the two new cells at a side of the polygon, and of their mean shape.
   double bound_at_side(std::size_t i) const {
     const Vec3 &x = mesh_.point(p_[i]), &y = mesh_.point(p_[i + 1 == n_ ? 0 : i + 1]);
     return measure_.most_of_half_angle(mesh_.point(a_), mesh_.point(b_), x, y);

@@ -1,45 +1,49 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// The constants of refinement: lengths relative to the target size. `quality_bench --section peers` shows the points,
-/// bad cells and time that they lead to, compared with tetgen and gmsh.
+/// The constants of refinement: lengths relative to the target size. `quality_bench --section peers` shows the
+/// resulting numbers of points and bad cells and the time, compared with tetgen and gmsh.
 #pragma once
 
 #include <cstddef>
 
 namespace geomesh::remesh {
 
-/// Ratios of lengths to the target size unless said otherwise. Together they keep refinement finite: edges that are
-/// split are longer than edges that are collapsed, and no point is put nearer to others than `spacing`.
+/// Ratios of lengths to the target size unless said otherwise. Together these ratios keep refinement finite: edges that
+/// are split are longer than edges that are collapsed, and no point is put nearer to others than `spacing`.
 struct RefineRatios {
-  double split_edge = 1.4;     ///< a longer edge is split at its middle; the halves are then longer than 1 / split_edge
-  double collapse_edge = 0.6;  ///< a shorter edge is collapsed; it is below split_edge / 2, so that halves are kept
-  double thin_out_edge = 0.5;  ///< the same for points that improvement turned out not to need
-  /// On surfaces, such an edge is collapsed below this ratio. Edges longer than a third are promised, and the edges
-  /// around need a margin.
+  double split_edge = 1.4;  ///< a longer edge is split at its middle; its halves are longer than split_edge / 2
+  /// A shorter edge is collapsed; below split_edge / 2, so that halves of split edges are kept.
+  double collapse_edge = 0.6;
+  double thin_out_edge = 0.5;  ///< an edge shorter than this is collapsed if improvement does not need its points
+  /// Like thin_out_edge, for edges on surfaces. It is above the third that is promised, as the edges around need a
+  /// margin.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;       ///< an edge is too short below this, which has a margin over the promised third
-  double stretched_edge = 0.355;     ///< an edge that cannot be collapsed is stretched to this length
-  double spacing = 0.68;             ///< least distance of a new point to all others; improvement may halve it
-  double surface_spacing_off = 0.3;  ///< factor of the spacing between a surface point and vertices off the surface
-  double large_cell = 0.75;          ///< a cell with a larger circumradius gets a point; the regular one has 0.61
-  double large_face = 0.72;          ///< a face with a larger circumradius gets a point; the equilateral one has 0.58
-  double long_edge = 1.2;            ///< a face with a longer edge needs further points; below split_edge
-  double hair = 1e-6;  ///< width of a strip of a kept surface below which points between its borders are useless
+  double promised_edge = 0.34;  ///< below this, an edge counts as too short; slightly above the third that is promised
+  double stretched_edge = 0.355;  ///< an edge that cannot be collapsed is stretched to this length
+  double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
+  /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.
+  double surface_spacing_off = 0.3;
+  double large_cell = 0.75;  ///< a cell with a larger circumradius gets a point; the regular tetrahedron has 0.61
+  double large_face = 0.72;  ///< a face with a larger circumradius gets a point; the equilateral triangle has 0.58
+  double long_edge = 1.2;    ///< a face with a longer edge needs further points; must be below split_edge
+  /// Width of a strip of triangles on a kept surface below which points between the borders of the strip are useless.
+  double hair = 1e-6;
   /// Least squared height of a new point above its face, relative to the squared target edge.
   double least_height = 0.2;
-  double least_way = 0.5;        ///< a new point moves towards the circumcentre by at least this share of the height
-  double surface_shape = 1e-7;   ///< least shape of a cell created by a new point on a surface, where more follow
-  double collapse_floor = 0.05;  ///< a contraction must not bring better shapes below this
-  double regular_floor = 1e-3;   ///< the same for flips and moves on surfaces
+  /// A new point has at least this share of its ideal height, even if the circumcentre is lower.
+  double least_way = 0.5;
+  double surface_shape = 1e-7;  ///< least shape of a cell created by a new point on a surface; more points follow there
+  double collapse_floor = 0.05;  ///< a contraction must not lower shapes from above to below this
+  double regular_floor = 1e-3;   ///< flips and moves on surfaces must not lower shapes from above to below this
   unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; the fourth changes one face in a hundred
   /// A vertex is moved only if the worst face around it improves by this factor. At 1.01, with good faces left alone,
   /// refinement takes a tenth less time, but six times as many cells end below 24.85 degrees.
   double regular_rise = 1.001;
-  /// Share of all cells. If insertion slows down while this many large cells are left, the mesh is far from Delaunay
-  /// there.
+  /// If insertion slows down while more than this share of all cells are too large, the mesh is far from Delaunay.
   double many_stuck = 0.15;
-  std::size_t slow_front = 20;   ///< insertion counts as slow with more large cells than this for each point of a round
-  std::size_t idle_front = 100;  ///< from this number on, circumcentres are tried instead
+  /// Insertion counts as slow if a round leaves more than this many large cells for each new point.
+  std::size_t slow_front = 20;
+  std::size_t idle_front = 100;  ///< from so many large cells for each new point on, circumcentres are tried instead
 };
 inline constexpr RefineRatios refine_ratios{};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Gives each face the facet in which it lies. Declared in remesh/operations/surface_repair.hpp.
+// Assigns to each face of a surface the facet in which it lies. Declared in remesh/operations/surface_repair.hpp.
 #include <algorithm>
 
 #include "common/geometry.hpp"
@@ -36,8 +36,8 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
     const Index patch = mesh.patch_of(t),
                 facet = guard.exact() ? members.nearest(plc, patch, middle) : guard.nearest_facet(patch, middle);
     if (facet == t.facet()) return;
-    // Facets merged in exact mode have the same orientation. Otherwise, the normal of a face points towards the cell
-    // from which it is seen.
+    // In exact mode, facets merged into one have the same orientation. Otherwise the side is found by the normal of the
+    // face, which points towards the cell from which the face is seen.
     const bool above =
         guard.exact() ? t.above() : dot(loop_normal(plc.points, plc.outer_loop(facet)), mesh.normal(mesh.face(f))) > 0;
     mesh.set_tag(f.cell(), f.face(), FaceTag(facet, above));

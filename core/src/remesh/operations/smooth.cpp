@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves one vertex. Declared in remesh/operations/improve.hpp.
+// Moves one vertex to improve the shapes around it. Declared in remesh/operations/improve.hpp.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -76,8 +76,8 @@ class Smoother {
     return true;
   }
 
-  /// Returns the end of the input edge that v is on: the first corner along it from v. An edge of the input is
-  /// straight, and all vertices between its ends were added.
+  /// Returns the end of the input edge on which v lies: the first corner along the edge from v on. An edge of the input
+  /// is straight, and all vertices between its ends were added.
   VertexIndex end_of_edge(const CurveSpoke& first) const {
     VertexIndex from = v_, at = first.a;
     std::vector<CellIndex> star;
@@ -96,9 +96,8 @@ class Smoother {
     return ends_[0] + dot(p - ends_[0], problem_.direction) * problem_.direction;
   }
 
-  /// Moves a place that was found along the line of the vertices before and after onto the line of the input edge's own
-  /// ends, so that rounding does not add up over moves. Finding these ends is a walk, so it is done only when v is
-  /// about to move.
+  /// Projects p from the line through the two adjacent vertices onto the line through the ends of the input edge, so
+  /// that rounding does not add up over moves. Finding these ends takes a walk, so it is done only just before v moves.
   Vec3 on_input_edge(const Vec3& p) {
     for (unsigned k = 0; k < 2; ++k) ends_[k] = mesh_.point(end_of_edge(cavity_.curves[k]));
     const Vec3 d = ends_[1] - ends_[0];
@@ -120,7 +119,7 @@ class Smoother {
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
-    if (best == old_) return false;  // Otherwise the rounding of the projection would move the vertex.
+    if (best == old_) return false;  // the projection must not move v by rounding
     return place(project(best), needed);
   }
 
@@ -162,7 +161,7 @@ class Smoother {
       if (!(problem_.shape_at(p, least) > least)) return false;
     }
     if (p == old_ || !star_is_positive(mesh_, cavity_, p)) return false;
-    const std::vector<double>& shapes = problem_.link.shapes(p);  // one shape for each cell of the star
+    const std::vector<double>& shapes = problem_.link.shapes(p);  // shapes of the cells around v
     if (tools_.spoils(cavity_, shapes) ||
         !tools_.guard.admits(surface_of(mesh_, cavity_, old_), surface_of(mesh_, cavity_, p)))
       return false;
@@ -179,8 +178,8 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
-  std::array<Vec3, 2>
-      ends_{};  // the two adjacent vertices on the curve, or the ends of the input edge in on_input_edge
+  // The two adjacent vertices on the curve, or the ends of the input edge in on_input_edge.
+  std::array<Vec3, 2> ends_{};
 };
 
 }  // namespace

@@ -32,8 +32,8 @@ Vec3 StarProblem::constrain(const Vec3& v) const {
 
 namespace {
 
-/// The point of the convex hull nearest to the origin, by Gilbert's iteration (1966). Its accuracy suffices for a
-/// direction that raises all terms.
+/// Returns the point of the convex hull of g that is nearest to the origin, by Gilbert's iteration (1966). Its accuracy
+/// suffices for a direction along which all shapes rise.
 Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
   Vec3 x = g[0];
   for (const Vec3& v : g)
@@ -50,7 +50,7 @@ Vec3 nearest_to_origin(const std::vector<Vec3>& g) {
   return x;
 }
 
-/// Projected gradients of the terms below `limit`.
+/// Collects the gradients of all shapes below `limit`, projected to the directions in which the vertex may move.
 void active_gradients(const StarProblem& problem, const Vec3& p, double limit, std::vector<Vec3>& g) {
   g.clear();
   const std::vector<double>& shapes = problem.link.shapes(p);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Best place for a vertex whose link is fixed: the nonsmooth optimisation of Freitag and Ollivier-Gooch 1997
-/// (section 3.2).
+/// Finds the best position of a vertex whose link is fixed: the nonsmooth optimisation of Freitag and Ollivier-Gooch
+/// 1997 (section 3.2).
 ///
-/// The least of all dihedral measures about the vertex is maximised by steps along the steepest ascent direction: the
-/// point nearest to the origin in the convex hull of the gradients of the active terms. Active are those within a few
-/// per cent of the least.
+/// The least shape of the cells around the vertex is maximised by steps along the direction of steepest ascent. This is
+/// the point nearest to the origin in the convex hull of the gradients of all shapes within a few per cent of the
+/// least.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@
 namespace geomesh::remesh {
 
 struct StarProblem {
-  LinkShapes& link;  ///< (corners, p) is positive if p is admissible
+  LinkShapes& link;  ///< faces of the link; each forms a positive cell with an admissible point
   CellQuality measure = CellQuality();
   enum class Freedom { space, plane, line } freedom = Freedom::space;
-  Vec3 direction = {};  ///< unit vector: the normal of a plane, or the direction of a line
+  Vec3 direction = {};  ///< unit normal of the plane, or unit vector along the line, in which the vertex may move
 
   void set_link(const DomainMesh& mesh, const StarCavity& cavity);
   double shape_at(const Vec3& p, double enough = -1) const { return link.worst(p, enough); }
@@ -28,7 +28,7 @@ struct StarProblem {
 
 struct OptimizeLimits {
   unsigned max_steps = 12;
-  double good_enough = 2;      ///< stops once the worst shape is above this
+  double good_enough = 2;      ///< the ascent stops once the worst shape is above this
   double least_rise = 1.0005;  ///< a step that raises the worst shape by a smaller factor is not made
 };
 
@@ -37,15 +37,15 @@ struct OptimizedPlace {
   double shape;  ///< worst shape around the vertex; at least that at the start
 };
 
-/// Finds the best place by an ascent along the gradients of the worst terms. A start whose worst shape is not above 0
-/// is returned as it is.
+/// Finds the best position of a vertex by an ascent along the gradients of the worst shapes around it. Returns `start`
+/// if the worst shape there is not positive.
 OptimizedPlace optimize_place(const StarProblem& problem, const Vec3& start, const OptimizeLimits& limits = {});
 
-/// Climbs the sum of the worths (MeanGoal) of all cells at the vertex by its gradient. It starts where all are above
-/// `floor`, and keeps them above. Ends when a step raises the sum by less than `least_gain`.
+/// Moves a vertex along the gradient of the sum of the worths (CellQuality::worth) of its cells, to raise this sum. All
+/// shapes must be above `floor` at the start, and remain so. Ends when a step raises the sum by less than `least_gain`.
 Vec3 optimize_mean(const StarProblem& problem, const Vec3& start, double floor, unsigned max_steps, double least_gain);
 
-/// Centroid of the link weighted by the areas of its faces.
+/// Returns the centroid of the link, its faces weighted by area.
 Vec3 link_centroid(const StarProblem& problem);
 
 }  // namespace geomesh::remesh

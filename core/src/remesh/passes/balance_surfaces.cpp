@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes surfaces enclose the volume of the input, and their borders its area. Declared in
+// Moves vertices so that surfaces enclose the volume of the input and their borders enclose its area. Declared in
 // remesh/passes/improve_passes.hpp.
 #include <algorithm>
 #include <array>
@@ -15,23 +15,22 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Sweeps over all vertices. In each, vertices take over what their neighbours could not compensate.
+/// Number of sweeps over all vertices. In each sweep, vertices compensate for what their neighbours could not.
 constexpr unsigned n_sweeps = 2;
 
-/// Share of its shape that a bad cell must keep in a move. Between surfaces much nearer to each other than their edges
-/// are long, all cells are bad, and only one surface can move at a time. If no loss were allowed, the layer between two
-/// spheres 1 m apart would become much too thick (python/tests/test_fields.py).
+/// Share of its shape that a bad cell must keep when a vertex moves. Between surfaces much closer to each other than
+/// their edges are long, all cells are bad, and only one surface can move at a time. If no loss were allowed, the layer
+/// between two spheres 1 m apart would become much too thick (python/tests/test_fields.py).
 constexpr double kept_of_bad = 0.8;
 
-/// Moves vertices to permitted places on surfaces. It makes no good cell bad, and no cell worse than the worst of the
-/// mesh.
+/// Moves vertices to permitted places on surfaces. Makes no good cell bad, and no cell worse than the worst.
 class Mover {
  public:
   explicit Mover(Toolbox& tools) : tools_(tools), mesh_(tools.mesh) {
     for (const CellIndex c : mesh_.live_cells()) worst_ = std::min(worst_, mesh_.shape_of(c));
   }
 
-  /// `cavity` is the star of v. Several threads may move vertices that share no cell.
+  /// Moves v to p if permitted. `cavity` is the star of v. Vertices that share no cell may be moved concurrently.
   bool move(VertexIndex v, const Vec3& p, const StarCavity& cavity) const {
     if (!may_move(p, mesh_.point(v), cavity)) return false;
     mesh_.move_vertex(v, p);
@@ -69,16 +68,15 @@ class BorderBalancer {
   }
 
  private:
-  /// Number of samples on a chord at which the distance to the input's border is measured. For parabolas the sum is
-  /// accurate to 1 %.
+  /// Number of samples on a chord for its distance from the input's border. For parabolas the sum is accurate to 1 %.
   static constexpr unsigned n_samples = 8;
 
   bool is_on_free_border(VertexIndex v) const {
     return mesh_.kind(v) == VertexKind::curve && mesh_.curve_class(mesh_.support(v)).patches.size() == 1;
   }
 
-  /// The unit vector in the plane of the chord's only face that points out of the surface. It is zero if there is no
-  /// single face or it has no area.
+  /// Returns the unit vector that is perpendicular to the chord in the plane of its only face and points out of the
+  /// surface; zero if there is not exactly one face, or if it has no area.
   Vec3 outward(VertexIndex v, VertexIndex other) const {
     for (const Spoke& s : cavity_.spokes) {
       if (s.a != other && s.b != other) continue;
@@ -89,7 +87,7 @@ class BorderBalancer {
     return {};
   }
 
-  /// The area between a chord and the input's border; positive if the border is outside the chord.
+  /// Returns the area between a chord and the input's border; positive if the border is outside the chord.
   double area_lost(const Vec3& a, const Vec3& b, Index curve, const Vec3& out) const {
     double sum = 0;
     for (unsigned k = 0; k < n_samples; ++k) {
@@ -124,7 +122,7 @@ class BorderBalancer {
   StarCavity cavity_;
 };
 
-/// Vertices inside of patches move along the normal, except in flat ones, whose faces cut nothing off.
+/// Moves vertices inside of patches along the normal. Flat patches are left out, because their faces cut off no volume.
 class VolumeBalancer {
  public:
   VolumeBalancer(Toolbox& tools, unsigned threads)
@@ -156,7 +154,7 @@ class VolumeBalancer {
   struct Face {
     Triangle vertices;
     Index patch;
-    Vec3 normal{};    ///< its length is twice the area
+    Vec3 normal{};    ///< normal vector; its length is twice the area
     double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
   /// Sums over the faces around a vertex.
@@ -188,7 +186,7 @@ class VolumeBalancer {
     for (const Face& face : faces_)
       for (const VertexIndex v : face.vertices) {
         Offset& o = offset_[v];
-        // Patches may have faces of different orientation.
+        // Faces of one patch may have different orientations.
         const double side = dot(o.normal, face.normal) < 0 ? -1 : 1;
         o.normal = o.normal + side * face.normal;
         o.lost += side * face.lost;

@@ -57,7 +57,7 @@ class ComponentRefiner {
   }
 
  private:
-  /// Orders components by size, so that a large one is not left to one core at the end.
+  /// Orders components by decreasing volume, so that a large one is not left to one core at the end.
   std::vector<std::size_t> largest_first() const {
     std::vector<std::size_t> order(works_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -78,7 +78,7 @@ class ComponentRefiner {
     refine_inside(*work.tools, max_cells_, context);
   }
 
-  /// Reports progress over all components. Called only by the caller's own thread.
+  /// Checks the limit of cells over all components. Reports progress if called by the caller's own thread.
   void report() const {
     std::size_t n = 0;
     for (const Work& work : works_) n += work.n_cells;
@@ -90,7 +90,7 @@ class ComponentRefiner {
     if (n_cells > max_cells_) throw_too_many_cells(max_cells_);
   }
 
-  /// Returns the number of new points. The sizes at them are already known.
+  /// Joins the components and returns the number of new points. The target sizes at these points are stored, too.
   std::size_t put_together() {
     std::vector<MeshPart> parts;
     std::vector<double> known;

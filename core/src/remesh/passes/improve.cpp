@@ -40,8 +40,8 @@ double share(std::size_t n, const DomainMesh& mesh) {
   return static_cast<double>(n) / static_cast<double>(mesh.n_cells());
 }
 
-/// Ends repair when its rounds no longer lower the number of poor cells: if surfaces impose poor shapes everywhere,
-/// repair only moves them around.
+/// Runs rounds of repair as long as they lower the number of poor cells. If surfaces impose poor shapes everywhere,
+/// repair only moves poor cells around.
 class RepairRounds {
  public:
   RepairRounds(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstRepair& repair, bool may_add_points)
@@ -93,9 +93,9 @@ class RepairRounds {
   std::size_t fewest_, fewest_worst_, n_idle_ = 0;
 };
 
-/// The few remaining slivers may be repaired with points nearer to others than the sizes require, because a bad angle
-/// is worse than that. If slivers are many the surfaces impose them; then only the worst are repaired, with points
-/// still nearer (ImproveSchedule::forced_room).
+/// Repairs slivers with points closer to others than the target sizes require, because a bad angle is worse than a
+/// short edge. If there are many slivers, the surfaces impose them. In that case only the worst slivers are repaired,
+/// with points still closer to others (ImproveSchedule::forced_room).
 Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstRepair& repair, double room) {
   DomainMesh& mesh = tools.mesh;
   std::vector<BadCell> slivers = cells_below(mesh, mesh.measure().of_angle(schedule.sliver_angle));
@@ -106,11 +106,11 @@ Next repair_slivers(Toolbox& tools, const ImproveSchedule& schedule, WorstFirstR
   return Next::again;
 }
 
-/// The times of the mesh when short edges of each kind were looked at last; 0: not yet.
+/// For each kind of short edges, the mesh's time when they were last examined; 0: never.
 using LastLook = std::array<std::uint64_t, 2>;
 
-/// One step of a pass that removes points: inside, then on surfaces that may be remeshed. An edge about which nothing
-/// has changed since the last step is left. Done when none was removed.
+/// One round of a pass that removes points: first inside, then on surfaces that may be remeshed. Skips edges around
+/// which nothing has changed since the last round. The pass is done when a round removes no point.
 template <class Thin>
 Next thin_points(const Toolbox& tools, LastLook& last, const Thin& thin) {
   const auto thin_changed = [&](ShortEdges which) {
@@ -137,8 +137,7 @@ struct Mending {
   const OutOfTime& out_of_time;
 };
 
-/// Repairs the remaining cells by sequences of operations, and removes points that repair has added near others without
-/// gain.
+/// Repairs the remaining bad cells by sequences of operations, and removes points added close to others without gain.
 void mend_what_is_left(const Mending& mending) {
   Toolbox& tools = mending.tools;
   const ImproveSchedule& schedule = mending.schedule;
@@ -158,14 +157,13 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // Almost no attempt succeeds if the input imposes many bad cells. Cells that it does not impose are treated at the
-  // end.
+  // Hardly any attempt succeeds if the input imposes many bad cells. Those that it does not impose are treated later.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },
       rescues_bad && share(count_below(mesh, measure.bad()), mesh) <= schedule.few_bad);
   const RescueRule flat_rescue = rescue_below(measure.of_angle(schedule.flat_angle), schedule);
-  // Solvers refuse such cells, so they are worth the effort at every quality level.
+  // Solvers refuse flat cells, so these are repaired at every quality level.
   passes.once(
       "cells too flat for solvers mended by looking ahead",
       [&] { rescue_flat_cells(tools, flat_rescue, rescue_limits.most_vain, out_of_time); },
@@ -232,8 +230,8 @@ void improve_mesh(Toolbox& tools, const RefineOptions& options, const RunContext
                 .most_rounds = schedule.sliver_rounds});
   }
   mend_what_is_left({tools, schedule, passes, context, out_of_time});
-  // Repair considers only the worst cells. Around the many that it has given up, the others are arbitrary, so their
-  // mean is raised here.
+  // Repair considers only the worst cells. Where it has given up many of them, the other cells may have any shape, so
+  // their mean is raised here.
   const double poor = measure.of_angle(schedule.target_angle + schedule.good_above_target);
   passes.run({.name = "the mean raised where much is poor",
               .round = [&](unsigned k) { return raise(k, schedule.smoothing_steps, poor); },

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double spacing_ratio = refine_ratios.spacing;
 
-/// Points are first placed at the ideal height above faces whose other side is finished: a constrained face, or one of
-/// a cell that is small enough. This advancing front starts at the surfaces and moves inwards, so the points of a layer
+/// Inserts points first at the ideal height above faces whose other side is finished: a constrained face, or one of a
+/// cell that is small enough. This advancing front starts at the surfaces and moves inwards, so the points of a layer
 /// fit those of the layer before (Rebay 1993; Frey, Borouchaki and George 1998). If such a point is refused, the
 /// circumcentre is tried instead.
 class InsideRefiner {
@@ -42,8 +42,8 @@ class InsideRefiner {
       const std::size_t n_centre = pass(large, Kind::centre_at_front, context);
       total += n_centre;
       if (n_front + n_centre > 0) continue;
-      // The front cannot advance, for example if sizes change over distances shorter than themselves. Cells beyond it
-      // are refined too, so that the space there does not stay empty.
+      // The front cannot advance, for example if sizes change over distances shorter than themselves. Cells beyond the
+      // front are refined too, so that the space there does not remain empty.
       const std::size_t n_beyond = pass(large, Kind::centre_beyond, context);
       total += n_beyond;
       if (n_beyond == 0) break;
@@ -54,12 +54,12 @@ class InsideRefiner {
   }
 
  private:
-  /// Kinds of places that a pass tries: at the ideal height above the front, at circumcentres of cells at the front, or
-  /// at those of cells beyond it.
+  /// Kinds of places at which a pass inserts points: at the ideal height above the front, at circumcentres of cells at
+  /// the front, or at circumcentres of cells beyond the front.
   enum class Kind : std::uint8_t { front, centre_at_front, centre_beyond };
 
-  /// Two bytes suffice, and each cell stores three of these numbers. Passes beyond the largest number share it, so that
-  /// cells are only tried more often than necessary.
+  /// Number of a pass. It has only two bytes, because each cell stores three such numbers. Passes beyond the largest
+  /// number share that number, so that cells are at worst tried more often than necessary.
   using PassNumber = std::uint16_t;
   static constexpr PassNumber last_pass = std::numeric_limits<PassNumber>::max();
 
@@ -87,7 +87,8 @@ class InsideRefiner {
     return large;
   }
 
-  /// Most cells are replaced before it matters whether they are large, so this is evaluated at the first call.
+  /// Returns whether a cell is too large for the target size. This is evaluated at the first call only, because most
+  /// cells are replaced before it matters.
   bool is_large(CellIndex c) {
     if (walled_->note(c) == not_known) [[unlikely]]
       walled_->set_note(c, circumsphere(mesh_, c).radius <= refine_ratios.large_cell * size_of_cell(c) ? small : large);
@@ -99,9 +100,9 @@ class InsideRefiner {
                    tools_.lengths.size_at(t[3]));
   }
 
-  /// Small sizes come first, so that the front advances from fine to coarse, where points are seldom too near to
-  /// others. Cells are ordered by classes of sizes, and within a class by slot, since cells created one after the other
-  /// are near in space.
+  /// Orders cells by target size, the smallest first, so that the front advances from fine to coarse, where points are
+  /// seldom too close to others. The order is by classes of sizes, and within a class by slot, because cells created
+  /// one after the other are close in space.
   void order_by_size(std::vector<CellIndex>& cells) {
     constexpr double classes_a_doubling = 4;
     std::vector<std::pair<int, CellIndex>> keyed;
@@ -132,21 +133,20 @@ class InsideRefiner {
     return n;
   }
 
-  /// For each kind of pass and each cell, the last pass that placed no point there, or 0 if none.
+  /// Returns the number of the last pass of the given kind that could place no point at the cell, or 0.
   PassNumber& refusal(Kind kind, CellIndex c) {
     std::vector<PassNumber>& refused = refused_[static_cast<std::size_t>(kind)];
     if (c >= refused.size()) refused.resize(walled_->n_slots() + walled_->n_slots() / 4, 0);
     return refused[c];
   }
-  /// A cell is tried again if cells were created at one of its vertices since that pass began, or if its slot was
-  /// reused.
+  /// Returns whether it is in vain to try the cell again: no cell has been created at its vertices since the pass with
+  /// the number `refused`, which could place no point.
   bool is_in_vain(PassNumber refused, CellIndex c) const {
     const Tetrahedron& t = walled_->vertices(c);
     return refused > 0 && std::all_of(t.begin(), t.end(), [&](VertexIndex v) { return changed_[v] < refused; });
   }
 
-  /// Returns whether p is nearer to a corner of the cell than any size at its corners would allow. Avoids evaluating
-  /// the size at p.
+  /// Returns whether p is too close to a corner of c for any size at its corners. Does not evaluate the size at p.
   bool crowds_corner(const Vec3& p, CellIndex c) {
     const Tetrahedron& t = walled_->vertices(c);
     double h = std::numeric_limits<double>::infinity();
@@ -155,7 +155,7 @@ class InsideRefiner {
     return std::any_of(t.begin(), t.end(), [&](VertexIndex v) { return squared_distance(mesh_.point(v), p) < limit; });
   }
 
-  /// The smaller one of the size at p and `at_most`.
+  /// Returns the target size at p. If it is not below `at_most`, any value of at least `at_most` may be returned.
   double size_near(const Vec3& p, CellIndex c, double at_most = std::numeric_limits<double>::infinity()) {
     const VertexIndex v = mesh_.vertices(c)[0];
     return tools_.lengths.field().at_beside(p, mesh_.component(c), mesh_.point(v), tools_.lengths.size_at(v), at_most);
@@ -172,7 +172,7 @@ class InsideRefiner {
     });
   }
 
-  /// The smallest size at p for which a vertex of the cell is too near.
+  /// Returns the smallest target size at p for which a vertex of the cell is too close to p.
   double crowded_size(const Vec3& p, CellIndex c) const {
     constexpr double rounding = 1 + 1e-9;
     double nearest = std::numeric_limits<double>::infinity();
@@ -204,7 +204,7 @@ class InsideRefiner {
     return false;
   }
 
-  /// Returns whether the other side of the face is finished.
+  /// Returns whether face i of c is part of the front: constrained, or with a small enough cell on its other side.
   bool is_front(CellIndex c, unsigned i) { return walled_->is_wall(c, i) || !is_large(walled_->beyond(c, i)); }
 
   /// Returns the place above the circumcentre of face i at which the new edges have the target length (the mean of
@@ -230,15 +230,15 @@ class InsideRefiner {
 
   bool is_on_front(CellIndex c) { return is_front(c, 0) || is_front(c, 1) || is_front(c, 2) || is_front(c, 3); }
 
-  /// As long as the front advances, only cells at the front get points. The front would reach points beyond it later,
-  /// at an unsuitable distance.
+  /// Inserts a point at the circumcentre or centroid of a cell at the front or beyond it. Points beyond the front are
+  /// tried only when it cannot advance, because it would reach them later at an unsuitable distance.
   bool insert_at_centre(CellIndex c, bool at_front) {
     if (is_on_front(c) != at_front) return false;
     const Sphere s = circumsphere(mesh_, c);
     return s.radius < 1e300 && (insert(s.centre, c) || insert(mesh_.middle(walled_->vertices(c)), c));
   }
 
-  /// Meaning of the notes of the cells.
+  /// Values of WalledMesh::note: whether a cell is too large.
   enum Note : unsigned { not_known, small, large };
 
   Toolbox& tools_;

@@ -48,8 +48,8 @@ class PassRunner {
   PassRunner(const DomainMesh& mesh, const RunContext& context, std::function<bool()> out_of_time)
       : mesh_(mesh), context_(context), out_of_time_(std::move(out_of_time)) {}
 
-  /// Runs rounds, numbered from 0, until one returns `done`, `most_rounds` have run or the time is up. Runs none if the
-  /// pass does not apply.
+  /// Runs the rounds of a pass, numbered from 0, until one returns `done`, `most_rounds` have run or the time is up.
+  /// Runs no round if the pass does not apply.
   void run(const Pass& pass) const {
     for (unsigned k = 0; pass.applies && k < pass.most_rounds && !out_of_time_(); ++k) {
       if (pass.most_rounds > 1) context_.report(k, pass.most_rounds);
@@ -64,7 +64,6 @@ class PassRunner {
     }
   }
 
-  /// Runs a pass of a single round.
   void once(std::string_view name, const std::function<void()>& work, bool applies = true) const {
     const auto round = [&](unsigned) {
       work();

@@ -29,7 +29,7 @@ class MeanRaiser {
     rule.max_steps = smoothing_steps;
     rule.goal = SmoothGoal::mean;
     rule.floor = goal_.floor;
-    // If most cells are poor, the mean is worth more time.
+    // If most cells are poor, raising the mean is worth more time.
     rule.least_gain = tools_.bad_cells_may_spread ? 0.002 : 0.015;
     const auto go_on = [&] {
       context.check_cancelled();
@@ -40,7 +40,7 @@ class MeanRaiser {
   }
 
  private:
-  /// For each vertex, whether all cells at it are good enough.
+  /// Returns, for each vertex, whether all cells at the vertex are good enough to be left alone.
   std::vector<bool> find_left(double poor) const {
     if (!(poor < 1)) return {};
     std::vector<bool> left(mesh_.n_vertices(), true);
@@ -60,8 +60,9 @@ class MeanRaiser {
     return mesh_.is_live(c) && mesh_.cells().has_vertex(c, a) && mesh_.cells().has_vertex(c, b);
   }
 
-  /// Edges to greater vertices, so that each is looked at once. The opposite flip, of a face by an edge, hardly ever
-  /// raises the mean: three cells about a new edge are worse than the two that they replace.
+  /// Tries to remove the edges from v to vertices of higher index, so that each edge is examined once. The opposite
+  /// flip, of a face by an edge, hardly ever raises the mean: three cells about a new edge are worse than the two that
+  /// they replace.
   void flip_about(VertexIndex v, Toolbox& tools) {
     auto& [star, edges] = lists_.local();
     mesh_.star(v, tools.work.marks, star);
@@ -88,7 +89,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  std::vector<bool> is_left_;  // by vertex; empty: none
+  std::vector<bool> is_left_;  // for each vertex, whether it is left out; empty: no vertex is
   struct Lists {
     std::vector<CellIndex> star;
     std::vector<std::pair<VertexIndex, CellIndex>> edges;
@@ -98,7 +99,7 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  // For each vertex, accessed by its own block only.
+  // Entry of each vertex; accessed only by the block of the vertex.
   std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 

@@ -16,7 +16,7 @@ namespace geomesh::remesh {
 namespace {
 
 constexpr unsigned n_halvings = 3;
-constexpr std::size_t least_to_part = 4096;  ///< fewer vertices form a single block
+constexpr std::size_t least_to_part = 4096;  ///< number of vertices below which all form one block
 constexpr std::uint8_t fixed = 255, shared = 254;
 constexpr std::size_t vertices_between_looks = 1024;  ///< at the clock
 
@@ -39,7 +39,7 @@ class VertexBlocks {
   std::vector<VertexIndex> between;
 
  private:
-  /// Bisects recursively at the median of the coordinate with the largest extent.
+  /// Bisects a set of vertices recursively, at the median of the coordinate with the largest extent.
   void halve(std::span<VertexIndex> vertices, unsigned times) {
     if (times == 0) {
       for (const VertexIndex v : vertices) block_[v] = n_blocks_;

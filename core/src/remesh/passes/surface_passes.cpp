@@ -28,7 +28,6 @@ bool on_constrained_face(const DomainMesh& mesh, CellIndex c, unsigned i, unsign
   return false;
 }
 
-/// Returns a cell with the edge, or no_cell.
 CellIndex cell_with_edge(Toolbox& tools, VertexIndex a, VertexIndex b) {
   tools.mesh.star(a, tools.work.marks, tools.work.cells);
   for (const CellIndex c : tools.work.cells)
@@ -68,7 +67,7 @@ class EdgeSplitter {
   }
 
  private:
-  /// Finds the surface's faces at an edge; c is any cell around it.
+  /// Finds the constrained faces at an edge; c is any cell at the edge.
   EdgeFaces look_about(CellIndex c, VertexIndex a, VertexIndex b) {
     const bool closed = turn_about_edge(mesh_.cells(), c, a, b, cells_, ring_);
     return constrained_faces_of_ring(mesh_, cells_, ring_, closed);
@@ -79,8 +78,8 @@ class EdgeSplitter {
     return look_about(c, a, b).n > 0;
   }
 
-  /// Returns whether both faces at the edge belong to a strip so thin that points between its borders would not help:
-  /// if its edges cannot be flipped, each half would make two more long edges.
+  /// Returns whether both faces at the edge belong to a strip of triangles so thin that points between its borders
+  /// would not help: if the edges in the strip cannot be flipped, each half of an edge would make two more long edges.
   bool is_within_hair(CellIndex c, VertexIndex a, VertexIndex b) {
     const EdgeFaces faces = look_about(c, a, b);
     const Vec3 &p = mesh_.point(a), along = mesh_.point(b) - p;
@@ -110,14 +109,14 @@ class EdgeSplitter {
   Toolbox& tools_;
   DomainMesh& mesh_;
   LongEdges which_;
-  bool may_flip_;  ///< on planar patches, an edge of a strip is flipped instead of being split
+  bool may_flip_;  ///< whether a long edge on a planar patch is flipped instead of split, if possible
   std::priority_queue<MeasuredEdge> queue_;
   std::vector<CellIndex> cells_;  // cells around the edge examined last
   std::vector<VertexIndex> ring_;
 };
 
-/// Edges shorter than `ratio` of their size, the shortest first, about which something has changed since that time of
-/// the mesh. On all cores.
+/// Returns the edges shorter than `ratio` times their target size, the shortest first, around which the mesh has
+/// changed after its time `since`. Runs on all cores.
 std::vector<MeasuredEdge> short_edges(Toolbox& tools, ShortEdges which, double ratio, std::uint64_t since,
                                       const RunContext& context) {
   constexpr std::size_t chunk = 16384;

@@ -17,14 +17,13 @@ constexpr double long_squared = refine_ratios.long_edge * refine_ratios.long_edg
 struct SurfaceItem {
   FaceRef face;
   Triangle corners;
-  /// For each kind of pass, the start of the last one that placed no point here.
+  /// For each kind of pass, the time at which the last pass began that could place no point on this face.
   std::array<std::uint64_t, 2> refused{};
 };
 
-/// The advancing front of `refine_inside` in two dimensions: points are placed in the plane of a face, at the ideal
-/// height over edges whose length is reached.
+/// Inserts points on surfaces by an advancing front, as refine_inside does in the interior: points are placed in the
+/// plane of a face, at the ideal height above edges that are short enough.
 class SurfaceRefiner {
-  /// Kinds of places that a pass tries.
   enum class Kind : std::uint8_t { centre, front };
 
  public:
@@ -57,8 +56,8 @@ class SurfaceRefiner {
     }
   }
 
-  /// Returns whether the circumradius is too large and at least one edge is clearly longer than its target. Slim faces
-  /// between short edges are left to other passes.
+  /// Returns whether the circumradius of a face is too large and at least one of its edges is clearly longer than its
+  /// target size. Slim faces between short edges are left to other passes.
   bool is_large(const Triangle& t) {
     const double h = tools_.lengths.size_of_face(t);
     double longest = 0;
@@ -97,7 +96,7 @@ class SurfaceRefiner {
     return insert_on_surface(tools_, p, s.face, {refine_ratios.spacing * size, refine_ratios.surface_shape});
   }
 
-  /// An edge belongs to the front if it is part of a curve or not longer than 1.2 times its size.
+  /// Inserts a point at the ideal height above a front edge, one of at most 1.2 times its target size.
   std::optional<VertexIndex> insert_on_front(const SurfaceItem& s) {
     const Triangle& t = s.corners;
     const Vec3 n = mesh_.normal(t);

@@ -33,7 +33,7 @@ class SurfaceRegularizer {
 
   void note_counts() const { blocks_.note_counts("flips on surfaces by blocks"); }
 
-  /// Moves vertices. A vertex that cannot move is tried again only after something around it has changed.
+  /// Moves vertices within patches. One that cannot move is tried again only after something around it has changed.
   std::size_t move_all(unsigned threads) {
     std::vector<VertexIndex> asked;
     for (VertexIndex v = 0; v < mesh_.n_vertices(); ++v)
@@ -60,7 +60,7 @@ class SurfaceRegularizer {
     unsigned n_faces;
   };
 
-  /// Flips edges to vertices of higher index, so that each edge is examined once.
+  /// Flips edges from v to vertices of higher index, so that each edge is examined once.
   void flip_about(VertexIndex v, Toolbox& tools) {
     auto& [star, edges] = lists_.local();
     mesh_.star(v, tools.work.marks, star);

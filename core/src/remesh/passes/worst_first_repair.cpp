@@ -24,7 +24,7 @@ void WorstFirstRepair::forget_failed_points() {
   for (Attempt& a : tried_) a.what = std::min(a.what, RepairBy::contraction);
 }
 
-/// Attempts count as long as nothing around the cell has changed.
+/// Returns the operations that have failed at the cell since something around it was changed last.
 RepairBy WorstFirstRepair::tried_at(CellIndex c) const {
   if (c >= tried_.size()) return RepairBy::nothing;
   return changed_since(mesh_, bad_cell(mesh_, c), tried_[c].when) ? RepairBy::nothing : tried_[c].what;

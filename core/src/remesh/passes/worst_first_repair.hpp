@@ -22,11 +22,12 @@ class WorstFirstRepair {
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 
   /// Tries the operations up to `deepest` around each of the cells that still exists. New points keep the distance
-  /// `room`, as a share of the target size, from others. A failed operation is tried again only where something has
-  /// changed since. Returns the number of cells around which something changed.
+  /// `room`, as a share of the target size, from others. A failed operation is tried again only if something around the
+  /// cell has changed since. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
-  /// Permits points to be tried again that have failed before, for example because they may now be nearer to others.
+  /// Permits new points to be tried again where they failed, for example because they may be closer to others next
+  /// time.
   void forget_failed_points();
 
  private:

@@ -20,17 +20,17 @@ struct BadCell {
 };
 
 std::size_t count_below(const DomainMesh& mesh, double limit);
-/// Returns the shape below which that share of all cells (0..1) lies. On all cores. O(n). Precondition: there are
-/// cells.
+/// Returns the shape below which the share 0..1 of all cells lies, on all cores. O(n). Precondition: there are cells.
 double shape_at_percentile(const DomainMesh& mesh, double share, unsigned threads);
 /// The worst first.
 std::vector<BadCell> cells_below(const DomainMesh& mesh, double limit);
-/// Lists cells by classes of equal width in shape, the worst class first. Within a class cells are in the order of the
-/// mesh, so that near cells are examined one after the other, which is many times as fast.
+/// Lists cells with a shape below `limit` by classes of equal width in shape, the worst class first. Within a class,
+/// cells are in the order of the mesh: cells close in memory are examined one after the other, which is many times as
+/// fast.
 std::vector<BadCell> cells_below_by_class(const DomainMesh& mesh, double limit, unsigned n_classes);
 BadCell bad_cell(const DomainMesh& mesh, CellIndex c);
 
-/// Returns whether the cell still exists; a vertex may have moved.
+/// Returns whether the cell still exists with the same vertices, even if these have moved.
 bool is_left(const DomainMesh& mesh, const BadCell& b);
 inline bool changed_since(const DomainMesh& mesh, const BadCell& b, std::uint64_t time) {
   return changed_since(mesh, b.vertices, time);
@@ -40,7 +40,7 @@ inline bool changed_since(const DomainMesh& mesh, const BadCell& b, std::uint64_
 struct Tally {
   std::size_t n_bad = 0;
   double worst = 1;
-  double deficit = 0;  ///< sum over the bad cells of the shape they lack, as a share of the bad shape
+  double deficit = 0;  ///< sum over the bad cells of 1 - shape / bad_shape, which is 1 for a flat cell
 
   void add(double shape, double bad_shape) {
     n_bad += shape < bad_shape;
@@ -51,21 +51,22 @@ struct Tally {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && worst > rescue_limits.notable_rise * other.worst));
   }
-  /// Beside cells that cannot be improved the worst shape says nothing; there the sum over all bad cells decides.
+  /// Compares the sums over all bad cells, because the worst shape says nothing next to cells that cannot be improved.
   bool is_less_bad_than(const Tally& other) const {
     return worst >= other.worst &&
            (n_bad < other.n_bad || (n_bad == other.n_bad && deficit < other.deficit - rescue_limits.notable_relief));
   }
 };
 
-/// Finds the bad cells that the input does not impose. The search for better cells needs them.
+/// Finds the bad cells that the input does not impose, which the search for better cells starts from.
 struct FreeCellJudge {
-  /// Among all cells.
+  /// Finds bad cells that the input does not impose in the whole mesh.
   std::function<std::vector<CellIndex>(const DomainMesh&)> find;
-  /// Among those of which a vertex has changed since that time of the mesh, decided as by find_among.
+  /// Finds bad cells that the input does not impose among the cells with a vertex that has changed since the given time
+  /// of the mesh; decides like find_among.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::uint64_t since)> find_since;
-  /// Returns those cells, the worst first, decided by their surroundings alone: fast, and in doubt a cell is one of
-  /// them.
+  /// Finds bad cells that the input does not impose among the given ones, the worst first. Decides by their
+  /// surroundings alone, which is fast; a doubtful cell is included.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::span<const CellIndex>)> find_among;
 };
 

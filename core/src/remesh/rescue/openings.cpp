@@ -35,7 +35,7 @@ class Opening {
   }
 
  private:
-  /// Returns the cell itself, or one at one of its vertices.
+  /// Returns the bad cell itself, or a random cell that shares an edge or a vertex with it.
   CellIndex choose_cell() {
     if (choose_.below(3) == 0) return seed_;
     const Tetrahedron& t = mesh_.vertices(seed_);
@@ -52,7 +52,7 @@ class Opening {
     return star[choose_.below(static_cast<unsigned>(star.size()))];
   }
 
-  /// Collapses the vertex into the first neighbour that is possible, beginning with a chosen one.
+  /// Contracts an edge from u to the first of its neighbours for which this is possible, beginning with a random one.
   bool remove_vertex(VertexIndex u) {
     if (mesh_.kind(u) == VertexKind::corner) return false;
     std::vector<CellIndex> star;
@@ -76,7 +76,7 @@ class Opening {
     return split_edge(tools_, c, t[e[0]], t[e[1]], opening_shape, &p).has_value();
   }
 
-  /// Returns weights of at least a twentieth that sum to one.
+  /// Returns a random point inside a tetrahedron or triangle; each barycentric weight is at least 0.03.
   template <std::size_t n>
   Vec3 place_in(const std::array<Vec3, n>& corners) {
     std::array<double, n> weights;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Changes around a bad cell that may make the place worse, as the first step of a sequence of repair.
+/// Openings: random changes around a bad cell that may worsen the shapes there, as first steps of sequences of repair.
 #pragma once
 
 #include "common/random.hpp"
@@ -8,23 +8,22 @@
 
 namespace geomesh::remesh {
 
-/// Limit on the flatness of cells that an opening may leave. It is far below that of bad cells, which could not be
-/// opened otherwise.
+/// Least shape of cells that an opening may leave. It is far below that of bad cells, to which openings are applied.
 inline constexpr double opening_shape = 1e-7;
 
-/// Makes one change around the live cell c, of a chosen kind and at a chosen place: removes a vertex (curves and
-/// surfaces keep theirs), splits an edge, removes an edge or a face, puts a point into a cell or onto a face; mostly in
-/// the cell or in one that shares an edge with it. Returns whether something changed.
+/// Makes one random change at a random place around the live cell c: removes a vertex that is no corner, splits an
+/// edge, removes an edge or a face, inserts a point into a cell or on a face. Mostly the change is in the cell itself
+/// or in one that shares an edge with it. Returns whether something changed.
 bool open_about_cell(Toolbox& tools, CellIndex c, Random& choose);
 
 /// Returns the cell's vertices and their neighbours that may move, in ascending order.
 std::vector<VertexIndex> movable_about(Toolbox& tools, const Tetrahedron& t);
 
-/// Returns the nearest vertex that shares an edge with u; among equally near ones the lowest.
+/// Returns the nearest vertex that shares an edge with u; of equally near ones the one with the lowest index.
 VertexIndex nearest_neighbour(Toolbox& tools, VertexIndex u);
 
-/// Removes as many points inside around the vertices of a cell as possible, each into its nearest neighbour. Earlier
-/// repairs may have crowded them.
+/// Removes as many inner points around the vertices of a cell as possible, by contracting each into its nearest
+/// neighbour. Earlier repairs may have crowded these points.
 bool clear_about(Toolbox& tools, const Tetrahedron& t);
 
 }  // namespace geomesh::remesh

@@ -20,16 +20,15 @@ enum class MendScope : bool {
   own,      ///< bad cells that the trial has created or changed
 };
 
-/// Whether repair may put points at a place.
 enum class NewPoints : bool { no, yes };
 
-/// The place around a bad cell during a trial: its state compared with that before, and the repair of its bad cells.
+/// The surroundings of a bad cell during a trial: compares the bad cells there with those before, and repairs them.
 class RescuedPlace {
  public:
   RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule, NewPoints points = NewPoints::yes)
       : tools_(tools), mesh_(tools.mesh), rule_(rule), points_(points), seed_(bad_cell(mesh_, seed)) {}
 
-  /// The bad cell around which the trial takes place, in its former state.
+  /// Returns the bad cell around which the trial takes place, in its former state.
   const BadCell& seed() const { return seed_; }
   void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
   void set_scope(MendScope scope) { scope_ = scope; }
@@ -39,7 +38,7 @@ class RescuedPlace {
     return flip_about_cell(tools_, c) || move_vertices(c) || collapse_about_cell(tools_, c) ||
            (points_ == NewPoints::yes && add_point_about_cell(tools_, c, rescue_limits.room));
   }
-  /// Improves the worst cell, again and again, until none is left or too many were given up.
+  /// Improves the worst bad cell repeatedly, until no bad cell is left or too many could not be improved.
   void mend_all() {
     given_up_.clear();
     for (unsigned step = 1; step < rule_.max_steps; ++step) {
@@ -50,7 +49,7 @@ class RescuedPlace {
       if (given_up_.size() == rescue_limits.most_given_up) break;
     }
   }
-  /// Returns the worst bad cell in scope that was not given up, or no_cell.
+  /// Returns the worst bad cell of the trial that could still be improved, or no_cell.
   CellIndex next_bad() const {
     CellIndex worst = no_cell;
     double least = rule_.bad_shape;
@@ -68,7 +67,7 @@ class RescuedPlace {
   }
   void forget_given_up() { given_up_.clear(); }
 
-  /// Returns whether the seed exists and is hardly better. Then only others have gained.
+  /// Returns whether the initial bad cell of the trial exists and is hardly better, so that only others have gained.
   bool is_seed_as_it_was() const {
     return is_left(mesh_, seed_) && !(mesh_.shape_of(seed_.cell) > rescue_limits.notable_rise * seed_.shape);
   }
@@ -112,10 +111,9 @@ class RescuedPlace {
   std::vector<Tetrahedron> given_up_;  // cells for which every attempt has failed
 };
 
-/// Whether operations of repair may make more cells bad.
 enum class BadCells : bool { may_not_spread, may_spread };
 
-/// Performs `open` and repairs the result. Keeps both if they are worthwhile.
+/// Calls `open`, which may worsen shapes, and repairs the cells around. Keeps all changes if these are clearly better.
 template <class Open>
 bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& open) {
   Trial trial(tools);
@@ -127,7 +125,7 @@ bool attempt(Toolbox& tools, RescuedPlace& place, BadCells spread, const Open& o
   return true;
 }
 
-/// Returns the cells with at least two vertices of the cell, including itself, in ascending order.
+/// Returns the cells that share at least two vertices with the given cell, including that cell, in ascending order.
 std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   std::vector<CellIndex> star, cells;
   for (const VertexIndex v : t) {
@@ -140,8 +138,7 @@ std::vector<CellIndex> cells_about(Toolbox& tools, const Tetrahedron& t) {
   return cells;
 }
 
-/// Returns pairs (u, v). u is a movable vertex of the cell or of a cell around it; v is a vertex of the cell or u's
-/// nearest neighbour.
+/// Returns candidates (u, v) for contractions: u is movable and in a cell around; v is in the cell or nearest to u.
 std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   std::vector<Edge> edges;
   for (const VertexIndex u : movable_about(tools, t)) edges.push_back({u, nearest_neighbour(tools, u)});
@@ -151,7 +148,7 @@ std::vector<Edge> edges_to_collapse(Toolbox& tools, const Tetrahedron& t) {
   return edges;
 }
 
-/// Sweeps over all bad cells with `rescue`, and repeats that for cells whose surroundings have changed since.
+/// Calls `rescue` for all bad cells, and then repeatedly for those whose surroundings have changed since.
 template <class Rescue>
 void sweep_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& out_of_time, const Rescue& rescue) {
   std::uint64_t last_sweep = 0;
@@ -167,8 +164,8 @@ void sweep_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& ou
   }
 }
 
-/// The result of one trial of a search: no gain, no bad cell that the input does not impose, or such a cell elsewhere,
-/// from which to continue.
+/// The result of one trial of a search: no gain; a repaired cell; or another bad cell that the input does not impose,
+/// from which the search continues.
 enum class Outcome : std::uint8_t { none, mended, elsewhere };
 
 class Searcher {
@@ -176,8 +173,8 @@ class Searcher {
   Searcher(Toolbox& tools, CellIndex seed, const RescueRule& rule, RescueSearch& search)
       : tools_(tools), search_(search), place_(tools, seed, rule) {}
 
-  /// Alternates openings and repair. Each opening is around the worst cell that the previous repair has left; the first
-  /// may be a clearing.
+  /// Runs one trial, which alternates openings and repair. Each opening is around the worst cell that the previous
+  /// repair has left; the first may remove all points around the bad cell.
   Outcome search_once() {
     Trial trial(tools_);
     Random& choose = search_.choose;
@@ -207,9 +204,10 @@ class Searcher {
     return false;
   }
 
-  /// Beside cells that cannot be improved, the worst shape says nothing, and the number of bad cells little. The goal
-  /// is that only bad cells imposed by the input are left. If one other such cell has been replaced by another, and the
-  /// place is hardly worse, the new one is the seed from now on.
+  /// Decides on the result of a trial. Next to cells that cannot be improved, the worst shape says nothing, and the
+  /// number of bad cells little. The goal is that only bad cells imposed by the input are left. If another bad cell
+  /// that the input does not impose has taken the place of the first, and the shapes are hardly worse, the search
+  /// continues from that cell.
   Outcome judge_trial() {
     if (place_.is_seed_as_it_was()) return Outcome::none;
     const Tally was = place_.before(), is = place_.after();
@@ -246,7 +244,7 @@ std::vector<BadCell> free_cells_after(const DomainMesh& mesh, const FreeCellJudg
   return bad;
 }
 
-/// Keeps the change at u if its surroundings can be repaired.
+/// Calls `change`, which changes the mesh at the vertex u. Keeps the change if the cells around can be repaired.
 template <class Change>
 bool change_mending(Toolbox& tools, VertexIndex u, const RescueRule& rule, const Change& change) {
   RescuedPlace place(tools, tools.mesh.incident_cell(u), rule, NewPoints::no);

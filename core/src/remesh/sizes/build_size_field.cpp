@@ -14,13 +14,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Short edges among long ones, such as those between curves and the sides of triangles that they cross, are not a
-/// requested size; neither are edges shorter than the size requested for the whole model. Sizes grow from them as fast
-/// as good shapes permit.
+/// Short edges among long ones, such as those between curves and the sides of triangles that they cross, are not taken
+/// as requested sizes; neither are edges shorter than the size requested for the whole model. Sizes grow from them as
+/// fast as good shapes permit.
 constexpr double uneven_ratio = 0.5, fast_gradation = 0.5, few_shortest = 3;
 
-/// The lower limit of all sizes, whatever short edges and thin gaps the input has. Points nearer to each other than
-/// this would be rounded onto each other, or off the edges and faces on which they lie.
+/// Returns the lower limit of all sizes, whatever short edges and thin gaps the input has. Points nearer to each other
+/// than this would be rounded onto each other, or off the edges and faces on which they lie.
 double least_of_all(const DomainMesh& mesh) {
   constexpr double share_of_diagonal = 1e-9;
   Box3 box;
@@ -55,7 +55,7 @@ class SizeFieldBuilder {
     }
   }
 
-  /// Adds the sizes of patches over their faces, and those of curves along their edges.
+  /// Adds sources for the target sizes of patches on their faces, and for those of curves along their edges.
   void add_patches_and_curves() {
     mesh_.for_each_facet_face([&](FaceRef f) {
       const Index patch = patch_of(f);
@@ -127,8 +127,8 @@ class SizeFieldBuilder {
       ask(v, size);
   }
 
-  /// Returns the size across a gap. A requested number of layers is kept for any thickness; otherwise the size is at
-  /// least a share of the one requested there.
+  /// Returns the size that a gap requires. A requested number of layers is kept for any thickness; otherwise the size
+  /// is at least the share `gap_floor` of the other target sizes there.
   double size_across(double width, double layers, double asked) const {
     if (layers > 0) return width / layers;
     return options_.gap_layers > 0 ? std::max(width / options_.gap_layers, options_.gap_floor * asked) : infinity;

@@ -21,7 +21,7 @@ namespace {
 /// at the scale 1, limited to powers between one and three.
 double at_scale_one(const std::array<double, 3>& integrals, double scale) {
   const auto at = [&](unsigned k) { return integrals[k] * std::pow(std::ldexp(scale, static_cast<int>(k)), 3); };
-  const double x = 1 / scale;  // relative to the smallest of the scales 1, 2, 4
+  const double x = 1 / scale;  // the scale 1 relative to the smallest of the three scales
   const double found = at(0) * (x - 2) * (x - 4) / 3 - at(1) * (x - 1) * (x - 4) / 2 + at(2) * (x - 1) * (x - 2) / 6;
   return std::clamp(found, integrals[0] * scale, integrals[0] * scale * scale * scale);
 }
@@ -29,9 +29,9 @@ double at_scale_one(const std::array<double, 3>& integrals, double scale) {
 /// Returns the estimated number of elements, or any number above `enough`. If the field has too many small sizes to be
 /// sampled, it is extrapolated from larger ones.
 double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double enough) {
-  // The factor is squared from one attempt to the next, so that sizes in wrong units are soon exceeded.
+  // The factor by which sizes are enlarged is squared in each attempt, so that sizes in wrong units are soon exceeded.
   constexpr double larger = 8;
-  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, and some tenths
+  constexpr std::size_t many_samples = 3'000'000, few_samples = 300'000;  // some seconds, or tenths of a second
   if (const auto found = integrate_sizes(mesh, size, many_samples, enough)) return elements_of(*found);
   for (double scale = larger; std::isfinite(scale); scale *= scale) {
     const auto first = integrate_sizes(mesh, size.times(scale), few_samples);
@@ -54,7 +54,7 @@ double elements_by_sizes(const DomainMesh& mesh, const SizeField& size, double e
 }  // namespace
 
 double estimate_elements(const DomainMesh& mesh, const SizeField& size, const RefineOptions& options, double enough) {
-  // Each given point that remains has cells around it in addition to those that the sizes require.
+  // Points of the input that are kept have cells around them in addition to those that the sizes require.
   constexpr double per_given_cell = 1.05;
   const double count = elements_by_sizes(mesh, size, enough);
   return options.honour == Honour::exact ? count + per_given_cell * static_cast<double>(mesh.n_cells()) : count;
@@ -68,7 +68,7 @@ std::string with_three_digits(double x) {
   return text.data();
 }
 
-/// Writes "1,234,567", or "2.1e+13" for very large numbers.
+/// Formats a number as "1,234,567", or as "2.1e+13" if it is very large.
 std::string in_words(double count) {
   constexpr double countable = 1e12;
   if (!(count < countable)) return with_three_digits(count);
@@ -104,7 +104,7 @@ double middle_edge(const PiecewiseLinearComplex& plc) {
 /// size, the length of most input edges.
 void warn_of_short_edges(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, RefineOptions options,
                          const RunContext& context, RefineResult& result) {
-  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // of the middle one
+  constexpr double many = 250'000, most = 2, short_edge = 0.1;  // share of the median edge
   const double estimate = result.statistics.estimated_elements;
   if (!options.size.from_input_edges || !sizes_surfaces(options) || estimate < many) return;
   const bool has_size = options.size.global > 0;

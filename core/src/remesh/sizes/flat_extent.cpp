@@ -23,8 +23,8 @@ struct Moments {
   Vec3 sum;
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
 
-  /// Adds a triangle. The integrals are exact: products are sums over the corners and over their sum, divided by
-  /// twelve.
+  /// Adds a triangle. The integrals are exact: that of a product of coordinates is the product summed over the corners
+  /// and the sum of the corners, times a twelfth of the area.
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const double w = 0.5 * length(cross(b - a, c - a)), t = w / 12;
     const Vec3 s = a + b + c;
@@ -36,7 +36,7 @@ struct Moments {
     }
   }
 
-  /// The mean squared distance from the best-fitting plane, which is the smallest eigenvalue of the covariance matrix.
+  /// Returns the mean squared distance from the best-fitting plane: the smallest eigenvalue of the covariance matrix.
   double off_plane_squared() const {
     if (!(area > 0)) return 0;
     const Vec3 m = (1 / area) * sum;

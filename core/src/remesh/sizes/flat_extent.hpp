@@ -24,19 +24,20 @@ class FlatExtent {
   FlatExtent(std::vector<Face> faces, double widest) : faces_(std::move(faces)), widest_(widest) {}
 
   /// Returns the largest of the lengths `widest`, widest / 2, widest / 4, ... over which the patch around the place is
-  /// within the tolerance of a plane, or 0 if none above `least` is. O(log n), plus the faces in a block once for each
-  /// of its middle cells.
+  /// within the tolerance of a plane, or 0 if none above `least` is. O(log n), plus, once for each grid cell, the faces
+  /// in the block around it.
   double at(Index patch, const Vec3& place, double least, double tolerance);
 
  private:
   struct Entry {
-    std::array<std::int64_t, 4> cell;  ///< patch, then grid columns in x, y and z
+    std::array<std::int64_t, 4> cell;  ///< grid cell: the patch, then the columns in x, y and z
     Index face;
   };
   struct Level {
     double cell = 0;             ///< width
     std::vector<Entry> entries;  ///< sorted
-    std::vector<double> off;     ///< for the first entry of each cell, the measured distance; -1 if not yet measured
+    /// Measured distance from a plane, for the first entry of each grid cell; -1 if not yet measured.
+    std::vector<double> off;
   };
   Level& level(unsigned number);
   double off_plane(Level& level, Index patch, const Vec3& place);

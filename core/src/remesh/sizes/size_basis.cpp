@@ -11,8 +11,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Returns for each facet a number that is equal for pieces of one input facet. If surfaces are kept, these numbers are
-/// their patches.
+/// Returns for each facet a number that all pieces of one input facet share: the patch, if surfaces are kept exactly.
 std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const DomainMesh& mesh,
                                  const RefineOptions& options) {
   if (options.honour == Honour::tolerance) return merge_pieces(plc, options.facet_parent).row_of_facet;
@@ -21,8 +20,8 @@ std::vector<Index> pieces_merged(const PiecewiseLinearComplex& plc, const Domain
   return rows;
 }
 
-/// Returns the edges at each vertex. Edges between pieces of one input triangle (equal in `merged`) are left out,
-/// because the user did not choose them.
+/// Returns the lengths of the edges at each vertex. Edges between pieces of one input triangle (equal in `merged`) are
+/// left out, because the user did not choose them.
 std::vector<EdgesAtVertex> edges_at_vertices(const DomainMesh& mesh, const std::vector<Index>& merged) {
   struct Use {
     std::array<VertexIndex, 2> edge;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Input edges and bends of the surfaces, from which sizes follow. They do not depend on the sizes.
+/// Input edges of a mesh and bends of its surfaces, from which target sizes are derived. They do not depend on the
+/// sizes that the options request.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +23,8 @@ struct EdgesAtVertex {
     inverse += times / length, sum += times * length, count += times;
     shortest = std::min(shortest, length), longest = std::max(longest, length);
   }
-  /// The harmonic mean. In a uniform triangulation it equals the mean. With a few short edges among long ones it is a
-  /// few times the short length, as elements of good shape require there.
+  /// Returns the harmonic mean of the lengths. In a uniform triangulation it equals the mean. If there are a few short
+  /// edges among long ones, it is a few times the short length, as elements of good shape require there.
   double harmonic() const { return count / inverse; }
   double mean() const { return sum / count; }
 };
@@ -40,12 +41,12 @@ struct Bend {
 struct SizeBasis {
   std::vector<Index> patch;             ///< by facet: named_patches
   std::vector<EdgesAtVertex> edges;     ///< by vertex
-  std::vector<Bend> bends;              ///< empty if neither a tolerance nor a curvature requires bends
+  std::vector<Bend> bends;              ///< empty if neither a tolerance nor an angle of curvature is set
   std::vector<FlatExtent::Face> faces;  ///< faces of all surfaces, if bends are listed
 };
 
-/// Collects edges and bends. All `options` matter except for their sizes, their tolerance and those on gaps. O(n log
-/// n).
+/// Collects the input edges and the bends of a mesh. The sizes, the tolerance and the options on gaps in `options` have
+/// no influence. O(n log n).
 SizeBasis size_basis(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options);
 
 }  // namespace geomesh::remesh

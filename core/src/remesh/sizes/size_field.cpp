@@ -16,11 +16,11 @@ using search::squared_distance_to;
 
 constexpr Index leaf_size = 8;
 
-/// Returns whether a source of this size, radius and gradation requires `bound` or more at this distance and beyond,
-/// computed without roots and divisions.
+/// Returns whether a source of the given size, radius and gradation requires `bound` or more at the given distance and
+/// beyond. Computed without roots and divisions.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  // Multiplied by the gradation: nearer places get less than the bound.
+  // Distance within which the source requires less than the bound, times the gradation.
   const double reach = radius * gradation + (bound - size);
   return squared_distance * gradation * gradation >= reach * reach;
 }
@@ -53,8 +53,9 @@ SizeField SizeField::times(double factor) const {
   return SizeField(std::move(sources), std::move(limits));
 }
 
-/// Removes redundant sources. A source is redundant if none grows faster than it, and another one requires less at its
-/// place by more than the redundant source grows over its own radius.
+/// Removes redundant sources and returns whether there were any. A source is redundant if no source has a larger
+/// gradation, and another source requires less at its point by more than the redundant source's gradation times its
+/// radius.
 bool SizeField::drop_redundant() {
   std::vector<SizeSource> kept;
   for (const SizeSource& s : sources_) {

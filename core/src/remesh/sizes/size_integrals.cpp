@@ -22,14 +22,14 @@ struct SizeAbout {
   double size, least, greatest;
 };
 
-/// A place at which the relevant sources are known, which speeds up the search at places nearby.
+/// A place at which the size required by sources is known, which speeds up the evaluation at places nearby.
 struct KnownPlace {
   Vec3 place;
   double by_sources = infinity;
 };
 
 /// Samples a size field. Without a background the field grows no faster than its sources do within a component, and it
-/// is constant where the sources require more than the limits.
+/// is constant where the sources require larger sizes than the limits do.
 class SizeSampler {
  public:
   SizeSampler(const SizeField& field, std::size_t most_samples)
@@ -52,7 +52,7 @@ class SizeSampler {
   }
 
  private:
-  static constexpr double growth_of_background = 0.5;  ///< the gradation of sizes read from a file is unknown
+  static constexpr double growth_of_background = 0.5;  ///< assumed gradation of sizes read from a file
 
   double cap_at(const Vec3& p, Index component) const {
     double cap = std::min(limits_.global, limits_.max_size);
@@ -140,7 +140,7 @@ class Integral {
   }
 
   SizeSampler& sampler_;
-  KnownPlace last_;  ///< in the previous simplex
+  KnownPlace last_;
   Random choice_;
   double sum_ = 0;
 };
@@ -161,7 +161,7 @@ std::vector<Edge> edges_of_curve_faces(const DomainMesh& mesh) {
   return edges;
 }
 
-/// Integrates along curves at which exactly two faces meet.
+/// Integrates 1 / size along curves at which exactly two faces meet.
 double along_folds(const DomainMesh& mesh, SizeSampler& sampler) {
   Integral<2> fold(sampler);
   const std::vector<Edge> edges = edges_of_curve_faces(mesh);
@@ -185,7 +185,7 @@ double elements_of(const SizeIntegrals& integrals) {
 
 std::optional<SizeIntegrals> integrate_sizes(const DomainMesh& mesh, const SizeField& size, std::size_t most_samples,
                                              double enough) {
-  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // A cell has four faces.
+  SizeSampler sampler(size, most_samples + 5 * mesh.n_cells());  // one sample for the cell and one for each face
   SizeIntegrals found{.volume = 0, .surface = 0, .fold = along_folds(mesh, sampler)};
   Integral<4> volume(sampler);
   Integral<3> surface(sampler);

@@ -33,7 +33,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The face through which a ray leaves a cell, and where.
+/// The face through which a ray leaves a cell, and the distance along the ray at which it does.
 struct Exit {
   FaceRef face;
   double at = infinity;
@@ -58,8 +58,8 @@ Exit leave(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3&
   return first;
 }
 
-/// Finds the next constrained face on a ray that starts in the cell or on its face `entered`; nothing if it is not
-/// reached within many cells. `visit` is called for each cell with the point at which the ray leaves it.
+/// Finds the next constrained face on a ray that starts in the cell or on its face `entered`. Returns no face if none
+/// is reached within 500 cells. `visit` is called for each cell with the distance at which the ray leaves it.
 template <class Visit>
 Exit next_surface(const DomainMesh& mesh, CellIndex cell, unsigned entered, const Vec3& origin, const Vec3& direction,
                   const Visit& visit) {
@@ -78,21 +78,22 @@ Exit next_surface(const DomainMesh& mesh, CellIndex cell, unsigned entered, cons
 
 void pass(CellIndex, double) {}
 
-/// A constrained face and another one opposite it, seen from one of its points.
+/// A constrained face and another one opposite it, on the normal of the first at one of its points.
 struct Facing {
   FaceRef face;
-  Vec3 origin, normal;   ///< unit vector into the cell
+  Vec3 origin, normal;   ///< `normal`: unit vector into the cell
   double width;          ///< distance from the origin to the other face along the normal
-  Vec3 normal_of_other;  ///< unit vector away from the face
+  Vec3 normal_of_other;  ///< unit normal of the other face, away from the first one
 };
 
-/// Returns whether the two surfaces meet within `reach`, along the line in which the planes of the faces intersect. If
-/// there are needles along that curve, the faces beyond them share no vertex.
+/// Returns whether two surfaces that face each other meet within the distance `reach`, near the line in which the
+/// planes of their faces intersect. Needles along the curve at which they meet may keep the faces from having common
+/// vertices.
 bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
   // Relative distance from the line of intersection within which the surfaces may actually meet.
   constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
-  const Vec3 down = m - dot(m, n) * n;  // direction along the face towards the line of intersection
+  const Vec3 down = m - dot(m, n) * n;  // direction in the plane of the face, towards the line of intersection
   const double slope = length(down) / dot(m, n);
   if (!(facing.width > 0 && slope * reach >= facing.width)) return false;
   const Vec3 meeting = facing.origin + (facing.width / slope) * unit(down);

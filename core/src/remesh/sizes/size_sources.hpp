@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Adds sources of the size field along triangles and curves and in gaps, whatever their extent.
+/// Adds sources of target sizes over triangles, along curves and in gaps.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void visit_pieces(const std::array<Vec3, 3>& corners, double size, const Visit& 
 
 /// Adds sources at the points of a lattice over the triangle, twice the size apart, with at most 100 along each side.
 void cover_triangle(const std::array<Vec3, 3>& corners, const AskedSize& asked, std::vector<SizeSource>& sources);
-/// Adds sources along the mesh's curves, by row of their segments; some rows may have none.
+/// Adds sources along the curves of the mesh, with the sizes requested for the segments of the PLC on them, if any.
 void cover_curves(const DomainMesh& mesh, const std::vector<AskedSize>& asked, std::vector<SizeSource>& sources);
 
 /// Calls visit(face) for each side of a surface on which there is a cell.
@@ -41,8 +41,8 @@ void for_each_side_of_surfaces(const DomainMesh& mesh, const Visit& visit) {
 }
 
 /// Returns the distance from `origin`, a point of the constrained face, along its normal into the cell to the next
-/// constrained face. The result is infinite if that face forms an angle of more than 60 degrees with this one, if both
-/// meet at a corner (they share a vertex, or their surfaces meet within `corner_reach`), or if no face is reached
+/// constrained face. The result is infinite if that face forms an angle of more than 60 degrees with the first one, if
+/// both meet at a corner (they share a vertex, or their surfaces meet within `corner_reach`), or if no face is reached
 /// within 500 cells.
 double gap_width(const DomainMesh& mesh, FaceRef face, const Vec3& origin, double corner_reach = 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The permitted distance from the input by place, if it follows the sizes. Declared in remesh/sizes/sizes.hpp.
+// Computes the permitted distance from the input by place, if it follows the sizes. Declared in remesh/sizes/sizes.hpp.
 #include "remesh/domain/domain_io.hpp"
 #include "remesh/sizes/size_sources.hpp"
 #include "remesh/sizes/sizes.hpp"
@@ -29,8 +29,8 @@ void cover_surfaces(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, c
   });
 }
 
-/// Share of the tolerance. A curve at which surfaces meet may lie behind needles at most this wide. Faces farther from
-/// it count as a gap, because a unit that thins out there would be lost.
+/// Largest width, as a share of the tolerance, of needles behind which a curve may lie at which two surfaces meet.
+/// Surfaces farther apart count as a gap, because a unit that thins out there would be lost otherwise.
 constexpr double needle_share = 0.05;
 
 SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh& mesh, const RefineOptions& options) {
@@ -39,7 +39,7 @@ SizeField tolerance_by_place(const PiecewiseLinearComplex& plc, const DomainMesh
   cover_surfaces(plc, mesh, options, sources);
   cover_curves(mesh, options.size.segment_size, sources);
   for (SizeSource& s : sources) s.size *= share, s.gradation *= share;
-  // Adds half of the gap at places of each face, twice the size apart or more on a large face.
+  // Limits the tolerance to half of the gap, at places on each face twice the size apart, or more on a large face.
   for_each_side_of_surfaces(mesh, [&](FaceRef f) {
     visit_pieces(mesh.places(mesh.face(f)), options.tolerance / share, [&](const Vec3& p, double radius) {
       const double half = 0.5 * gap_width(mesh, f, p, needle_share * options.tolerance);

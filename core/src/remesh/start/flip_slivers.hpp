@@ -10,9 +10,9 @@
 
 namespace geomesh::remesh {
 
-/// Flips the longest edge of each of `slivers` if possible: the edge has two triangles of one provenance with nothing
-/// inside, and no segment on it. The surface moves by less than the sliver's height. Returns the remaining slivers in
-/// their order. O(n log n) for n facets.
+/// Flips the longest edge of each of `slivers` if possible. This requires that the edge has two triangles of one
+/// provenance with nothing inside, and no segment on it. The surface moves by less than the sliver's height. Returns
+/// the remaining slivers in their order. O(n log n) for n facets.
 std::vector<Index> flip_slivers(PiecewiseLinearComplex& plc, std::span<const Index> slivers);
 
 }  // namespace geomesh::remesh

@@ -15,7 +15,8 @@ namespace {
 /// For each facet of a complex, the component below and above it; no_index if unknown.
 using ComponentsBeside = std::vector<std::array<Index, 2>>;
 
-/// Calls visit(face, above, component) for each side of each face until it returns false. Returns whether it never did.
+/// Calls visit(face, above, component) for each side of each face that has a tetrahedron, until a call returns false.
+/// Returns whether all calls returned true.
 template <class Visit>
 bool for_each_side(const ConstrainedTetrahedralization& mesh, const Visit& visit) {
   for (Index f = 0; f < mesh.faces.size(); ++f)
@@ -25,8 +26,8 @@ bool for_each_side(const ConstrainedTetrahedralization& mesh, const Visit& visit
   return true;
 }
 
-/// `row_of` returns the facet of the complex that a face of the mesh is part of. Returns nothing if faces of one facet
-/// disagree.
+/// Returns the components on both sides of each facet of a complex, or nothing if faces of one facet disagree. `row_of`
+/// returns the facet of which a face of the mesh is part.
 template <class RowOf>
 std::optional<ComponentsBeside> components_beside(const ConstrainedTetrahedralization& mesh, std::size_t n_facets,
                                                   const RowOf& row_of) {
@@ -39,8 +40,8 @@ std::optional<ComponentsBeside> components_beside(const ConstrainedTetrahedraliz
   return agrees ? std::optional(std::move(beside)) : std::nullopt;
 }
 
-/// Returns for each component of `fresh` the known one that it stands for, decided by a facet and its side; no_index:
-/// none. Nothing if facets disagree.
+/// Returns for each component of the new mesh the known component on the same side of the same facet, or no_index if
+/// there is none. Returns nothing if facets disagree.
 std::optional<std::vector<Index>> match_components(const ComponentsBeside& beside,
                                                    const ConstrainedTetrahedralization& fresh) {
   std::vector<Index> match(fresh.n_components, no_index);
@@ -52,7 +53,7 @@ std::optional<std::vector<Index>> match_components(const ComponentsBeside& besid
   return agrees ? std::optional(std::move(match)) : std::nullopt;
 }
 
-/// Puts a seed point well inside each component that has no match, so that it becomes a hole.
+/// Adds a hole seed well inside each component of the new mesh that the previous mesh does not have.
 void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<Index>& match,
                 PiecewiseLinearComplex& plc) {
   std::vector<double> largest(fresh.n_components, 0);
@@ -69,7 +70,7 @@ void seed_holes(const ConstrainedTetrahedralization& fresh, const std::vector<In
     if (match[c] == no_index) plc.hole_seeds.push_back({place[c], no_index});
 }
 
-/// Returns whether no component is missing and none occurs twice.
+/// Returns whether `match` contains each component exactly once.
 bool is_complete(std::vector<Index> match, std::size_t n_components) {
   std::sort(match.begin(), match.end());
   std::vector<Index> all(n_components);
@@ -77,8 +78,7 @@ bool is_complete(std::vector<Index> match, std::size_t n_components) {
   return match == all;
 }
 
-/// Makes a complex of a mesh: faces become facets and edges become segments, both in their order; points on neither
-/// become isolated points.
+/// Makes a complex of a mesh: faces become facets and edges segments, in their order; other points are isolated ones.
 PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   PiecewiseLinearComplex plc;
   plc.points = mesh.points;
@@ -97,7 +97,8 @@ PiecewiseLinearComplex complex_of(const ConstrainedTetrahedralization& mesh) {
   return plc;
 }
 
-/// Returns nothing if the complex cannot be meshed, or its components cannot be identified.
+/// Meshes a complex and identifies its components by the facets beside them. Returns nothing if it cannot be meshed or
+/// its components cannot be identified.
 std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const ComponentsBeside& beside,
                                                                    std::size_t n_components, PiecewiseLinearComplex plc,
                                                                    unsigned most_attempts, const RunContext& context,

@@ -12,8 +12,8 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// Share of the size at a seed. A place nearer to others than this is refused before its own size is evaluated; sizes
-/// that decrease by less than 0.5 per unit of distance would refuse it too.
+/// A new place that is closer to another point than this share of the size at the point beside it is refused before its
+/// own size is evaluated. If sizes decrease by less than 0.5 per unit of distance, it would be refused anyway.
 constexpr double surely_crowded = 0.5;
 
 Vec2 plus(const Vec2& a, double t, const Vec2& d) { return {a.x + t * d.x, a.y + t * d.y}; }
@@ -28,8 +28,8 @@ double squared_distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 
 int level_of(double size) { return static_cast<int>(std::floor(std::log2(size))); }
 
-/// Hash of a cell by its column and row, whole numbers. Collisions cost time only, because points are compared by
-/// distance.
+/// Returns the hash of a grid cell by its column and row, which are whole numbers. Collisions cost time only, because
+/// points are compared by distance.
 std::uint64_t key(double column, double row) {
   const auto whole = [](double c) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(c)); };
   return hash_of(std::array{whole(column), whole(row)});
@@ -98,7 +98,8 @@ bool PlanarSampler::is_inside(const Vec2& p) const {
   return inside;
 }
 
-/// Sizes vary slowly, so points with a much smaller size cannot be near; all others may be.
+/// Returns whether p is far enough from all points. Sizes vary slowly, so points with a much smaller size cannot be
+/// near and are not examined.
 bool PlanarSampler::is_free(const Vec2& p, double size) const {
   const double radius = spacing_ratio * size, limit = radius * radius;
   const int least = level_of(size) - 2;
@@ -153,14 +154,15 @@ void PlanarSampler::advance(unsigned n_directions, double distance) {
       const Vec2 direction{turn.x * d.x - turn.y * d.y, turn.y * d.x + turn.x * d.y};
       const Vec2 nearest = plus(place.at, distance * size, direction);
       if (!is_inside(nearest) || !is_free(nearest, surely_crowded * size)) continue;
-      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));  // the mean of the sizes at both ends
+      // Mean of the sizes at both ends of the new edge.
+      const double reach = 0.5 * (size + std::max(size, size_(nearest, place)));
       take(plus(place.at, distance * reach, direction), place);
     }
   }
 }
 
 std::vector<Vec2> PlanarSampler::run() {
-  // Advances first from the border's edges, then around each accepted point, then from what is still open.
+  // Adds points first beside the edges of the border, then around each accepted point, then where there is still room.
   for (const auto& [a, b, size_at_a] : edges_) {
     const Vec2 middle{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
     const double l = std::sqrt(squared_distance(a, b)), size = size_(middle, {a, size_at_a});

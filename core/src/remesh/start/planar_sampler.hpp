@@ -11,9 +11,9 @@
 
 namespace geomesh::remesh {
 
-/// Advances from the border inwards. A point is accepted if no other point is nearer than `spacing_ratio` times the
-/// target size there, and no edge is nearer than `edge_ratio` times it. The second rule is needed because a point
-/// beside the middle of a long edge is far from its ends.
+/// Adds points to a polygon, from the border inwards. A point is accepted if no other point is closer than
+/// `spacing_ratio` times the target size there, and no edge is closer than `edge_ratio` times this size. The second
+/// rule is needed because a point beside the middle of a long edge is far from the ends of the edge.
 class PlanarSampler {
  public:
   static constexpr double spacing_ratio = 0.75, edge_ratio = 0.4;
@@ -22,11 +22,11 @@ class PlanarSampler {
     Vec2 at;
     double size;
   };
-  /// A function that returns the size at p, given a place nearby at which it is known.
+  /// A function that returns the size at p, given a place nearby at which the size is known.
   using SizeBeside = std::function<double(const Vec2& p, const Place& beside)>;
   /// The loops have vertices at about the target distances. The outer loop is counter-clockwise, holes are clockwise.
   PlanarSampler(const std::vector<std::vector<Place>>& loops, SizeBeside size);
-  /// Adds a point, or an inner segment with its ends, from which others must keep their distance.
+  /// Adds an existing point, or an inner segment with its ends, from which new points must keep their distance.
   void block(const Place& p) { add(p.at, p.size); }
   void block(const Place& a, const Place& b);
   /// Returns the accepted points in the order in which they were accepted.
@@ -55,12 +55,11 @@ class PlanarSampler {
 
   SizeBeside size_;
   std::vector<Edge> edges_, inner_edges_;
-  /// Edges, by strips across the longer dimension of the polygon. A straight border along that dimension is in all
-  /// strips.
+  /// Edges by strip; strips divide the longer dimension of the polygon, so a straight border along it is in all strips.
   std::vector<std::vector<Index>> rows_, inner_rows_;
   bool is_along_x_ = false;
   double low_ = 0, strip_ = 1;
-  /// Points whose sizes are between two consecutive powers of two, in a grid with cells as wide as the larger one. A
+  /// Points whose sizes are between two consecutive powers of two, in a grid with cells as wide as the larger power. A
   /// finer grid would have many cells.
   struct Level {
     int number;

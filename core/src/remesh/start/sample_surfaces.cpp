@@ -22,7 +22,7 @@ namespace {
 using Edge = std::array<VertexIndex, 2>;
 
 /// A coordinate system in a facet's plane. If the plane is normal to an axis, the other two axes are used, so that
-/// rounding cannot move points off it.
+/// rounding cannot move points off the plane.
 struct PlaneFrame {
   Vec3 origin, u, v;
   Vec2 flat(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
@@ -84,8 +84,7 @@ class SurfaceSampler {
   }
 
  private:
-  /// An edge of facets, or a segment: the facets that have it, and the new points on it, from the vertex with the lower
-  /// index to the other.
+  /// An edge of facets, or a segment: the facets at it, and the new points on it, ordered from the lower vertex on.
   struct EdgeParts {
     std::vector<Index> facets;
     std::vector<VertexIndex> points;
@@ -110,8 +109,7 @@ class SurfaceSampler {
     return size_.limits().component_size.empty() ? size_.at_beside(p, no_index, q, size_at_q) : size_at(p, facets);
   }
 
-  /// Returns the size at a point of the model or a new point on an edge. It is kept if sizes do not depend on the
-  /// facet.
+  /// Returns the size at an original point or a new point on an edge. It is stored if sizes do not depend on the facet.
   double size_at_vertex(VertexIndex v, std::span<const Index> facets) {
     const std::vector<Vec3>& points = out_.plc.points;
     if (!size_.limits().component_size.empty()) return size_at(points[v], facets);
@@ -123,8 +121,8 @@ class SurfaceSampler {
   /// Divides the edge into pieces with equal integrals of 1 / size.
   void cut(const Edge& edge, EdgeParts& parts) {
     if (whole_.edges.contains(edge)) return;
-    // An edge shorter than this many times the smaller size at its ends is surely one piece: it would be two only from
-    // one and a half on.
+    // An edge shorter than this many times the smaller size at its ends is surely one piece: an edge becomes two pieces
+    // only from 1.5 times the size on.
     constexpr double surely_one = 1.2;
     const Vec3 a = plc_.points[edge[0]], d = plc_.points[edge[1]] - a;
     const double l = length(d);
@@ -160,7 +158,7 @@ class SurfaceSampler {
     }
   }
 
-  /// Lists the pieces of inner segments and the inner points of each facet.
+  /// Lists, for each facet, the pieces of its inner segments and its inner points.
   void index_inner_parts() {
     inner_segments_.resize(plc_.n_facets());
     inner_points_.resize(plc_.n_facets());
@@ -174,7 +172,7 @@ class SurfaceSampler {
     std::vector<Vec3> inside;
   };
 
-  /// Samples facets in parallel. The points on edges exist already, and their sizes are known.
+  /// Samples facets in parallel. The points on edges and their sizes must have been computed before.
   void sample_facets(const RunContext& context) {
     constexpr std::size_t batch = 4096, chunk = 64;
     // A function of the caller is evaluated on one thread only.
@@ -236,8 +234,8 @@ class SurfaceSampler {
     return sample;
   }
 
-  /// Returns whether a triangle needs no inner points: none were put on its sides, and no place in it is far enough
-  /// from its corners. The farthest place is at most 1 / sqrt 3 of the longest side away.
+  /// Returns whether a triangle needs no inner points: no points were added on its sides, and no place in it is far
+  /// enough from its corners. The farthest place from the corners is at most 1 / sqrt 3 of the longest side away.
   bool is_full(Index f, const std::vector<std::vector<VertexIndex>>& loops) {
     if (loops.size() > 1 || loops[0].size() != 3) return false;
     const std::array<Index, 1> facet{f};
@@ -266,15 +264,14 @@ class SurfaceSampler {
   const SizeField& size_;
   const WholeParts& whole_;
   std::vector<bool> is_whole_;                // by facet
-  std::vector<std::array<Index, 2>> beside_;  // a component below and one above each facet
+  std::vector<std::array<Index, 2>> beside_;  // for each facet, the components below and above it
   std::map<Edge, EdgeParts> edges_;
   std::vector<std::vector<Edge>> inner_segments_;
   std::vector<std::vector<VertexIndex>> inner_points_;
-  std::vector<double> vertex_size_;  // negative if not yet evaluated
+  std::vector<double> vertex_size_;  // size at each vertex; negative if not yet evaluated
   SampledComplex out_;
 };
 
-/// Returns the inner segments of each facet.
 std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& plc) {
   std::vector<std::vector<Edge>> segments(plc.n_facets());
   for (const auto& s : plc.facet_segments) segments[s.facet].push_back({s.a, s.b});
@@ -283,7 +280,7 @@ std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& p
 
 /// Returns whether the facet is so thin that rounding may change it.
 bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
-  constexpr double least_width = 1e-6;  // relative to the longest edge
+  constexpr double least_width = 1e-6;  // width relative to the longest edge
   const auto loop = plc.outer_loop(f);
   double longest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -321,11 +318,11 @@ void add_edges_of(const PiecewiseLinearComplex& plc, Index f, std::set<Edge>& ed
     if (s.facet == f) edges.insert(sorted(Edge{s.a, s.b}));
 }
 
-/// Restores the original rows of points, facets and segments.
+/// Restores the numbers that points, facets and segments have in the original complex.
 ConstrainedTetrahedralization renumbered(ConstrainedTetrahedralization fresh, const MergedFacets& merged,
                                          const SampledComplex& sampled) {
   const std::size_t n_points = merged.plc.points.size();
-  std::vector<Index> first(merged.plc.n_facets(), no_index);  // the first original facet of each merged one
+  std::vector<Index> first(merged.plc.n_facets(), no_index);  // first original facet of each merged facet
   for (Index f = 0; f < merged.row_of_facet.size(); ++f)
     first[merged.row_of_facet[f]] = std::min(first[merged.row_of_facet[f]], f);
   for (auto& f : fresh.faces) f.facet = first[f.facet];

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// A region of the mesh that is to be refilled by the star of one vertex: what split, collapse, insertion and smoothing
-/// have in common.
+/// A cavity: a region of the mesh that is to be refilled by the star of one vertex. Split, collapse, insertion and
+/// smoothing have this in common.
 ///
 ///   split     the cells about an edge, refilled from a point of the edge;
 ///   collapse  the cells about a vertex, refilled from one of its neighbours;
 ///   insert    cells of one component, refilled from a new point;
 ///   smooth    the cells about a vertex, refilled from the same vertex elsewhere (no change of connectivity).
 ///
-/// Where every new cell is positive the star tiles the region exactly: the signed indicator functions of the new cells
-/// add up to that of the region, whose border they share. So positivity, decided exactly, is the whole geometric test.
+/// If every new cell is positive, the star tiles the region exactly: the signed indicator functions of the new cells
+/// add up to that of the region, because both have the same border. Positivity, decided exactly, is therefore the whole
+/// geometric test.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,7 @@ struct Spoke {
   Index facet;
 };
 
-/// A curve edge (apex, a).
+/// An edge (apex, a) of a curve.
 struct CurveSpoke {
   VertexIndex a;
   Index curve;
@@ -71,8 +72,8 @@ struct Workspace {
 /// Gathers the star of v as a cavity, including its surfaces and curves.
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
-/// Removes the faces, spokes and curve edges that contain v, because they disappear if the apex moves to v. The cells
-/// are kept.
+/// Removes the faces, spokes and curve edges that contain v from the cavity, because they disappear if its apex moves
+/// to v. Its cells are kept.
 void drop_vertex(StarCavity& cavity, VertexIndex v);
 
 /// Gathers the cells around the edge (a, b) of cell c, which can be refilled from a point on the edge.
@@ -82,22 +83,22 @@ void gather_edge(const DomainMesh& mesh, CellIndex c, VertexIndex a, VertexIndex
 /// refilled from a new inner point.
 void gather_cells(const DomainMesh& mesh, EpochMarks& marks, std::span<const CellIndex> cells, StarCavity& cavity);
 
-/// Returns whether each new cell with its apex at p is positive, decided exactly.
+/// Returns whether the star that fills the cavity from p consists of positive cells, decided exactly.
 bool star_is_positive(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
-/// Returns the worst shape of the new cells with their apex at p. It ends early once the shape is below `enough`, and
-/// then returns a value of at most that.
+/// Returns the worst shape in the star that fills the cavity from p. Ends early once a shape is below `enough`, and
+/// returns a value of at most `enough` then.
 double star_shape(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p, double enough = -1);
-/// Returns the worst shape of the cells that are to be removed, as stored.
+/// Returns the worst stored shape of the cells in the cavity, which are to be removed.
 double removed_shape(const DomainMesh& mesh, const StarCavity& cavity);
 
-/// Whether the star with its apex at p has more bad cells than are to be removed: where one cell cannot be mended,
-/// raising the worst shape by next to nothing would let its neighbours become as bad.
+/// Returns whether the star that fills the cavity from p has more bad cells than the cavity. Next to a cell that cannot
+/// be repaired, raising the worst shape by next to nothing would otherwise let its neighbours become as bad.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, const Vec3& p);
-/// Decides by given shapes, in the order of the link.
+/// Returns whether a star with the given shapes, in the order of the link, has more bad cells than the cavity.
 bool adds_bad_cells(const DomainMesh& mesh, const StarCavity& cavity, std::span<const double> shapes);
 
-/// Whether a vertex, a curve's edge or a constrained face is inside of a cavity and not on its border. The marks of the
-/// workspace are those of its cells; faces that are `opened` may be inside.
+/// Returns whether a vertex, an edge of a curve or a constrained face is inside of a cavity and not on its border. The
+/// marks in `work` must be those of the cavity's cells. Faces in `opened` may be inside.
 template <class Border>
 bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<const CellIndex> cells,
                          const Border& border, std::span<const FaceRef> opened = {}) {
@@ -124,16 +125,17 @@ bool swallows_constraint(const DomainMesh& mesh, Workspace& work, std::span<cons
   return false;
 }
 
-/// Replaces the cavity by the star of `apex`. The caller has checked that the star is positive and that curves stay
-/// registered. `shapes` are those of the new cells in the order of the link, if known.
+/// Replaces the cavity by the star of `apex`. The caller must have checked that the star is positive and that curves
+/// remain registered. `shapes` are those of the new cells in the order of the link, if known.
 void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex, Workspace& work,
                     std::span<const double> shapes = {});
 
-/// The constrained faces about an edge given by its ring: positions k in the ring with face (a, b, ring[k]) tagged.
+/// The constrained faces at an edge (a, b): positions k in its ring of vertices with a constrained face (a, b,
+/// ring[k]).
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
-  std::array<FaceTag, 2>
-      tag{};  ///< seen from cell at[i] (the cell after the face), or from the last cell of an open ring
+  /// Tags of these two faces, seen from cell at[i] (the cell after the face), or from the last cell of an open ring.
+  std::array<FaceTag, 2> tag{};
   std::size_t n = 0;
 };
 EdgeFaces constrained_faces_of_ring(const DomainMesh& mesh, const std::vector<CellIndex>& cells,

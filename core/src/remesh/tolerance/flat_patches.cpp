@@ -12,7 +12,7 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// The ends of pieces that make one line, or nothing where they do not.
+/// Returns the ends of the chain that the pieces of a curve form, or nothing if they do not form one chain.
 std::optional<std::array<Vec3, 2>> ends_of(const std::vector<CurvePiece>& pieces, Index curve) {
   std::array<Vec3, 2> ends;
   std::size_t n = 0;
@@ -90,7 +90,7 @@ bool FlatPatches::faces_cover_the_same(const std::vector<SurfaceFace>& before,
   });
 }
 
-/// The pieces follow one another along the line from end to end, so that no part of it is passed twice.
+/// Returns whether the pieces of each curve, before and after, follow a straight line and pass no part of it twice.
 bool FlatPatches::are_straight_between_ends(const std::vector<CurvePiece>& before,
                                             const std::vector<CurvePiece>& after) const {
   const auto is_straight = [&](const CurvePiece& c) {

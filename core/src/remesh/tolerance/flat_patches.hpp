@@ -2,10 +2,10 @@
 /// @file
 /// Patches whose original lies in one plane up to rounding: sides of a box, plane faults, fractures.
 ///
-/// Within such a patch a change needs no search for distances. Let new faces have the same border as the removed ones,
-/// let all of them lie in the plane up to rounding and be turned to the same side. Seen along the normal they then
-/// cover the same places as the removed ones, once, so each of their points is as near to the original as one that was
-/// there.
+/// Within such a patch, faces can be exchanged without computing distances, if the new faces have the same border as
+/// the removed ones, lie in the plane up to rounding, and are all oriented to the same side. Seen along the normal,
+/// they then cover the same area as the removed faces exactly once, so each of their points is as close to the original
+/// as a point of the removed faces.
 #pragma once
 
 #include <array>
@@ -16,8 +16,7 @@
 
 namespace geomesh::remesh {
 
-/// A constrained face by its corners and its patch. Those of one operation and one patch, before and after, are all
-/// oriented alike.
+/// A constrained face, by corners and patch. Faces of one patch that an operation removes or adds are oriented alike.
 struct SurfaceFace {
   std::array<Vec3, 3> corners;
   Index patch;
@@ -26,32 +25,33 @@ struct CurvePiece {
   Vec3 a, b;
   Index curve;
 };
-/// The part that an operation removes, or puts in its place.
+/// The faces and curve pieces that an operation removes, or those that it puts in their place.
 struct SurfacePart {
   std::vector<SurfaceFace> faces;
   std::vector<CurvePiece> curves;
 };
 
-/// A triangle seen along the coordinate axis that is nearest to a normal: its orientation there is exact.
+/// Projects a triangle along the coordinate axis closest to the normal. The orientation of the projection is exact.
 std::array<Vec2, 3> seen_along(const Vec3& normal, const std::array<Vec3, 3>& corners);
 double signed_area(const std::array<Vec2, 3>& t);
 
 class FlatPatches {
  public:
   FlatPatches() = default;
-  /// `original`: its faces, by patch. `rounding`: the distance from a plane that rounding alone makes. O(faces).
+  /// Finds the flat patches. `original` contains the original faces by patch; `rounding` is the distance from a plane
+  /// that rounding alone may cause. O(faces).
   FlatPatches(const search::TriangleSurfaces& original, Index n_patches, double rounding);
 
-  /// Whether `after` covers what `before` does. Both have the same border but for their curves, and the same patches.
-  /// False: a patch is not flat, a corner is off its plane, a face is turned over or has no area, or the curves are not
-  /// straight.
+  /// Returns whether new faces and curve pieces cover the same area and lines as the removed ones. Both must have the
+  /// same border, except for their curves, and the same patches. Returns false if a patch is not flat, a corner is off
+  /// its plane, a face is turned over or has no area, or the curves are not straight.
   bool cover_the_same(const SurfacePart& before, const SurfacePart& after) const;
 
   bool is_flat(Index patch) const { return patch < planes_.size() && !(planes_[patch].normal == Vec3{}); }
 
  private:
   struct Plane {
-    Vec3 normal{};  ///< of length one; zero where the patch is not flat
+    Vec3 normal{};  ///< unit normal; zero if the patch is not flat
     Vec3 point{};
   };
   bool is_in_plane(const SurfaceFace& f) const;

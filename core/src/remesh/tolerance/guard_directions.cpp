@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/// Prevents folds: faces may not turn away from the input if nothing is meshed beside them.
+/// Prevents folds of surfaces, which cells prevent only where both sides of a surface are meshed.
 #include <algorithm>
 #include <cmath>
 
@@ -29,16 +29,17 @@ bool SurfaceGuard::are_turned_alike(Index patch, const std::vector<SurfaceFace>&
   return true;
 }
 
-/// If curves are kept, new faces have the border of the removed ones and wind around it in the same way. If they are
-/// over sheets, none steep to them, and all turned to the same side, that is the side of the removed faces, and the
-/// reference need not be examined.
+/// Returns whether no new face turns away from the reference. If curves are kept, new faces have the same border as the
+/// removed ones and wind around it in the same way. If the reference is a single smooth layer over each new face, no
+/// new face is steep to it, and all are oriented to the same side of it, this is also the side of the removed faces. In
+/// this case the directions need not be computed.
 bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
                                    const std::vector<Index>& over, bool curves_stay) const {
   constexpr double least_cosine = 0.2;  // 78 degrees
   struct Direction {
     Index patch;
     bool is_that_of_sheet = false;
-    double sum = 0, least = least_cosine;  // cosines of the faces of the patch that are to be removed
+    double sum = 0, least = least_cosine;  // sum and least of the cosines of the removed faces of the patch
   };
   std::vector<Direction> directions;
   const auto direction_of = [&](Index patch) -> const Direction& {

@@ -19,14 +19,12 @@ class LocalTolerance {
   LocalTolerance(double greatest, SizeField by_place)
       : greatest_(greatest), by_place_(std::move(by_place)), varies_(true) {}
 
-  /// The upper limit of the tolerance at all places.
+  /// Returns the upper limit of the tolerance at all places.
   double greatest() const { return greatest_; }
-  /// Returns the smallest tolerance at these points.
   double least_at(std::span<const Vec3> points) const;
-  /// Returns the least tolerance at the points; faster if places are repeated.
+  /// Returns the smallest tolerance at the given points; faster if places are repeated.
   double least_at(std::span<const Vec3> points, search::RecentPlaces& recent) const;
-  /// Returns an upper bound of the tolerance at all points of the triangle. For an edge of a curve the last two corners
-  /// are equal.
+  /// Returns an upper bound of the tolerance on a triangle, or on an edge of a curve (the last two corners are equal).
   double most_on(const std::array<Vec3, 3>& corners) const;
 
  private:

@@ -21,16 +21,16 @@ std::array<Vec3, 13> triangle_samples(const Vec3& a, const Vec3& b, const Vec3& 
 
 namespace {
 
-/// The remaining share of the tolerance allows for rounding in the computed distances.
+/// Share of the tolerance within which faces must be; the rest allows for rounding in the computed distances.
 constexpr double proven_share = 1 - 1e-6;
-/// Factor between the limit for new faces and that for samples of the original. New faces are examined as a whole and
-/// not only at samples, so they may come closer to the tolerance.
+/// Limit for the distances of new faces, relative to the limit for samples of the original. New faces are examined as a
+/// whole and not only at samples, so they may come closer to the tolerance.
 constexpr double faces_over_samples = 1.15;
-/// Cosine of the largest angle between a reference's normals and their mean at which no samples are needed.
+/// Cosine of the largest angle between normals of a reference surface and their mean at which no samples are needed.
 constexpr double even_cosine = 0.9;
-/// Distance from its plane by which rounding may move a point, relative to the largest coordinate.
+/// Distance by which rounding may move a point off its plane, relative to the largest coordinate.
 constexpr double rounding_share = 64 * std::numeric_limits<double>::epsilon();
-/// Number of places whose tolerance a thread keeps. It is larger than the number of vertices on which it works in turn.
+/// Number of places for which a thread stores the tolerance; more than the vertices on which it works in turn.
 constexpr std::size_t n_recent_places = 16384;
 
 /// Returns the coordinate that is equal for all points of the loop, or 3 if there is none.
@@ -42,7 +42,7 @@ std::uint8_t common_axis(const PiecewiseLinearComplex& plc, std::span<const Vert
   return 3;
 }
 
-/// Faces of one patch.
+/// The faces of one patch, to which distances are computed.
 class FaceSet {
  public:
   FaceSet(const std::vector<SurfaceFace>& faces, Index patch) {
@@ -89,8 +89,8 @@ std::vector<bool> patches_oriented_alike(const DomainMesh& mesh) {
   return alike;
 }
 
-/// Visits the places of a triangle of the original that must be near to the mesh: the usual samples, and a lattice no
-/// wider than some tolerances if the triangle is large against the tolerance.
+/// Visits the sample points of a triangle of the original that must be close to the mesh: the usual samples, and a
+/// lattice with a spacing of a few tolerances if the triangle is large compared with the tolerance.
 template <class Visit>
 void for_each_reference_sample(const search::Corners& t, double tolerance, Visit visit) {
   constexpr double wide = 8;
@@ -151,8 +151,8 @@ double SurfaceGuard::share_about(std::span<const Vec3> points) const {
   return least / reach_;
 }
 
-/// Finds planes of patches with several facets, weighted by area, so that none of their points is off the plane by more
-/// than rounding.
+/// Finds the plane of each patch. For a patch with several facets it is their mean plane, weighted by area, so that no
+/// point of the facets is off the plane by more than rounding.
 void SurfaceGuard::find_planes(const DomainMesh& mesh, const PiecewiseLinearComplex& plc) {
   planes_.resize(mesh.n_patches());
   std::vector<Index> count(mesh.n_patches(), 0);
@@ -223,7 +223,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // Other faces cover a point that the removed ones did not.
+      near = !old_faces.is_near(p, limit);  // other faces cover a point that the removed faces did not cover
     });
   });
   return near;
@@ -264,7 +264,7 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
              squared_distance(p, search::closest_on_triangle(p, a, b, c)) <= rounding_ * rounding_;
     });
   };
-  const Vec3* last = nullptr;  // most new faces of an operation have a corner in common
+  const Vec3* last = nullptr;  // most new faces have a corner in common
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     return std::all_of(f.corners.begin(), f.corners.end(), [&](const Vec3& p) {
       if (last && *last == p) return true;

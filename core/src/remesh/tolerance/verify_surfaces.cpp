@@ -13,13 +13,12 @@ namespace geomesh::remesh {
 
 namespace {
 
-/// The remaining share of the tolerance allows for rounding in distances and intersections.
+/// Share of the tolerance within which pieces must be; the rest allows for rounding in distances and intersections.
 constexpr double proven_share = 1 - 1e-6;
 constexpr std::size_t chunk = 256;
 
 using Items = std::vector<search::ClosestPointTrees::Item>;
 
-/// Orders items by group and corners.
 bool is_before(const search::ClosestPointTrees::Item& a, const search::ClosestPointTrees::Item& b) {
   const auto key = [](const auto& item) {
     const auto& [p, q, r] = item.corners;
@@ -37,10 +36,9 @@ std::vector<std::size_t> in_order(const Items& items) {
 
 constexpr std::size_t no_row = static_cast<std::size_t>(-1);
 
-/// The items that two lists have in common, and those that they do not.
 struct Difference {
-  std::vector<std::size_t> same;        ///< for each item of the second list, its row in the first, or no_row
-  search::ClosestPointTrees exchanged;  ///< items that are in only one of the lists
+  std::vector<std::size_t> same;        ///< for each item of the second list, its index in the first, or no_row
+  search::ClosestPointTrees exchanged;  ///< items that are in only one of the two lists
 };
 
 Difference difference(const Items& first, const Items& second, std::size_t n_groups) {
@@ -61,15 +59,15 @@ Difference difference(const Items& first, const Items& second, std::size_t n_gro
   return d;
 }
 
-/// For each item, the part of the other surface that proves it, if already known.
+/// For each item, the result of an earlier verification, if it is still valid.
 using Known = std::vector<std::optional<search::Cover>>;
 
 struct KnownCovers {
   Known result, input;
 };
 
-/// Collects what is known of items of the result that existed before, and of items of the input that were proven by
-/// items that still exist.
+/// Collects the earlier results that are still valid: for items of the result that existed before, and for items of the
+/// input near which no item of the result has been added or removed.
 KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_groups, const Items& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
   const Difference d = difference(before, now, n_groups);
@@ -94,9 +92,9 @@ struct Judgement {
 struct Judge {
   const LocalTolerance& tolerance;
   unsigned threads;
-  std::vector<Breach>& breaches;  ///< new breaches are appended
+  std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Returns the largest distance found. `covers` is filled with what is known already and what is newly proven.
+  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results by piece.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();

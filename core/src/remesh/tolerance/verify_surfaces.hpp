@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Proves that remeshed surfaces are within the tolerance of the input. The whole result is verified, and not each
-/// change alone.
+/// Proves that remeshed surfaces are within the tolerance of the input, by verification of the whole result.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +12,13 @@
 
 namespace geomesh::remesh {
 
-/// The faces of a mesh, grouped by patch. The item of a face is its facet. Faces that are part of no facet are left
-/// out. `normals` are those of the facets.
+/// Returns the faces of a mesh, grouped by patch. The item of a face is its facet. Faces that are part of no facet are
+/// left out. `normals` are those of the facets.
 search::TriangleSurfaces faces_of(const DomainMesh& mesh, std::vector<Vec3> normals = {});
-/// The edges of a mesh's curves, grouped by class.
+/// Returns the edges of a mesh's curves, grouped by curve class.
 search::TriangleSurfaces curves_of(const DomainMesh& mesh);
 
-/// A triangle or line piece of the input or of the result that is not proven to be within the tolerance of the other.
+/// A piece of the input or of the result that is not proven to be within the tolerance of the other model.
 struct Breach {
   Vec3 place{};
   double distance = 0;     ///< distance of an examined point; at most the tolerance if nothing could be decided
@@ -30,15 +29,16 @@ struct Breach {
 };
 
 struct Deviations {
-  /// Largest distances found: lower bounds that are nearly attained. Without breaches the tolerance is above them.
+  /// Largest distances found, which are lower bounds of the true distances and nearly attain them. If there are no
+  /// breaches, the true distances are within the tolerance.
   double result_to_input = 0, input_to_result = 0;
   /// If empty, the input and the result are proven to be within the tolerance of each other.
   std::vector<Breach> breaches;
 };
 
-/// Data that a verification leaves to the next one, of the same input and a result that differs in few places.
+/// Results of a verification that the next one uses, if the input is the same and the result differs in few places.
 struct VerifiedSurfaces {
-  /// For each item of the result, and for each item of the input.
+  /// Results for each item of the result and of the input.
   struct Covers {
     std::vector<search::Cover> result, input;
   };
@@ -53,13 +53,13 @@ struct ReferenceModel {
 
 /// Compares the faces and curve edges of the mesh with the same patch or curve of the input, in both directions. A
 /// piece of the result must keep the smallest tolerance at its corners; a piece of the input must keep an upper bound
-/// of the tolerances anywhere on it. Almost linear if both have similar sizes. Runs in parallel; the result
-/// does not depend on the number of threads. What was proven `before` is not examined again if nothing has changed
-/// around it.
+/// of the tolerances anywhere on it. Almost linear if both have similar sizes. Runs in parallel; the result does not
+/// depend on the number of threads. Pieces that were proven in the verification `before` are not examined again if
+/// nothing has changed around them.
 Deviations verify_surfaces(const DomainMesh& mesh, const ReferenceModel& input, const LocalTolerance& tolerance,
                            unsigned threads, VerifiedSurfaces* before = nullptr);
 
-/// A place in which a smaller tolerance applies.
+/// A box in which a smaller tolerance applies.
 struct TightZone {
   Box3 box;
   double tolerance;

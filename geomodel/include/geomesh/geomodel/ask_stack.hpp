@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Derives from the project's sizes and model volume what settling the stack and continuing surfaces need to know.
+/// Derives from the sizes and the volume of a project the settings for ordering horizons in the map (the settled stack)
+/// and for continuing surfaces.
 #pragma once
 
 #include "geomesh/geomodel/model_rules.hpp"
@@ -9,9 +10,9 @@
 
 namespace geomesh::geomodel {
 
-/// Fills rules.stack: the tolerance, the outline of the model, and the smallest target size of the model, on the
-/// horizons of the column and inside their units. If surfaces are kept exactly no tolerance is set, and without a
-/// volume no outline; in both cases nothing is settled.
+/// Fills rules.stack: the tolerance, the outline of the model on the map, and the smallest target size on horizons and
+/// inside units. No tolerance is set if surfaces are kept exactly, and no outline if there is no volume; in both cases
+/// horizons are not put in order.
 void ask_stack(ModelRules& rules, const RefinementSettings& refinement, const ModelVolume& volume);
 
 /// Fills rules.continuation. A horizon is continued across gaps up to the target size there, because triangles of that

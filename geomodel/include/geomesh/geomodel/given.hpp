@@ -19,49 +19,51 @@ namespace geomesh::geomodel {
 /// Contents of inputs, by the name of the surface or well to which they belong.
 using GivenInputs = std::map<std::string, std::shared_ptr<const FileContents>>;
 
-/// Scalar functions, by the name of the surface that is their level set. If a surface has several functions,
-/// `further_field` gives the keys of the others.
+/// Scalar functions, by the name of the surface that is their level set. For the second and further functions of a
+/// surface, `further_field` returns the key.
 using GivenFields = std::map<std::string, std::shared_ptr<FieldFunction>>;
 
-/// Returns the key in GivenFields of the function with number `entry` (from 1) of a surface. Names of surfaces contain
-/// no line break, so keys are unique.
+/// Returns the key in GivenFields of function number `entry` (from 1) of a surface. Surface names contain no line
+/// break, so keys are unique.
 inline std::string further_field(const std::string& name, std::size_t entry) {
   return entry == 1 ? name : name + "\n" + std::to_string(entry);
 }
 
-/// Makes the input of a triangulated surface. Throws Error{invalid_input} with the rows that are wrong: a coordinate
-/// that is not finite, a triangle that names a point which is not there, no triangle.
+/// Makes the input of a triangulated surface from arrays in memory. Throws Error{invalid_input} with the rows that are
+/// wrong: a coordinate that is not finite or a triangle with a point that does not exist. Also throws if it has no
+/// triangle.
 FileContents given_surface(std::string name, std::vector<Vec3> points, std::vector<Triangle> triangles);
 
-/// Makes the input of points from which a surface is to be interpolated (docs/input-formats.md: `gridding`). Throws as
-/// given_surface.
+/// Makes the input of points from which a surface is to be interpolated (docs/input-formats.md: `gridding`). Throws if
+/// a coordinate is not finite.
 FileContents given_points(std::string name, std::vector<Vec3> points);
 
-/// Makes the input of a well's path. Throws as given_surface, and if there are fewer than two points.
+/// Makes the input of a well's path. Throws if a coordinate is not finite, or if there are fewer than two points.
 FileContents given_polyline(std::string name, std::vector<Vec3> points);
 
 /// Heights at the nodes of a regular grid.
 struct GivenGrid {
   std::size_t n_rows = 0, n_columns = 0;
-  std::span<const double> heights;  ///< height at index row * n_columns + column; NaN if the node has none
-  Vec2 origin;                      ///< position of the node in row 0, column 0
-  Vec2 spacing;                     ///< spacing of columns along x and of rows along y, before the rotation; positive
-  double rotation = 0;              ///< rotation about the origin in degrees, counter-clockwise
+  std::span<const double> heights;  ///< height of each node at index row * n_columns + column; NaN if the node has none
+  Vec2 origin;                      ///< position of the grid node in row 0, column 0
+  Vec2 spacing;         ///< distances between columns along x and between rows along y, before the rotation; positive
+  double rotation = 0;  ///< rotation of the grid about its origin in degrees, counter-clockwise
 };
-/// Makes a surface with two triangles for each cell, as for grid files. Throws Error{invalid_input} if no cell has
-/// values at all of its nodes, or if sizes disagree.
+/// Makes a surface with two triangles for each cell of a grid, as the readers of grid files do. Throws
+/// Error{invalid_input} if no cell has values at all of its nodes, or if heights and nodes differ in number.
 FileContents given_grid(std::string name, const GivenGrid& grid);
 
 /// A project that a program holds in memory.
 struct GivenProject {
   std::string text;  ///< text of the project in YAML, or in JSON, which is YAML too
   std::string name = "model";
-  std::filesystem::path folder;  ///< folder to which file names in the text are relative
+  std::filesystem::path folder;  ///< folder to which file names in the project text are relative
   GivenInputs inputs;            ///< inputs of the surfaces and wells that have no `file`
   GivenFields fields{};          ///< functions of the surfaces that have a `value` and no `field`
 };
 
-/// Reads a project given in memory. Throws as read_project does; each entry has either a file or a given input.
+/// Reads a project given in memory. Each surface and each well has either a file or an input in memory. Throws as
+/// read_project does.
 Project read_given_project(const GivenProject& given);
 
 }  // namespace geomesh::geomodel

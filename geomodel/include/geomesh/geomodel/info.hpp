@@ -13,33 +13,34 @@
 
 namespace geomesh::geomodel {
 
-/// One triangulated surface. Vertices with equal coordinates count as one, as they do in meshing.
+/// Description of one triangulated surface. Vertices with equal coordinates count as one, as they do in meshing.
 struct SurfaceInfo {
   std::string name;
   std::size_t n_points = 0, n_distinct_points = 0, n_triangles = 0;
-  std::size_t n_components = 0;  ///< number of pieces that share no vertex
+  std::size_t n_components = 0;  ///< number of pieces of the surface that share no vertex
   Box3 bounds;
   double area = 0;
-  /// Number of edges with one triangle, and of the closed chains that they form.
+  /// Number of edges with only one triangle, and of the closed chains that these edges form.
   std::size_t n_border_edges = 0, n_borders = 0;
   double border_length = 0;
-  std::size_t n_non_manifold_edges = 0;   ///< number of edges with more than two triangles
-  std::size_t n_misoriented_edges = 0;    ///< number of edges whose two triangles traverse them in the same direction
-  std::size_t n_degenerate = 0;           ///< number of triangles whose area is exactly zero
-  std::size_t n_repeated = 0;             ///< number of triangles with the same three vertices as an earlier one
-  std::size_t n_holes = 0;                ///< number of borders except for the longest border of each piece
-  bool closed = false;                    ///< whether there is no border: every edge has an even number of triangles
-  double volume = 0;                      ///< enclosed volume, if the surface is closed and consistently oriented
-  Vec3 border_place, non_manifold_place;  ///< a place on a border, and a place with an edge of more than two triangles
+  std::size_t n_non_manifold_edges = 0;  ///< number of edges of the surface with more than two triangles
+  std::size_t n_misoriented_edges = 0;   ///< number of edges whose two triangles traverse them in the same direction
+  std::size_t n_degenerate = 0;          ///< number of triangles whose area is exactly zero
+  std::size_t n_repeated = 0;            ///< number of triangles with the same three vertices as an earlier triangle
+  std::size_t n_holes = 0;               ///< number of borders except for the longest border of each piece
+  bool closed = false;  ///< whether the surface has no border: every edge has an even number of triangles
+  double volume = 0;    ///< enclosed volume, if the surface is closed and consistently oriented
+  /// A place on a border of the surface, and a place on an edge with more than two triangles.
+  Vec3 border_place, non_manifold_place;
 };
 SurfaceInfo measure_surface(const TriangulatedSurface& surface);
 
-/// A tetrahedral mesh, written by any tool.
+/// Description of a tetrahedral mesh, written by any tool.
 struct MeshInfo {
   std::size_t n_points = 0, n_tetrahedra = 0, n_other_solids = 0, n_lower_cells = 0;
   Box3 bounds;
   std::string region_array;
-  std::vector<std::string> arrays;  ///< names of the arrays of points and cells, with their type
+  std::vector<std::string> arrays;  ///< names and types of the point arrays and cell arrays
   double volume = 0;                ///< of all tetrahedra
   std::size_t n_inverted = 0;       ///< number of tetrahedra whose volume is exactly zero or negative
   struct Region {
@@ -73,19 +74,19 @@ struct FileInfo {
   std::size_t n_named_points = 0;
   std::vector<std::string> regions;  ///< names of regions in the file (GOCAD Model3d, TetGen attributes)
   std::size_t n_facets = 0;          ///< number of facets, for files that hold a PLC
-  std::vector<MeshInfo> meshes;      ///< the mesh in the file; empty if the file holds surfaces
+  std::vector<MeshInfo> meshes;      ///< the tetrahedral mesh in the file; empty if the file holds surfaces
   std::vector<std::string> notes, warnings;
 };
 
 /// Describes a project: reads, builds and intersects its surfaces and reports which of them cross, over which area and
-/// where, which have dangling parts, and which have gaps. Throws as read_project, the readers and arrange.
+/// where, which have dangling parts, and which have gaps. Throws as read_project, the readers and arrange() do.
 FileInfo describe_project(const std::filesystem::path& path);
-/// Describes any file; project files are passed to describe_project. Throws as the readers. The time is nearly linear
-/// in the size.
+/// Describes the contents of any file; project files are passed to describe_project. Throws as the readers do. The time
+/// is nearly linear in the size of the file.
 FileInfo describe_file(const std::filesystem::path& path);
 /// For a person.
 std::string to_text(const FileInfo& info);
-/// Returns JSON for programs: the members under their own names.
+/// Returns the description of a file as JSON for programs, with the names of the members of FileInfo.
 std::string to_json(const FileInfo& info);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `geomesh init`: writes a commented project with its own surfaces, which can be run without changes.
+/// `geomesh init`: writes a commented project with its own surfaces, which can be meshed without changes.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace geomesh::geomodel {
 
-/// Names accepted by init_project.
+/// Returns the names of the project templates that init_project accepts.
 std::vector<std::string> template_names();
 
-/// Writes `directory`/project.yaml, its surfaces, and the JSON Schema that editors check it with; returns the project
-/// file. Throws Error{usage} where the template is unknown (lists the known ones), where a project.yaml is there
-/// already, or where the folder cannot be made.
+/// Writes `directory`/project.yaml, the surfaces of the template, and the JSON Schema with which editors check the
+/// project. Returns the path of the project file. Throws Error{usage} if the template is unknown (the message lists the
+/// known ones), if a project.yaml exists already, or if the folder cannot be made.
 std::filesystem::path init_project(const std::filesystem::path& directory, const std::string& template_name);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Errors that name the parts of a model: surfaces by name, and triangles by their rows in the input.
+/// Errors that name the surfaces and triangles of a model at which they occurred.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct ModelItems {
   std::vector<std::string> surfaces;  ///< each once
   struct SourceTriangle {
     std::string surface;
-    Index row;  ///< row of the triangle, from 0, in the surface as read or given
+    Index row;  ///< row of the triangle in its surface as read or passed in memory, from 0
   };
   std::vector<SourceTriangle> triangles;
 

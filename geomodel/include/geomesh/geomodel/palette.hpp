@@ -18,7 +18,7 @@ namespace geomesh::geomodel {
 /// Red, green and blue components from 0 to 1.
 using Colour = std::array<double, 3>;
 
-/// Parses "#rrggbb", "#rgb" or a common name ("orange"); returns nothing if the text is none of these.
+/// Parses a colour: "#rrggbb", "#rgb" or a common name ("orange"). Returns nothing if the text is none of these.
 std::optional<Colour> colour_from(std::string_view text);
 
 /// "#rrggbb".
@@ -27,20 +27,23 @@ std::string to_hex(const Colour& colour);
 /// Colours that a project assigns to names (key `colours`).
 using GivenColours = std::map<std::string, Colour>;
 
-/// Returns the object `input.colours` of a report; empty if the text has none or is not a report.
+/// Returns the colours in `input.colours` of a report in JSON; empty if there are none or the text is no report.
 GivenColours colours_of_report(std::string_view json);
 
-/// Returns the unit to which a part such as "sand__2" or "sand__B2" belongs; the name itself if it has no suffix.
+/// Returns the unit to which a part such as "sand__2" or "sand__B2" belongs, here "sand"; other names are returned
+/// unchanged.
 std::string unit_of_part(const std::string& name);
 
-/// Assigns colours in the order in which names are requested, so that the same list has the same colours everywhere.
+/// Assigns colours to names in the order in which they are requested, so that a list of names always gets the same
+/// colours.
 class Palette {
  public:
-  enum class Of { units, surfaces };  ///< surfaces get darker colours than the units beside them
+  /// Kind of the object that gets a colour: surfaces are darker than the units beside them.
+  enum class Of { units, surfaces };
   explicit Palette(Of of, GivenColours given = {});
 
-  /// Returns the colour of a name. A colour given to the name or to its unit takes precedence. Parts of a unit get
-  /// shades of its colour.
+  /// Returns the colour of a name. A colour that the project assigns to the name or to its unit takes precedence. Parts
+  /// of a unit get shades of the unit's colour.
   Colour colour_of(const std::string& name);
 
  private:
@@ -56,8 +59,8 @@ class Palette {
 /// Colour of the sides of the box in every picture.
 inline constexpr Colour colour_of_box_sides{0.62, 0.63, 0.65};
 
-/// Quality colours from worst to best, in equal steps of the least dihedral angle from 0 to that of the regular
-/// tetrahedron (degrees).
+/// Colours for element quality from worst to best, in equal steps of the least dihedral angle from 0 to that of the
+/// regular tetrahedron (degrees).
 inline constexpr double best_angle = 70.53;
 inline constexpr std::array<Colour, 7> angle_colours{{{0.70, 0.09, 0.17},
                                                       {0.94, 0.54, 0.38},

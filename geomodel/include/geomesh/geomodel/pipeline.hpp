@@ -20,26 +20,29 @@
 
 namespace geomesh::geomodel {
 
-/// Outcome of a job.
+/// Outcome of a job of the command line: the written files and a summary.
 struct JobResult {
-  std::vector<std::filesystem::path> files;  ///< paths of the written files in order; the report is the last
+  std::vector<std::filesystem::path> files;  ///< paths of the written files in order; the report is the last one
   std::vector<std::string> warnings;
-  std::vector<std::string> summary;  ///< about ten lines for a person: counts, units with volumes, and the verdict
-  std::vector<std::string> details;  ///< further lines: every region, element shapes, and what would make solvers fail
-  ModelMesh mesh;                    ///< the verified mesh, for project and mesh jobs that ran to the end
-  std::string report_json;           ///< the report as in the file, for project and mesh jobs that ran to the end
+  /// About ten lines on the mesh for a person: counts, units with volumes, and the verdict.
+  std::vector<std::string> summary;
+  /// Further lines on the mesh: every region, element shapes, and what would make solvers fail.
+  std::vector<std::string> details;
+  ModelMesh mesh;           ///< the verified mesh, for runs of `project` and `mesh` that reached the end
+  std::string report_json;  ///< the report as text, for runs of `project` and `mesh` that reached the end
 };
 
-/// Names accepted by `--stop-after`, in order.
+/// Names of the stages that `--stop-after` accepts, in order.
 const std::vector<std::string>& stage_names();
 
 struct ProjectRequest {
   Project project;
-  bool preview = false;  ///< makes a coarse mesh in seconds, ignoring the project's mesh settings (preview_settings)
+  /// Makes a coarse mesh in seconds, with preview_settings() in place of the project's mesh settings.
+  bool preview = false;
   std::optional<std::filesystem::path> directory;  ///< output directory, which overrides the project's output.directory
-  std::optional<std::filesystem::path> report;     ///< path of a second copy of the report
-  std::string stop_after;                          ///< stage after which the run stops; empty: run to the end
-  /// Whether files are written. With `kept` none is, and `directory` and `report` are ignored.
+  std::optional<std::filesystem::path> report;     ///< path to which a second copy of the report is written
+  std::string stop_after;                          ///< stage after which the run stops; if empty, it runs to the end
+  /// Whether the job writes files. With `kept` it writes none, and `directory` and `report` are ignored.
   enum class Outputs { written, kept } outputs = Outputs::written;
 };
 /// Runs `geomesh PROJECT.yaml`. Throws as the functions that it calls; nothing is written before the mesh has been
@@ -48,7 +51,7 @@ JobResult run_project(const ProjectRequest& request, const RunContext& context);
 
 struct MeshRequest {
   std::vector<std::filesystem::path> inputs;
-  /// For .vtu, the four files with its stem are written; for other known extensions, this file alone.
+  /// Path of the output. For .vtu, all four files with its stem are written; for other extensions, only this file.
   std::filesystem::path output;
   TetrahedralizeOptions options;
   RefinementSettings refinement;

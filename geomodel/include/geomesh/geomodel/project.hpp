@@ -28,11 +28,13 @@ namespace geomesh::geomodel {
 
 /// How the coordinates of one input are to be interpreted (docs/coordinates.md).
 struct SourceSpec {
-  std::string object;  ///< name of the object in the file; empty: the only one, or the one with the name of the entry
-  std::string crs;     ///< coordinate system; empty: that of the file if it names a known one, else the project's
-  std::string unit;    ///< unit of x, y and z; empty: that of the file, else the project's
-  std::string z_unit;  ///< unit of z alone; empty: the same as `unit`
-  std::optional<bool> depth;  ///< whether z is depth; empty: as the file says, else as the project says
+  /// Name of the object to read from the file. If empty: the only object, or the one named like the surface or well.
+  std::string object;
+  /// Coordinate system of the input. If empty: that of the file, if it names a known one, else the project's.
+  std::string crs;
+  std::string unit;           ///< unit of x, y and z in the input; if empty: that of the file, else the project's
+  std::string z_unit;         ///< unit of z in the input; if empty: the same as that of x and y
+  std::optional<bool> depth;  ///< whether z of the input is depth; if empty: as the file says, else as the project says
   double z_datum = 0;   ///< elevation of the input's zero level in the project's height system, in the project's unit
   ReadOptions reading;  ///< `columns` and `no_data`
 };
@@ -47,27 +49,30 @@ struct FaultPolygonsSpec {
 struct SurfaceSpec {
   std::string name;
   SurfaceKind kind = SurfaceKind::horizon;
-  std::filesystem::path file;  ///< absolute path, resolved against the project file's folder
+  std::filesystem::path file;  ///< absolute path of the file of fault polygons, resolved against the project's folder
   std::string file_as_written;
-  /// Input in memory that replaces the file (given.hpp); null: the file is read.
+  /// Input in memory (given.hpp) that replaces the input file; null: the file is read.
   std::shared_ptr<const FileContents> given;
   /// One or several scalar fields, each with its own domain, of which the surface is a level set; used instead of a
   /// file.
   std::vector<LevelSetSpec> level_sets;
-  bool cuts_all = false;  ///< whether the surface cuts all others inside it (`cuts: all`); true by default for bodies
+  /// Whether the surface cuts all other surfaces inside it (`cuts: all`); true by default for bodies.
+  bool cuts_all = false;
   SourceSpec source;
   GriddingSpec gridding;  ///< how a surface is interpolated from points
-  double resample = 0;    ///< edge length with which the surface is remeshed; 0: the surface is used as it is
+  double resample = 0;    ///< edge length with which the surface is remeshed; 0: its triangulation is used as it is
   int smooth = 0;         ///< passes of smoothing
   FaultPolygonsSpec fault_polygons;
-  std::string below;  ///< name of a horizon below which this one lies, by `thickness` or by the heights in the file
-  std::optional<double> below_by;  ///< `thickness` as a number; if empty, the file holds the thicknesses
+  /// Name of the horizon from which this one is computed, by subtracting `thickness` or the thicknesses in the file.
+  std::string below;
+  /// Value of the key `thickness` if it is a number; if empty, the file holds the thicknesses.
+  std::optional<double> below_by;
   ExtrudeSpec extrude;
-  SurfaceRules rules;  ///< the keys `extend`, `fill_holes`, `extent` and `base`
-  int line = 0;        ///< line of the entry in the project file, from 1
+  SurfaceRules rules;  ///< rules in the keys `extend`, `fill_holes`, `extent` and `base` of a surface
+  int line = 0;        ///< line in the project file at which the surface or well begins, from 1
 
-  /// Returns false if the surface is known to be of another kind. An unknown kind is reported once and may be any, so
-  /// that one mistake causes one message.
+  /// Returns false if the surface is known to be of another kind. A surface whose kind was not recognised may be of any
+  /// kind, so that one mistake causes only one message.
   bool may_be(SurfaceKind wanted) const { return kind == wanted || kind == SurfaceKind::surface; }
 };
 
@@ -77,17 +82,19 @@ struct WellSpec {
   std::string file_as_written;
   std::shared_ptr<const FileContents> given;  ///< as of surfaces
   SourceSpec source;
-  std::optional<Vec3> head;  ///< point at which measured depth is zero, in the coordinates of the entry
+  /// Point of the well at which measured depth is zero, in the coordinates of the well's file.
+  std::optional<Vec3> head;
   int line = 0;
 };
 
 struct CrsSpec {
-  std::string horizontal = "local";  ///< horizontal system: local, geographic, utm [ZONE], epsg:CODE
-  /// Whether z in the project file and its inputs is depth, counted downwards; the mesh always has elevation, upwards.
+  std::string horizontal = "local";  ///< horizontal coordinate system: local, geographic, utm [ZONE], epsg:CODE
+  /// Whether z in the project file and its inputs is depth, counted downwards. In the mesh z is always elevation.
   bool depth = false;
   std::string unit = "m";  ///< unit of the mesh and of all lengths in the project file
-  std::string z_datum;     ///< name of the height system, which only appears in the report
-  /// Factor on z during meshing, which is removed from the result: a power of two, so that no rounding occurs.
+  std::string z_datum;     ///< name of the height system, which is only repeated in the report
+  /// Factor by which z is multiplied during meshing and divided afterwards. It is a power of two, which avoids
+  /// rounding.
   double z_scale = 1;
 };
 
@@ -112,21 +119,24 @@ struct Project {
   std::vector<WellSpec> wells;
   TopsSpec tops;
   std::vector<NamedPoint> points;
-  /// Alternating units and horizons (unit, horizon, ..., unit), youngest first. Empty if not given.
+  /// Stratigraphic column: alternating units and horizons (unit, horizon, ..., unit), youngest first. May be empty.
   std::vector<std::string> column;
-  ModelRules rules;  ///< `rules: {on_crossing, trim_overshoot}`; surfaces, box and column are filled in from other keys
+  /// The keys `on_crossing` and `trim_overshoot` of `rules`; other rules come from other keys.
+  ModelRules rules;
   NamingRules
-      naming;  ///< `rules: {topography, fault_blocks, min_volume, small_regions}`, `regions`, `groups`, `attributes`
+      /// The keys that name regions: `regions`, `groups`, `attributes`, and `topography`, `fault_blocks`, `min_volume`,
+      /// `small_regions` of `rules`.
+      naming;
   GivenColours colours;     ///< colours of units and surfaces in pictures
-  double merge_within = 0;  ///< points, edges and facets closer to each other than this are merged
+  double merge_within = 0;  ///< distance within which points, edges and facets are merged
   MeshSpec mesh;
-  std::vector<std::string> notes;  ///< notes on keys that were given under a former name
+  std::vector<std::string> notes;  ///< notes on keys of the project that are written with a former name
   OutputSpec output;
 };
 
-/// Throws Error{usage} whose message lists every problem found, each as "file:line:column: what is wrong; what was
-/// expected": unknown key (with the nearest known one), wrong type, missing file, duplicate key, column naming an
-/// unknown surface ...
+/// Reads a project file. Throws Error{usage} whose message lists every problem found, each as "file:line:column: what
+/// is wrong; what was expected": unknown key (with the nearest known one), wrong type, missing file, duplicate key,
+/// column naming an unknown surface ...
 Project read_project(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Options for reading a file, for what the file itself does not say.
+/// Options that say how an input file is read, where the file itself does not say it.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,13 @@ struct ReadOptions {
   /// One entry of the key `columns`: the meaning of one column of a table ("x", "depth_ft", "formation", "md").
   struct Column {
     std::string meaning;
-    std::string column;  ///< name of the column in the header, or its number from 1
+    std::string column;  ///< name of the table column in the header, or its number from 1
   };
-  std::vector<Column> columns;  ///< meaning of each column; empty: taken from the header, or the three columns x, y, z
+  /// Meaning of each table column; if empty, it is taken from the header, or the table has the three columns x, y, z.
+  std::vector<Column> columns;
   /// Key `no_data`: a height that means "no value", in addition to what the file declares.
   std::optional<double> no_data;
-  /// `no_data: none`: only the value that the header declares means "no value"; others are not recognised.
+  /// Set by `no_data: none`: only the value that the header declares means "no value"; no other value does.
   bool keep_all_heights = false;
 };
 

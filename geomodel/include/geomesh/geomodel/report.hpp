@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The report: how the input was interpreted, what was done and measured, and the warnings. JSON according to
+/// The report on a run: how the input was interpreted, what was done and measured, and the warnings. Its JSON follows
 /// docs/report.schema.json.
 #pragma once
 
@@ -28,47 +28,50 @@ namespace geomesh::geomodel {
 
 struct StageRecord {
   std::string name;
-  double wall_s = 0, cpu_s = 0;  ///< wall time and CPU time; CPU time is the sum over all threads
+  double wall_s = 0, cpu_s = 0;  ///< wall time and CPU time of a stage; CPU time is the sum over all threads
   std::size_t peak_bytes = 0;    ///< peak resident memory of the process at the end of the stage, in bytes
   std::size_t runs =
-      1;  ///< number of runs of the stage: refine and improve run again if surfaces must be kept more closely
+      1;  ///< Number of runs of the stage. Refinement and improvement run again if surfaces must be kept more closely.
 };
 
 /// Element quality, with descriptions of why the worst elements are bad.
 struct QualityReport {
-  MeshQuality measured;             ///< quality by region; the row is the region's id - 1
-  std::vector<std::string> causes;  ///< description of the cause for each row of measured.worst
+  MeshQuality measured;             ///< element quality by region; the row is the region's id - 1
+  std::vector<std::string> causes;  ///< description of the cause for each of the worst elements (measured.worst)
   bool has_sizes = false;           ///< whether edge lengths were compared with target sizes
-  ShortEdges short_edges{};         ///< edges shorter than a third of the target size; not filled if there are no sizes
+  /// Edges shorter than a third of the target size; not filled if target sizes are not known.
+  ShortEdges short_edges{};
 };
-/// Describes a cause, for example "input angle of 3 degrees between fault F2 and horizon H1".
+/// Describes in words why an element is bad, for example "input angle of 3 degrees between fault F2 and horizon H1".
 std::string cause_in_words(const WorstElement& worst, bool refined, const PolygonSoup& soup, const ModelPlc& plc,
                            const std::vector<TriangulatedSurface>& surfaces);
 
-/// Everything that a report can contain. Parts that a command does not produce are empty and are omitted.
+/// Contents of a report. Parts that a command does not produce are empty and are omitted.
 struct Report {
   std::string command;  ///< command that made the report: "project", "mesh", "delaunay", "check", "info"
   std::string name;
   std::vector<StageRecord> stages;
-  std::string input_json;  ///< the input as interpreted, as the text of a JSON object ("" if none)
+  std::string input_json;  ///< the input as the program interpreted it, as the text of a JSON object ("" if none)
   const ConstrainedTetrahedralization* core = nullptr;
   const ArrangementResult* arrangement = nullptr;
   const ToleranceLedger* tolerance = nullptr;
   const ModelMesh* mesh = nullptr;
-  const SettledStack* stack = nullptr;            ///< the settled stack of horizons; null if nothing was settled
-  std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to what bounds them
+  const SettledStack* stack = nullptr;  ///< horizons after they were put in order in the map; null if they were not
+  std::span<const ContinuedSurface> continued{};  ///< surfaces that were continued to the surfaces that bound them
   std::vector<std::string>
-      /// Names of input surfaces, then of box sides, for areas and spots; if empty, those of `mesh` are used.
+      /// Names of the input surfaces followed by the sides of the box, for areas and places in the report; if empty,
+      /// the names of `mesh` are used.
       surface_names;
-  std::vector<FittedTop> tops;  ///< tops of wells, with their misfits
+  std::vector<FittedTop> tops;  ///< well tops, with the misfits of their horizons
   std::optional<RefineStatistics> refinement;
   std::optional<QualityReport> quality;
   std::optional<SolverVerdict> solver;
-  std::string model_verdict;  ///< for projects: whether all units have regions, and the number of warnings
+  /// For projects: a sentence that says whether all units have regions, and the number of warnings.
+  std::string model_verdict;
   std::optional<VoronoiDual> voronoi_dual;  ///< in conforming mode
-  std::vector<std::string> notes;           ///< findings before meshing, and changes by rules with their areas
+  std::vector<std::string> notes;  ///< notes on what was found before meshing, and on changes by rules, with areas
   std::vector<std::string> warnings;
-  std::vector<std::string> files;  ///< paths of written files, relative to the report
+  std::vector<std::string> files;  ///< paths of the written files, relative to the report
 };
 std::string to_json(const Report& report);
 void write_report(const Report& report, const std::filesystem::path& file);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Scalar functions of space whose level sets are surfaces of a project (docs/model-building.md, Surfaces that are
-/// functions).
+/// Scalar functions of space. A surface of a project can be a level set of such a function (docs/model-building.md,
+/// Surfaces that are functions).
 #pragma once
 
 #include <filesystem>
@@ -16,25 +16,25 @@
 
 namespace geomesh::geomodel {
 
-/// Writes the value at each place into the second span, which has as many entries. It may throw; the exception ends the
-/// run. It is called from one thread at a time.
+/// Scalar function of space. It writes the value at each place of the first span into the second, which has as many
+/// entries. It is called from one thread at a time. It may throw; the exception ends the run.
 using FieldFunction = std::function<void(std::span<const Vec3>, std::span<double>)>;
 
-/// A domain in which a field is valid: above some surfaces of the project, below others, and in one fault block. An
-/// empty domain is all of space. Above a fault means the side towards which the fault dips.
+/// The domain in which a scalar field is valid: above some surfaces of the project, below others, and in one fault
+/// block. Without any of these it is valid everywhere. Above a fault means the side towards which the fault dips.
 struct FieldDomain {
-  std::vector<std::string> above, below;  ///< names of the horizons and faults that bound the domain
-  std::optional<Vec3> block;              ///< a point in the fault block
+  std::vector<std::string> above, below;  ///< names of the horizons and faults above and below which the field is valid
+  std::optional<Vec3> block;              ///< a point in the fault block in which the field is valid
   bool is_everywhere() const { return above.empty() && below.empty() && !block; }
 };
 
-/// A surface that is the set of places where a scalar field has one value.
+/// A surface on which a scalar field has one constant value (a level set).
 struct LevelSetSpec {
-  std::filesystem::path file;  ///< a .vti, .npy or .vtu file; empty: `function` is used
+  std::filesystem::path file;  ///< a .vti, .npy or .vtu file with the scalar field; if empty, `function` is used
   std::string file_as_written;
-  std::string array;                    ///< name of the array in a VTK file; empty: its only one
+  std::string array;                    ///< name of the array in a VTK file; if empty, the file has only one
   std::optional<Vec3> origin, spacing;  ///< origin and spacing of the grid in a .npy file, whose axes are x, y, z
-  /// Function of places in the project's coordinates, defined in the whole box.
+  /// Scalar function of positions in the project's coordinates, defined in the whole box.
   std::shared_ptr<FieldFunction> function;
   double value = 0;
   FieldDomain domain;

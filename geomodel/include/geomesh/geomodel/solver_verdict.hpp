@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Predicts what solvers will do with a mesh. It is checked with the numbers that solvers see, its doubles and
-/// coordinates written with 16 digits, and in plain floating-point arithmetic.
+/// Predicts what solvers will do with a mesh. The measures are computed as solvers compute them: in plain
+/// floating-point arithmetic, from doubles and from coordinates rounded to 16 digits.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ namespace geomesh::geomodel {
 
 /// Limits beyond which an element makes a kind of solver fail or slow down.
 struct SolverLimits {
-  /// Volume divided by the cube of the longest edge. Below this value a solver that computes in doubles may find a
-  /// Jacobian that is not positive, once coordinates have been rounded.
+  /// Least volume of an element divided by the cube of its longest edge. Below this value a solver that computes in
+  /// doubles may find a Jacobian that is not positive, once coordinates have been rounded.
   double least_volume = 1e-10;
   /// Dihedral angles in degrees beyond which direct solvers lose digits.
   double least_implicit_angle = 1, most_implicit_angle = 179;
@@ -27,7 +27,7 @@ struct SolverLimits {
   double least_iterative_angle = 5, most_iterative_angle = 175;
   /// Dihedral angle in degrees beyond which two-point fluxes of finite volumes are inaccurate.
   double most_flux_angle = 170;
-  double least_step = 0.05;  ///< least explicit time step, as a share of the median one
+  double least_step = 0.05;  ///< least stable time step of explicit solvers, as a share of the median one
 };
 
 /// The element with the worst value of one measure.
@@ -38,13 +38,15 @@ struct WorstForSolver {
 
 struct SolverVerdict {
   std::size_t n_tetrahedra = 0;
-  double least_volume = 0;  ///< least volume, computed in doubles, divided by the cube of the element's longest edge
-  double least_volume_16_digits = 0;  ///< the same measure after coordinates are rounded to 16 significant digits
+  /// Least volume of an element, computed in doubles, divided by the cube of its longest edge.
+  double least_volume = 0;
+  /// Least volume of an element divided by the cube of its longest edge, after coordinates are rounded to 16 digits.
+  double least_volume_16_digits = 0;
   double least_edge = 0, least_edge_over_diagonal = 0;
-  double least_edge_over_size = 0;  ///< least ratio of an edge to its target size; 0 if sizes are not known
+  double least_edge_over_size = 0;  ///< least ratio of an edge to its target size; 0 if target sizes are not known
   double min_dihedral = 0, max_dihedral = 0;
   std::size_t n_not_positive = 0;  ///< number of elements whose volume is not positive, in doubles or with 16 digits
-  /// Numbers of elements beyond the limits of SolverLimits.
+  /// Numbers of elements beyond the limits of each kind of solver (SolverLimits).
   std::size_t n_implicit = 0, n_iterative = 0, n_flux = 0, n_explicit = 0;
   /// Explicit time step, which is least height divided by velocity: in seconds if velocities are given, else the least
   /// height itself.
@@ -59,16 +61,16 @@ struct SolverVerdict {
 struct MeshForSolver {
   std::span<const Vec3> points;
   std::span<const Tetrahedron> tetrahedra;  ///< positively oriented
-  /// Returns the velocity of compressional waves in a tetrahedron. Empty, or a value of 0, means unknown.
+  /// Returns the velocity of compressional waves in a tetrahedron. An empty function, or a value of 0, means unknown.
   std::function<double(std::size_t)> velocity;
-  /// Returns the target edge length in a tetrahedron at a place. The last argument is a length; if the target is at
-  /// most this length, any value up to it may be returned. Empty: unknown.
+  /// Returns the target edge length in a tetrahedron at a place. The last argument is a length: if the target is at
+  /// most this length, any value up to it may be returned. An empty function means unknown.
   std::function<double(std::size_t, const Vec3&, double)> size;
-  /// Upper bound of all target sizes. No size is looked up for elements whose edges are so long, compared with this
-  /// bound, that their ratio cannot be the least.
+  /// Upper bound of all target sizes. Target sizes are not looked up for elements whose edges are so long, compared
+  /// with this bound, that they cannot have the least ratio of edge to target size.
   double largest_size = std::numeric_limits<double>::infinity();
-  /// Number of threads, 0 for all cores; all of them call both functions at the same time, and the verdict does not
-  /// depend on the number.
+  /// Number of threads, 0 for all cores. All threads call the functions `velocity` and `size` at the same time; the
+  /// result does not depend on the number of threads.
   unsigned threads = 0;
 };
 
@@ -78,9 +80,9 @@ SolverVerdict judge_for_solvers(const MeshForSolver& mesh, const SolverLimits& l
 /// Name of the attribute that holds a unit's velocity of compressional waves, in the mesh's unit of length per second.
 inline constexpr const char* velocity_attribute = "vp";
 
-/// Returns a JSON object for programs: the members of SolverVerdict under their own names, and `passes`.
+/// Returns the solver verdict as a JSON object: the members of SolverVerdict under their own names, and `passes`.
 std::string to_json(const SolverVerdict& verdict);
-/// Returns lines of text for a person, with the verdict first.
+/// Describes the solver verdict for a person, in lines that begin with the verdict.
 std::vector<std::string> to_lines(const SolverVerdict& verdict);
 
 }  // namespace geomesh::geomodel

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The stack of horizons after it was settled, which means ordered and thinned in the map before anything is
-/// intersected. The report and the page describe it.
+/// The settled stack: the horizons of the stratigraphic column after they were put in order and too thin layers were
+/// removed, in the map, before anything is intersected.
 #pragma once
 
 #include <string>
@@ -12,56 +12,60 @@
 
 namespace geomesh::geomodel {
 
-/// Whether the horizons of the column are settled in the map (docs/model-building.md).
+/// Whether the horizons of the stratigraphic column are put in order in the map before they are intersected.
 enum class StackRule { automatic, keep };
 
 struct StackRules {
   StackRule rule = StackRule::automatic;
   double size = 0;  ///< target edge length on the horizons, in m
-  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly and nothing is settled.
+  /// Largest distance of surfaces from the input, in m; 0: surfaces are kept exactly, and horizons are not put in
+  /// order.
   double tolerance = 0;
   std::vector<Vec2> outline;    ///< corners of the model volume on the map
   bool outline_is_box = false;  ///< along the axes
 };
 
-/// Share of the tolerance that settling and simplification may use; remeshing of the surfaces keeps within the rest.
+/// Share of the tolerance that ordering and simplifying the horizons may use; remeshing uses the rest.
 inline constexpr double stack_share = 0.5;
 
-/// Largest distance of the surfaces of a settled stack from the input, as a share of the local target size. If a thin
+/// Largest distance from the input of horizons that were put in order, as a share of the local target size. If a thin
 /// unit determines that size, this is about a quarter of the unit's thickness.
 inline constexpr double stack_tolerance_of_size = 0.02;
 
-/// One horizon of the stack. Areas in the map, m2; lengths along the vertical, m.
+/// One horizon after horizons were put in order. Areas in the map, m2; lengths along the vertical, m.
 struct SettledHorizon {
   std::string name;
   std::size_t n_triangles_given = 0, n_triangles = 0;
   double area = 0;
-  double area_merged = 0;            ///< area where it coincides with a neighbouring horizon
-  double area_above_topography = 0;  ///< area where its input lies above the topography, so that it is cut off
-  double area_moved = 0;  ///< remaining area where it is farther from its input than the share of the tolerance
-  double largest_move = 0, mean_move = 0;  ///< distances by which the horizon was moved, where it was moved
-  Vec3 place;                              ///< place of the largest move
-  double largest_off = 0;                  ///< largest distance from the input's points, where it was not moved
-  double area_at_faults = 0;  ///< area in strips along faults with throw, where the horizon is rebuilt from both sides
+  double area_merged = 0;  ///< area where the horizon coincides with a neighbouring horizon
+  /// Area where the horizon's input lies above the topography, so that it is cut off.
+  double area_above_topography = 0;
+  /// area, apart from that, where the horizon is farther from its input than the share of the tolerance
+  double area_moved = 0;
+  /// Largest and mean distance by which the horizon was moved, over the area where it was moved.
+  double largest_move = 0, mean_move = 0;
+  Vec3 place;                 ///< place where the horizon was moved farthest
+  double largest_off = 0;     ///< Largest distance of the horizon from the points of its input, where it was not moved.
+  double area_at_faults = 0;  ///< Area along faults with throw, where the horizon is rebuilt from both sides.
   /// Largest vertical shift applied on one side of a fault to restore the order of the horizons.
   double largest_move_at_faults = 0;
   Vec3 place_at_faults;
 };
 
-/// One unit between two horizons of the stack.
+/// One unit between two horizons after horizons were put in order.
 struct SettledUnit {
   std::string name, top, base;
   double area = 0;         ///< area over which the unit is present
-  double area_merged = 0;  ///< area over which its two horizons coincide
-  double volume = 0;       ///< volume between the settled horizons within the bounds of the model volume
+  double area_merged = 0;  ///< area over which the top and the base of the unit coincide
+  double volume = 0;       ///< volume between the two horizons of the unit inside the model volume
   /// Number of islands of the unit that were removed because they were too small to be merged or kept.
   std::size_t n_islands = 0;
   double mean_thickness = 0, largest_thickness = 0;  ///< thickness of the unit where it is present
   std::vector<std::vector<Vec2>> pinch_outs;         ///< lines on the map along which the unit pinches out
 };
 
-/// Thicknesses on a raster of the map, for the report page: one row of values per unit, from the south; NaN where the
-/// unit is absent.
+/// Thicknesses of the units on a raster of the map, for the report page: one array of values for each unit, beginning
+/// with the southern row; NaN where the unit is absent.
 struct ThicknessMaps {
   Vec2 origin;
   double step = 0;
@@ -75,7 +79,7 @@ struct SettledStack {
   std::vector<SettledHorizon> horizons;  ///< youngest first
   std::vector<SettledUnit> units;
   ThicknessMaps maps;
-  std::vector<SizeSource> sizes;  ///< sizes that thin units require
+  std::vector<SizeSource> sizes;  ///< target sizes that thin units require
 };
 
 }  // namespace geomesh::geomodel

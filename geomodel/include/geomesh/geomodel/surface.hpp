@@ -11,9 +11,9 @@
 
 namespace geomesh::geomodel {
 
-/// The geological meaning of a surface.
+/// Geological kind of a surface.
 enum class SurfaceKind {
-  surface,  ///< no meaning known (files given to `geomesh mesh`)
+  surface,  ///< surface without a known geological meaning (files given to `geomesh mesh`)
   horizon,
   fault,
   body,  ///< closed body: salt, an intrusion, a grain
@@ -21,14 +21,14 @@ enum class SurfaceKind {
 };
 const char* to_string(SurfaceKind kind);
 
-/// Triangles as read: equal coordinates are not merged yet, any defect may be there (the arrangement and `geomesh info`
-/// report them). Rows of `triangles` are the `source_triangle` of the output.
+/// Triangles as read: points with equal coordinates are not merged yet, and any defect may be present (the arrangement
+/// and `geomesh info` report them). The `source_triangle` in output files is a row of `triangles`.
 struct TriangulatedSurface {
   std::string name;
   SurfaceKind kind = SurfaceKind::surface;
-  bool cuts_all = false;    ///< for bodies: whether parts of horizons and faults inside are removed
-  bool ends_model = false;  ///< for a topography or base: no body removes parts of it
-  std::string file;         ///< file from which it was read, as the user wrote it; empty if a rule made it
+  bool cuts_all = false;    ///< for bodies: whether parts of horizons and faults inside the body are removed
+  bool ends_model = false;  ///< for a topography or base of the model: bodies remove no parts of it
+  std::string file;         ///< input file of the surface, as the user wrote it; empty if a rule made the surface
   std::vector<Vec3> points;
   std::vector<Triangle> triangles;
 };
@@ -37,7 +37,7 @@ struct TriangulatedSurface {
 struct Polyline {
   std::string name;
   std::string file;
-  std::vector<Vec3> points;  ///< points in order; consecutive ones are connected
+  std::vector<Vec3> points;  ///< points of the polyline in order; consecutive ones are connected
 };
 
 struct NamedPoint {
@@ -45,12 +45,12 @@ struct NamedPoint {
   Vec3 point;
 };
 
-/// A region described by a closed list of oriented patches of triangles (GOCAD Model3d). Only its name is used; its
-/// volume is found by a point inside.
+/// A region described by closed lists of oriented triangles (GOCAD Model3d). Only its name is used; the region of the
+/// mesh with this name is found by a point inside.
 struct RegionHint {
   std::string name;
-  /// Oriented boundary as (surface row, triangle row, orientation as stored (true) or reversed); the region lies on the
-  /// side that the normal points away from (outward normals).
+  /// One triangle of the region's boundary: its surface, its row there, and whether it has the stored orientation or
+  /// the reverse. The normals of the oriented triangles point out of the region.
   struct OrientedTriangle {
     Index surface, triangle;
     bool as_stored;
@@ -67,38 +67,39 @@ struct PointSet {
 
 /// A file's statements about its coordinates, before they were converted to metres with elevation up.
 struct SourceFrame {
-  std::string unit;         ///< unit as written ("m", "ft", ...); empty if the file names none
-  std::string z_unit;       ///< where it differs
-  bool depth = false;       ///< z counted downwards
-  bool z_named = false;     ///< whether the file says in which direction z counts
-  std::string crs;          ///< coordinate system, projection or datum as written; empty if the file names none
+  std::string unit;      ///< unit of length as the file writes it ("m", "ft", ...); empty if the file names none
+  std::string z_unit;    ///< where it differs
+  bool depth = false;    ///< z counted downwards
+  bool z_named = false;  ///< whether the file says if z counts upwards or downwards
+  std::string crs;       ///< coordinate system, projection or datum as the file writes it; empty if the file names none
   bool geographic = false;  ///< whether x and y are longitude and latitude in degrees
 };
 
-/// Description of a grid that was converted to a surface.
+/// Description of a grid that was converted to a surface by a reader.
 struct GridSummary {
   std::string surface;                                 ///< its name
-  std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< numbers of columns and rows, and of nodes without a value
+  std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< number of columns, of rows, and of nodes without a value
   Vec2 origin;                                         ///< the first node
-  Vec2 spacing;                                        ///< spacing of the grid; zero if nodes are not regular
-  double rotation = 0;                                 ///< degrees counter-clockwise
+  Vec2 spacing;         ///< distances between columns and between rows; zero if the nodes are not regular
+  double rotation = 0;  ///< degrees counter-clockwise
   bool cell_centred = false;
 };
 
-/// The contents of one file.
+/// The contents of one input file.
 struct FileContents {
   std::string format;  ///< name of the format: "GOCAD TSurf", "OFF", ...
-  SourceFrame frame;   ///< frame of the first object, if objects differ (a warning then says so)
+  SourceFrame frame;   ///< unit and axes of the first object, if objects differ (a warning then says so)
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> polylines;
   std::vector<NamedPoint> points;
   std::vector<PointSet> point_sets;
   std::vector<RegionHint> regions;
-  std::vector<GridSummary> grids;   ///< descriptions of the surfaces that were grids
-  std::vector<std::string> arrays;  ///< names of properties of points or triangles in the file, which are ignored
+  std::vector<GridSummary> grids;  ///< descriptions of the surfaces that were grids
+  /// Names of the properties of points or triangles that the file holds; they are ignored.
+  std::vector<std::string> arrays;
   /// Notes on how the file was interpreted (z negated because it is depth, unit ft, ...).
   std::vector<std::string> notes;
-  std::vector<std::string> warnings;  ///< warnings for the user
+  std::vector<std::string> warnings;  ///< warnings for the user about the contents of the file
 };
 
 }  // namespace geomesh::geomodel

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Accounts for the tolerance of a run: how far surfaces of the mesh may be from the input, how far each stage has
-/// moved them, and what is left for the next stage. It is the only such record: stages take from it; the report, the
-/// page and the checker read it.
+/// Accounts for the tolerance of a run: how far the mesh's surfaces may be from the input, how far each stage has moved
+/// them, and what is left for the next stage. Stages record here what they use; the report and the checker read it.
 #pragma once
 
 #include <optional>
@@ -13,50 +12,53 @@
 
 namespace geomesh::geomodel {
 
-/// Share of the tolerance that one stage used. Lengths in the model's unit.
+/// Share of the tolerance that one stage used to move surfaces. Lengths in the model's unit.
 struct ToleranceUse {
   /// Stage that moved surfaces: "gridding", "smoothing", "resampling", "level sets", "settling", "order and thickness",
   /// "merging", "remeshing".
   std::string stage;
-  /// Upper bound of the movement, for which later stages must leave room. It is subtracted from what is left, unless a
-  /// project key of its own allowed it.
+  /// Upper bound of how far the stage moved surfaces, which later stages must allow for. It is subtracted from the
+  /// remaining tolerance, unless a separate key of the project allowed the movement.
   double taken = 0;
-  bool by_own_key = false;        ///< set if `merge_within` allowed it, so that it is not part of the tolerance
-  std::optional<double> moved{};  ///< largest movement that was measured; empty if the stage only proves the bound
-  std::string surface{};          ///< name of the surface that moved farthest; empty if the stage does not know it
-  std::optional<Vec3> place{};    ///< place where it moved farthest
+  /// Set if the key `merge_within` allowed the movement, which is then not part of the tolerance.
+  bool by_own_key = false;
+  /// Largest movement of a surface that was measured; empty if the stage only proves an upper bound.
+  std::optional<double> moved{};
+  std::string surface{};        ///< name of the surface that moved farthest; empty if the stage does not know it
+  std::optional<Vec3> place{};  ///< place where a surface moved farthest
 };
 
-/// Invariant: requested() is the sum of left() and what was taken, and left() is never negative.
+/// The requested tolerance and how much of it is left. Invariant: requested() is the sum of left() and what stages
+/// took, and left() is never negative.
 class ToleranceLedger {
  public:
-  /// Makes a ledger without tolerance: surfaces are kept exactly.
+  /// Makes a ledger of no tolerance: surfaces are kept exactly.
   ToleranceLedger() = default;
-  /// Makes a ledger with the same length everywhere. Precondition: above 0.
+  /// Makes a ledger of a tolerance that is the same length everywhere. Precondition: the length is above 0.
   static ToleranceLedger of_length(double length);
-  /// Makes a ledger with a share of the target size at each place. Its length is known once follow_size was called.
+  /// Makes a ledger of a tolerance that is a share of the target size at each place. follow_size sets its length.
   static ToleranceLedger of_sizes(double share);
 
   bool follows_sizes() const { return share_ > 0; }
-  /// Returns the largest distance promised to the user, at the largest size.
+  /// Returns the largest distance from the input that was promised to the user, where the target size is largest.
   double requested() const { return left_ + taken_; }
-  /// Returns the largest distance that the following stages may use.
+  /// Returns the largest distance by which the stages that follow may move surfaces.
   double left() const { return left_; }
-  /// Returns left() as a share of the target size at a place; 0 if it is one length everywhere.
+  /// Returns the remaining tolerance as a share of the target size at each place; 0 if it is a constant length.
   double left_share() const { return share_; }
-  /// Returns the largest possible distance between the input as built and the mesh: what was requested, plus what
-  /// separate project keys allowed.
+  /// Returns the largest possible distance between the input as built and the mesh: the requested tolerance, plus the
+  /// movements that separate project keys allowed.
   double bound() const;
   const std::vector<ToleranceUse>& uses() const { return uses_; }
 
-  /// Sets the length that belongs to the largest target size. Does nothing if the tolerance does not follow sizes.
+  /// Sets the tolerance's length where the target size is largest. Does nothing if the tolerance is a constant length.
   void follow_size(double largest);
-  /// Records what a stage used. Throws InternalError if it used more than is left.
+  /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);
-  /// From here on, surfaces must also stay within this share of the size at each place, if that is less. `left` remains
-  /// the limit everywhere.
+  /// Restricts the tolerance of the following stages to this share of the target size at each place, if that is less
+  /// than before. `left` remains the limit everywhere.
   void limit_share(double share);
-  /// Sets what is left after all sizes were scaled, which changes it: `left` belongs to the new sizes.
+  /// Sets the remaining tolerance after all target sizes were scaled: `left` is its length for the new sizes.
   void rescale_left(double left) { left_ = left; }
 
  private:

@@ -11,8 +11,10 @@ namespace geomesh::geomodel {
 
 /// Which groups of faces and curves a solver file contains.
 enum class GroupChoice {
-  whole,   ///< one group for each surface and curve
-  pieces,  ///< one group for each part between two regions; no two groups share a face or an edge
+  whole,  ///< each surface is one group, and each curve is one group
+  /// Surfaces and curves are divided where different regions meet, and each part is a group that shares no face or
+  /// edge.
+  pieces,
   both
 };
 
@@ -27,19 +29,19 @@ inline constexpr unsigned most_partitions = 100000;
 
 enum class ElementOrder { first = 1, second = 2 };
 
-/// A property that is mapped from a file onto the mesh. The file has the mesh's coordinates before an origin is
-/// subtracted.
+/// A property that is mapped from a file onto the mesh. Positions in the file are in the coordinates of the mesh before
+/// an origin is subtracted.
 struct FieldSpec {
   std::string name;
-  std::filesystem::path file;  ///< a grid on the map, or values at points in space
+  std::filesystem::path file;  ///< file of the property: a grid on the map, or values at points in space
   enum class Place { cells, points } place = Place::cells;
-  std::string unit;  ///< unit written into the files; empty: not known
+  std::string unit;  ///< unit of the property that is written into mesh files; empty if not known
 };
 
-/// Volume elements between the two sides of a fault.
+/// A fault that is opened to a zone of volume elements between two parallel walls.
 struct FaultZone {
-  std::string fault;     ///< name of a surface with faces inside the mesh
-  double thickness = 0;  ///< distance between the two walls, in the mesh's unit
+  std::string fault;     ///< name of the fault: any surface with faces inside the mesh
+  double thickness = 0;  ///< distance between the two walls of the fault zone, in the mesh's unit
   unsigned layers = 1;   ///< of elements across
 };
 inline constexpr unsigned most_zone_layers = 100;
@@ -49,17 +51,18 @@ struct WriteOptions {
   bool inner_faces = true;  ///< whether faces with regions on both sides (horizons, faults) are written
   bool curves = true;       ///< whether curves and named points are written
   ElementOrder order = ElementOrder::first;
-  std::string region_array = "region";  ///< VTU: name of the first cell array
-  bool single_grid = false;             ///< VTU: whether faces and curves are 2D and 1D cells of the same grid
-  bool node_arrays = false;             ///< VTU: whether each surface and curve gets a point array of 0 and 1
+  std::string region_array = "region";  ///< for VTU: name of the first cell array, which holds the region ids
+  /// For VTU: whether faces and curves are 2D and 1D cells of the same grid as the tetrahedra.
+  bool single_grid = false;
+  bool node_arrays = false;  ///< for VTU: whether each surface and curve gets a point array of 0 and 1
   Compression compression = Compression::fast;
-  std::vector<std::string> split;  ///< names of the faults along which nodes are doubled
+  std::vector<std::string> split;  ///< names of the faults along which nodes are doubled, which separates the two sides
   bool cohesive = false;           ///< whether prisms without thickness are added between the two sides of split faults
   std::vector<FaultZone> fault_zones;
-  unsigned partitions = 1;  ///< number of parts made by METIS, with one file each
+  unsigned partitions = 1;  ///< number of parts into which METIS divides the mesh, with one file for each
   bool starter = false;     ///< whether a starter input of the solver is written beside its mesh
   std::vector<FieldSpec> fields;
-  bool fractures_only = false;  ///< whether triangles of faults and fractures are written without the tetrahedra
+  bool fractures_only = false;  ///< whether the triangles of faults and fractures are written without the tetrahedra
 };
 
 }  // namespace geomesh::geomodel

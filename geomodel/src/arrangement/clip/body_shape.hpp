@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines what is inside a body, from its closed oriented triangles or, if it is open, along the rays for which
+/// Determines the inside of a body: from its closed oriented triangles or, if it is open, along rays for which the
 /// inside is still defined.
 #pragma once
 
@@ -17,13 +17,14 @@ struct BodyShape {
   Index surface = no_index;
   /// Consistently oriented triangles over the complex' points, one for each input triangle.
   std::vector<Triangle> triangles;
-  std::vector<std::int8_t> orientation;  ///< for each input triangle: -1 if `triangles` has it inverted
+  /// Per input triangle: -1 if `triangles` lists it with its orientation reversed.
+  std::vector<std::int8_t> orientation;
   bool closed = false;
   double border_length = 0;
   Vec3 border_place;
-  /// Directions of rays for winding numbers. Closed bodies: any axis. Open ones: a direction that leads away from all
-  /// of the border, which lies beyond one side of the box, so that any cap beyond that side closes such a "rooted"
-  /// body. None: inside is not defined.
+  /// Direction of rays for winding numbers of an open body, one that leads away from all of its border. The border lies
+  /// beyond one side of the box, so any cap beyond that side closes such a "rooted" body. No direction: the body is
+  /// closed, and any axis serves, or its inside is not defined.
   std::optional<RayDirection> open_direction;
   bool has_inside() const { return closed || open_direction.has_value(); }
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removes pieces by rules, decided exactly on exact vertices: outside the box, inside bodies, inner parts of bodies
-/// that cross themselves.
+/// Removes parts of surfaces, decided exactly on exact vertices: parts outside the box, parts inside bodies, and inner
+/// walls of bodies that cross themselves.
 #pragma once
 
 #include <string>
@@ -13,32 +13,32 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one arrangement, with the data needed to remove origins from them.
+/// Facets of one arrangement, with the data needed to remove origins (input triangles) from them.
 struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
-  ArrangementResult& result;  ///< receives areas, spots and warnings
-  double tolerance = 0;       ///< distance within which surfaces were merged before; 0 if they were not
+  ArrangementResult& result;  ///< receives clipped areas, spots and warnings
+  double tolerance = 0;       ///< distance within which surfaces were merged before clipping; 0 if nothing was merged
 };
 
-/// Removes facets, wells and points outside the closed box. A piece lies on one side of each box plane, as the sides
-/// take part in the arrangement.
+/// Removes facets, wells and points outside the closed box. Each facet lies on one side of each box plane, because the
+/// box's sides take part in the arrangement.
 void clip_to_box(ClipContext context, const Box3& box, const std::vector<Polyline>& polylines);
 
-/// Removes facets, wells and points outside the closed volume that the sides (SurfaceList::box_sides) enclose. Which
-/// side a piece lies on is the winding number of one exact point of it.
+/// Removes facets, wells and points outside the closed volume that the sides (SurfaceList::box_sides) enclose. The
+/// winding number of one exact point of each item decides.
 void clip_to_volume(ClipContext context, const Complex& complex, const Ingested& ingested,
                     const std::vector<Polyline>& polylines, const std::vector<NamedPoint>& points);
 
 /// Removes inner parts of bodies that cross themselves (winding number not zero on both sides), then the parts of
-/// horizons and faults strictly inside bodies with cuts_all, except for scarps (scarps.hpp). `crosses_itself` is by
-/// given surface. Returns how far removed places that were outside the body as given are from the rest of their surface
-/// (lost_beside_body.hpp).
+/// horizons and faults strictly inside bodies with cuts_all, except for scarps (scarps.hpp). `crosses_itself` has one
+/// entry per input surface. Returns the largest distance of removed places that were outside the original body from the
+/// rest of their surface (lost_beside_body.hpp).
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 
-/// Removes from each facet f with which[f] the origins that `remove(f, origin)` accepts. A facet without any origin
-/// left is removed.
+/// Removes from each facet f with which[f] the origins (input triangles) that `remove(f, origin)` accepts. A facet
+/// without any origin left is removed.
 template <typename Remove>
 void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, Remove&& remove) {
   std::vector<Triangle> facets;
@@ -63,15 +63,15 @@ void remove_origins(Arranged& arranged, const std::vector<std::uint8_t>& which, 
   arranged.origins = std::move(origins);
 }
 
-/// Facets marked `outside` lose all origins; their area is counted as clipped by the box.
+/// Removes all origins (input triangles) of facets marked `outside`; counts their area as clipped by the box.
 void remove_outside(ClipContext context, std::vector<std::uint8_t>& outside);
 
-/// Removes the parts of continued surfaces that walls cut off from what was given (ArrangementOptions::ends_at), before
-/// merging can join them with other surfaces beyond the wall. Faults are not cut here, since those that coincide up to
-/// rounding are merged first; but the parts that they will lose are not walls.
+/// Removes the parts of continued surfaces that walls separate from the original surface (ArrangementOptions::ends_at),
+/// before merging can join them with other surfaces beyond the wall. Faults are not cut here, because those that
+/// coincide up to rounding are merged first. The parts that faults will lose do not act as walls, however.
 void end_continuations(ClipContext context, const ArrangementOptions& options);
 
-/// Removes pieces of wells marked `outside`, with a warning that gives their length.
+/// Removes segments of wells marked `outside`, and reports their length.
 void remove_segments(ClipContext context, const std::vector<std::uint8_t>& outside,
                      const std::vector<Polyline>& polylines);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clips at the box, declared in arrangement/clip/clip.hpp.
+// Removes everything outside the box, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 
 #include "arrangement/clip/clip.hpp"
@@ -7,8 +7,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns whether a vertex is exactly outside the closed box. The nearest doubles decide unless they lie on a side's
-/// plane.
+/// Returns whether a vertex is exactly outside the closed box. Its nearest doubles decide unless on a box plane.
 bool is_outside(const ExactVertices& vertices, Index v, const Box3& box) {
   const Vec3& p = vertices.rounded(v);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clips at a model volume, declared in arrangement/clip/clip.hpp.
+// Removes everything outside a model volume, declared in arrangement/clip/clip.hpp.
 #include "arrangement/clip/clip.hpp"
 #include "arrangement/clip/facet_components.hpp"
 
@@ -15,7 +15,7 @@ class Volume {
         triangles_(triangles_of(context.surfaces, ingested)),
         winding_(complex.points, triangles_) {}
 
-  /// Returns whether q is outside. q must not be on a side unless `closed` is set.
+  /// Returns whether the point q is outside the volume. Unless `closed` is set, q must not lie on a side.
   bool is_outside(const ExactPoint& q, bool closed) const {
     if (winding_(vertices_.frame(), q, vertices_.frame().to_nearest(q), {}) != 0) return false;
     return !closed ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Clips by bodies that cut, declared in arrangement/clip/clip.hpp.
+// Removes parts of surfaces inside bodies, declared in arrangement/clip/clip.hpp.
 #include <algorithm>
 #include <sstream>
 
@@ -90,8 +90,8 @@ class BodyCutter {
     return shape.closed ? RayDirection{axis, true} : *shape.open_direction;
   }
 
-  /// Returns whether the body is on both sides of the facet. The winding numbers just above and just below differ by
-  /// the contribution of the facet's own triangles.
+  /// Returns whether the inside of the body is on both sides of the facet. The winding numbers just above and just
+  /// below the facet differ by the contribution of the triangles that coincide with it.
   bool has_body_on_both_sides(std::size_t body, std::size_t f) const {
     const BodyShape& shape = bodies_[body];
     const Triangle& t = arranged_.facets[f];
@@ -135,10 +135,11 @@ class BodyCutter {
       context_.result.area_clipped_by_bodies[o.surface] += facet_area(arranged_, f);
     }
   }
-  /// Calls `body_of` for facets inside a body.
+  /// Records how far facets inside bodies are from the rest of their surface. `body_of` returns the body around a
+  /// facet.
   template <typename BodyOf>
   void note_lost(const std::vector<std::uint8_t>& inside, BodyOf&& body_of) {
-    std::map<Index, std::map<Index, CutOff>> cut_off;  // facets that were cut off, by body and surface
+    std::map<Index, std::map<Index, CutOff>> cut_off;  // facets that bodies cut off, by body and surface
     std::vector<std::vector<Index>> left(context_.surfaces.size());
     for (Index f = 0; f < arranged_.facets.size(); ++f)
       for (const Origin& o : arranged_.origins.of(f)) {

@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// The facets of the surface, counted once for each of the surface's triangles to which they belong.
+/// The facets of one surface; a facet that several of its triangles share is counted once for each of them.
 class PartFacets {
  public:
   PartFacets(const FacetsWithOrigins& of, const SurfaceInParts& in) : of_(of), in_(in) {
@@ -23,12 +23,13 @@ class PartFacets {
       first_.push_back(static_cast<Index>(before));
     }
     first_.push_back(static_cast<Index>(triangle_.size()));
-    joined_ = UnionFind(triangle_.size() + 1);  // the last entry stands for the given part
+    // The last entry of the union-find stands for the original part of the surface.
+    joined_ = UnionFind(triangle_.size() + 1);
     for (Index k = 0; k < triangle_.size(); ++k)
       if (in.part[triangle_[k]] == 0) joined_.unite(k, given());
   }
 
-  /// Joins facets at edges without a wall.
+  /// Unites facets across edges at which no bounding surface lies.
   void join() {
     std::vector<std::array<VertexIndex, 2>> edges;
     for (const Index f : facets_)
@@ -93,7 +94,7 @@ class PartFacets {
   const FacetsWithOrigins& of_;
   const SurfaceInParts& in_;
   std::vector<Index> facets_;    ///< ascending
-  std::vector<Index> first_;     ///< first entry of each facet
+  std::vector<Index> first_;     ///< for each facet: index of its first entry in `triangle_`
   std::vector<Index> triangle_;  ///< of the surface
   UnionFind joined_{0};
   std::vector<Index> here_;

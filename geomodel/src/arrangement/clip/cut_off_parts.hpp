@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the parts of a surface that walls cut off from its given part.
+/// Finds the parts of a continued surface that bounding surfaces separate from its original part.
 #pragma once
 
 #include <array>
@@ -15,30 +15,30 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of an arrangement and their edges. All references must outlive its use.
+/// Facets of an arrangement and their edges. Holds references, which must stay valid.
 struct FacetsWithOrigins {
   std::span<const Triangle> facets;
-  const std::vector<EdgeUse>& uses;  ///< edge uses of all facets, sorted
+  const std::vector<EdgeUse>& uses;  ///< uses of edges by all facets, sorted
   std::function<std::span<const PolygonSoup::Origin>(Index)> origins_of;
 };
 
-/// Facet, row of the surface and its triangle, for each part of a facet that is cut off.
+/// Parts of facets that are cut off, each given by the facet, the surface and the surface's triangle.
 using LostParts = std::set<std::array<Index, 3>>;
 
-/// A surface in parts: part 0 is the given one, the others continue it. A part shares the points (by row) where it
-/// begins with the part that it continues; sheets of several blocks may also have equal points that are not shared.
+/// A surface in parts: part 0 is the original one, the others are its continuations. A continuation shares those points
+/// (by index) at which it begins; equal points of different continuations need not be shared.
 struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface
   const std::vector<Index>& part;   ///< per triangle
-  const std::vector<Index>& walls;  ///< rows of the surfaces at which the parts end, ascending
-  const LostParts& lost;            ///< removed parts of walls, at which nothing ends
+  const std::vector<Index>& walls;  ///< indices of the surfaces at which the continuations end, ascending
+  const LostParts& lost;            ///< removed parts of bounding surfaces, at which no continuation ends
 };
 
-/// Returns facets, each with the triangle of the surface to which it belongs, that walls cut off from the given part;
-/// ascending. A part is connected with the given one only at shared points of the surface, and with no other part:
-/// continuations from both sides of a fault cross each other beyond it. O(n log m) for n facets of the surface among m,
-/// and one pass over these.
+/// Returns the facets that bounding surfaces separate from the original part of the surface, each with the surface's
+/// triangle to which it belongs, in ascending order. A continuation is connected with the original part only at shared
+/// points, and never with other continuations, because those from both sides of a fault cross each other beyond it. O(n
+/// log m) for n facets of the surface among m facets, and one pass over all m.
 std::vector<std::pair<Index, Index>> parts_cut_off(const FacetsWithOrigins& of, const SurfaceInParts& in);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Connected sets of facets of one arrangement: on which side of a surface they lie is decided once for each set.
+/// Connected sets of facets of one arrangement. Which side of a surface they lie on is decided once for each set.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@ struct FacetEdge {
   bool operator<(const FacetEdge& o) const { return std::tie(a, b, facet) < std::tie(o.a, o.b, o.facet); }
 };
 
-/// Returns the components of `chosen` facets joined across the edges that `passes(begin, end)` lets through. Edges are
-/// given by all chosen facets and all `barrier` facets at them. Returns per facet the component, from 0 in the order of
-/// the least facet, or no_index.
+/// Returns for each facet the index of its connected component, or no_index if it is not `chosen`. Chosen facets are
+/// connected across the edges for which `passes` returns true when it is called with all chosen and `barrier` facets at
+/// the edge. Components are numbered from 0 in the order of their smallest facets.
 template <typename Passes>
 std::vector<Index> components(const Arranged& arranged, const std::vector<std::uint8_t>& chosen,
                               const std::vector<std::uint8_t>& barrier, Passes&& passes) {
@@ -53,8 +53,9 @@ std::vector<Index> components(const Arranged& arranged, const std::vector<std::u
   return component;
 }
 
-/// Returns the largest facet of each component, the first of several: merging bends walls beside the triangles that
-/// winding numbers are taken from, so that a sliver of a component may be on another side than the component is. O(n).
+/// Returns the largest facet of each component (the first of equals), on which a winding number is reliable. Merging
+/// bends walls away from the triangles of which winding numbers are computed, so a sliver may seem to be on another
+/// side than the rest of its component. O(n).
 inline std::vector<Index> largest_facets(const Arranged& arranged, const std::vector<Index>& component) {
   std::vector<Index> largest;
   std::vector<double> areas;

@@ -50,11 +50,12 @@ BodyAsGiven::BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape
       ray_(shape.closed ? RayDirection{} : *shape.open_direction),
       tolerance_(tolerance) {}
 
-/// Visits points of an edge that are near the body and not on it. The distance of one point determines the distance to
-/// the next.
+/// Visits sample points of an edge that are near the body's boundary but not on it. The step to the next sample grows
+/// with the distance from the boundary.
 template <typename Visit>
 void BodyAsGiven::visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) const {
-  // Shares of the tolerance: within which a point is on the body, and up to which points are moved onto it.
+  // Fractions of the tolerance: the distance within which a point counts as on the body, and the distance up to which
+  // merging can have moved a point onto the body.
   constexpr double on_body = 1e-3, most_moves = 2;
   constexpr double most_on_edge = 256;
   const double total = length(b - a), least_step = std::max(tolerance_, total / most_on_edge);
@@ -69,7 +70,7 @@ void BodyAsGiven::visit_beside(const Vec3& a, const Vec3& b, Visit&& visit) cons
 }
 
 Displacement BodyAsGiven::lost(const Arranged& arranged, const CutOff& cut) const {
-  std::optional<SurfaceDistance> left;  // made when it is first needed
+  std::optional<SurfaceDistance> left;
   const auto distance_to_left = [&](const Vec3& p) {
     if (cut.left.empty()) return extent_of(arranged, cut.gone);
     if (!left) left.emplace(distance_to(arranged, cut.left));

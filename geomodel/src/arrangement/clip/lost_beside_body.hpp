@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds places that were outside a body as given, and were removed with its inside because merging had moved them into
-/// the body.
+/// Finds places outside the original body that were removed with its inside, because merging had moved them into it.
 #pragma once
 
 #include "arrangement/clip/body_shape.hpp"
@@ -10,21 +9,21 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of one surface: rows of the arrangement.
+/// Facets of one surface, as indices in the arrangement.
 struct CutOff {
   std::vector<Index> gone, left;  ///< facets that a body cut off, and facets that were kept
 };
 
-/// A body as given, before anything was merged within `tolerance`.
+/// A body in its original shape, before anything was merged within `tolerance`.
 class BodyAsGiven {
  public:
-  /// `body` outlives this. O(n log n).
+  /// Precondition: `body` outlives this object. O(n log n).
   BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance);
 
   /// Returns the largest distance from the kept facets of points that were outside the body and lie on edges of removed
   /// facets. Points within a thousandth of the tolerance of the body count as on it. If no facets are kept, the result
-  /// is the extent of the removed ones. Sampled points are no closer to each other than the tolerance, or a 256th of
-  /// their edge. O(n log n) for the kept facets, O(log n) for each point, and O(n) for each that is farther than all
+  /// is the extent of the removed ones. Sampled points are no closer to each other than the tolerance, or 1/256 of
+  /// their edge. O(n log n) for the kept facets, O(log n) for each sample, and O(n) for each that is farther than all
   /// before it.
   Displacement lost(const Arranged& arranged, const CutOff& cut) const;
 

@@ -10,14 +10,14 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-constexpr double least_share = 0.01;  // share of the length along which ends may contradict
+// Fraction of the length of a topography's ends at a fault that may contradict the fault being a scarp.
+constexpr double least_share = 0.01;
 
 int number(Sign sign) { return sign == Sign::zero ? 0 : sign == Sign::positive ? 1 : -1; }
 
-/// Facets of one surface, by edge.
 using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
-/// The facets of one fault as they are cut by the topography or the base of the model.
+/// The facets of one fault, which the topography or the base of the model cuts.
 class FaultAtEnd {
  public:
   FaultAtEnd(const Arranged& arranged, const std::vector<Index>& facets, const FacetsAtEdges& end)
@@ -53,8 +53,8 @@ class FaultAtEnd {
     return *std::find_if(t.begin(), t.end(), [&](VertexIndex v) { return v != e.first && v != e.second; });
   }
 
-  /// Returns facets that are connected without crossing edges of the end, each with its orientation relative to the
-  /// first one.
+  /// Returns the fault's facets connected with `first` without crossing an edge of the topography or base, and stores
+  /// the orientation of each relative to `first`.
   std::vector<Index> take_piece(Index first) {
     std::vector<Index> piece{first};
     turned_[first] = 1;
@@ -69,8 +69,8 @@ class FaultAtEnd {
     return piece;
   }
 
-  /// Sums lengths of ends, by whether the piece lies below them and by the side of the piece on which the ground is
-  /// then.
+  /// Sums the lengths along which the topography or base ends at the piece of fault. The sums are separate for ends
+  /// above and below the piece, and for each side of the piece on which the ground then lies.
   bool is_scarp(const std::vector<Index>& piece) const {
     std::array<std::array<double, 2>, 2> lengths{};
     for (const Index f : piece)
@@ -91,7 +91,7 @@ class FaultAtEnd {
     return agree(0) || agree(1);
   }
 
-  /// Returns the sign of orient3d for places above the facet.
+  /// Returns the sign that orient3d() has for places above the facet.
   int up_side(Index facet) const {
     const Triangle& t = arranged_.facets[facet];
     const auto in_map = [&](std::size_t k) { return Vec2{point(t[k]).x, point(t[k]).y}; };
@@ -103,7 +103,7 @@ class FaultAtEnd {
   const std::vector<Index>& facets_;
   const FacetsAtEdges& end_;
   FacetsAtEdges at_;
-  std::map<Index, int> turned_;  ///< 1 or -1 for each facet
+  std::map<Index, int> turned_;  ///< orientation of each facet relative to the first one of its piece: 1 or -1
 };
 
 }  // namespace

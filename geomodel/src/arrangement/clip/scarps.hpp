@@ -11,11 +11,11 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Marks facets of scarps with 1, by facet. A topography with throw ends at a fault on both sides, higher on one than
-/// on the other. The fault between these ends has ground on one side and air on the other; likewise at the bottom of
-/// the model. A piece of a fault is connected between edges with that surface. It is a scarp if it lies below an end of
-/// the surface on its one side, and above one on its other side. Up to a hundredth of the length of the ends may
-/// contradict this. Sides are decided by exact predicates at rounded places. O(n log n).
+/// Returns a mark for each facet: 1 for scarps. A topography with throw ends at a fault on both sides, higher on one
+/// than on the other. The fault between these ends has ground on one side and air on the other; likewise at the bottom
+/// of the model. A piece of a fault is bounded by its edges with the topography or base. It is a scarp if it lies below
+/// an end of that surface on one side, and above an end on the other side. Up to a hundredth of the length of the ends
+/// may contradict this. Exact predicates at rounded places decide the sides. O(n log n).
 std::vector<std::uint8_t> scarps(const Arranged& arranged, const SurfaceList& surfaces);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Describes spots for a geologist, declared in geomesh/geomodel/arrangement.hpp.
+// Describes spots (places of note in a model) for a geologist, declared in geomesh/geomodel/arrangement.hpp.
 #include <cstdio>
 #include <map>
 
@@ -41,7 +41,7 @@ std::string overlap_text(const Spot& spot, const std::vector<TriangulatedSurface
   return what + " over " + area_text(spot.measure) + near(spot) + "; merged";
 }
 
-/// Describes a merging: rounding merges surfaces a few ulps apart, the tolerance those closer than its length.
+/// Describes where two surfaces were merged: by rounding if they were a few ulps apart, otherwise by the tolerance.
 std::string merged_text(const Spot& spot, const std::vector<TriangulatedSurface>& surfaces) {
   const std::string a = name_of(surfaces, spot.surface_a);
   const std::string what = spot.surface_a == spot.surface_b
@@ -88,7 +88,7 @@ std::vector<std::string> findings(const std::vector<Spot>& spots, const std::vec
   std::vector<std::string> lines;
   for (const Spot& spot : spots)
     if (spot.what == "crossing" || spot.what == "self-crossing") lines.push_back(describe(spot, surfaces));
-  // Gaps come before dangling edges, each in one line per surface; within a surface the longest piece comes first.
+  // Gaps are listed before dangling edges, with one line per surface that gives the longest piece first.
   std::map<std::pair<bool, Index>, std::pair<Spot, std::size_t>> borders;
   for (const Spot& spot : spots) {
     if (!is_border(spot)) continue;

@@ -23,8 +23,8 @@ bool is_inside(const std::optional<Box3>& box, const Vec3& p) {
   return true;
 }
 
-/// Returns whether a crossing is geologically unexpected: of a surface with itself, of horizons with each other, of
-/// surfaces of unknown kind.
+/// Returns whether a crossing is unexpected: of a surface with itself, of two horizons, or of a surface of unknown
+/// kind.
 bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
   if (spot.surface_a == spot.surface_b) return true;
   const SurfaceKind a = surfaces[spot.surface_a].kind, b = surfaces[spot.surface_b].kind;
@@ -32,9 +32,9 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
          b == SurfaceKind::surface;
 }
 
-/// Collects free borders by surface and connected piece, longest first; at most `limit` of a kind a surface, the rest
-/// in one spot. A closed piece is a gap, unless it may be the surface's outer border. The outer border is its longest
-/// piece, except for horizons in a box, which should reach its sides.
+/// Collects free borders by surface and connected piece, longest first; at most `limit` pieces of each surface and kind
+/// get a spot of their own, and the rest share one. A closed piece is a gap, unless it may be the surface's outer
+/// border. The outer border is the longest piece, except for horizons in a box, which should reach the box's sides.
 void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;
@@ -66,7 +66,8 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
   std::map<Index, double> longest;
   for (const auto& [key, spot] : pieces) longest[key.first] = std::max(longest[key.first], spot.measure);
-  std::set<std::pair<Index, VertexIndex>> open;  // pieces with an end, which stop at another surface
+  // Border pieces that are not closed curves, since they stop at another surface.
+  std::set<std::pair<Index, VertexIndex>> open;
   for (const auto& [vertex, n] : degree)
     if (n % 2 != 0) open.insert(root(vertex));
   for (auto& [key, spot] : pieces)
@@ -97,8 +98,7 @@ void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std:
   }
 }
 
-/// Returns whether the input triangles of two origins are exactly coplanar: if they share a facet, they overlapped in
-/// the input already.
+/// Returns whether two origins (input triangles) are exactly coplanar, so that they overlap already in the input.
 bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b) {
   const auto corner = [&](const Origin& o, std::size_t k) -> const Vec3& {
     return surfaces[o.surface].points[surfaces[o.surface].triangles[o.triangle][k]];
@@ -108,7 +108,7 @@ bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b)
   return true;
 }
 
-/// Adds places where surfaces coincide: as given, or merged by rounding or the tolerance.
+/// Adds spots for places where surfaces coincide: in the input, or because rounding or the tolerance merged them.
 void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
   std::map<std::pair<SurfacePair, bool>, Spot> overlaps;
   for (Index f = 0; f < soup.facets.size(); ++f) {
@@ -140,7 +140,7 @@ void add_vanished(const std::vector<VanishedFacet>& vanished, ArrangementResult&
   for (const auto& [surface, spot] : spots) result.spots.push_back(spot);
 }
 
-/// Measures forbidden crossings: how much of either surface lies beyond the other. Adds warnings.
+/// Measures how much of either surface lies beyond the other where two surfaces cross that should not. Adds warnings.
 void measure_crossings(const SurfaceList& surfaces, ArrangementResult& result) {
   std::optional<SurfaceParts> parts;
   for (Spot& spot : result.spots) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The edges of a soup with their facets.
+/// Lists the edges of a soup with the facets at each.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Edges in buckets by their lesser vertex, each bucket sorted: linear time.
+/// Edges of a soup in buckets by their smaller vertex, each bucket sorted. Built in linear time.
 class EdgeBuckets {
  public:
   explicit EdgeBuckets(const PolygonSoup& soup) : begin_(soup.points.size() + 1, 0), edges_(3 * soup.facets.size()) {
@@ -26,7 +26,7 @@ class EdgeBuckets {
                 });
   }
 
-  /// Calls visit(a, b, facets) for each edge a < b, facets ascending.
+  /// Calls visit(a, b, facets) for each edge (a, b) with a < b; its facets are ascending.
   template <typename Visit>
   void for_each_edge(Visit&& visit) const {
     std::vector<Index> facets;

@@ -12,7 +12,8 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr double rounding_share = 32 * std::numeric_limits<double>::epsilon();  // share of the greatest coordinate
+// Fraction of the largest coordinate within which places coincide up to rounding.
+constexpr double rounding_share = 32 * std::numeric_limits<double>::epsilon();
 
 Box3 box_of(const TriangulatedSurface& surface) {
   Box3 box;
@@ -28,7 +29,7 @@ bool are_near(const Box3& a, const Box3& b, double distance) {
 
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
-/// Returns the edges with one triangle.
+/// Returns the border edges of a surface, those with one triangle.
 std::vector<Edge> borders_of(const TriangulatedSurface& surface) {
   std::vector<Edge> edges, borders;
   for (const Triangle& t : surface.triangles)
@@ -47,8 +48,8 @@ class Nearness {
   explicit Nearness(const std::vector<TriangulatedSurface>& surfaces)
       : surfaces_(surfaces), searches_(surfaces.size()), borders_(surfaces.size()) {}
 
-  /// Returns whether most of the sampled vertices of one surface are within the distance of the other, and farther from
-  /// it than rounding.
+  /// Returns whether most of the sampled vertices of one surface are within the distance of the other surface, but
+  /// farther from it than rounding explains.
   bool follows(Index one, Index other, double distance) {
     const std::vector<Vec3>& points = surfaces_[one].points;
     const std::size_t step = points.size() / most_asked + 1, n = (points.size() + step - 1) / step;

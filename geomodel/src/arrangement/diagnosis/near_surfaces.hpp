@@ -10,19 +10,19 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Pairs of rows, the smaller first, ascending.
+/// Pairs of surfaces by their indices, the smaller first, in ascending order.
 struct NearSurfaces {
-  /// Pairs of which one follows the other: more than half of its vertices are within a distance of it, and farther from
-  /// it than rounding. No mesh of the target size can resolve the gap between them. Surfaces that coincide up to
-  /// rounding are not included.
+  /// Pairs of surfaces that are nearly duplicates: more than half of one's vertices are within a distance of the other,
+  /// but farther from it than rounding explains. No mesh of the target size can resolve the gap between them. Surfaces
+  /// that coincide up to rounding are not included.
   std::vector<std::pair<Index, Index>> duplicates;
-  /// Pairs of which one is a fault that ends beside the other: both ends of an edge with one triangle are within a
-  /// distance of it. Borders of horizons that lie above each other are not included.
+  /// Pairs in which a fault ends just beside the other surface: both ends of one of its border edges are within a
+  /// distance of that surface. Borders of horizons that lie above each other are not included.
   std::vector<std::pair<Index, Index>> ending;
 };
 
-/// Examines pairs whose boxes are that close: some hundred vertices each for duplicates, all borders for surfaces that
-/// end. O(n log n) per surface.
+/// Examines pairs of surfaces whose bounding boxes are within the two distances: some hundred vertices each to find
+/// duplicates, all border edges to find surfaces that end. O(n log n) per surface.
 NearSurfaces near_surfaces(const std::vector<TriangulatedSurface>& surfaces, double duplicate_distance,
                            double end_distance);
 

@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Facets of each surface joined across edges at which no other surface lies; what other surfaces separate is joined
-/// again on demand.
+/// The facets of each surface in parts, bounded by edges at which other surfaces lie. Parts that only some of the other
+/// surfaces separate are joined on demand.
 class SurfaceParts {
  public:
   /// Near-linear.
@@ -23,14 +23,15 @@ class SurfaceParts {
   double area_parted(Index a, Index b) const;
 
  private:
-  /// Facets at an edge at which several surfaces lie: (surface, part) pairs, ascending.
+  /// The surfaces at an edge, if there are several, as ascending (surface, part) pairs.
   using SharedEdge = std::vector<std::pair<Index, Index>>;
   void add_edge(const PolygonSoup& soup, const std::vector<Index>& facets);
 
   UnionFind joined_;          ///< rows of soup.origins
   std::vector<double> area_;  ///< per representative
   std::vector<SharedEdge> shared_;
-  std::vector<std::vector<Index>> shared_of_, parts_of_;  ///< for each surface: rows in shared_; its parts, ascending
+  /// For each surface: its entries in shared_; its parts, ascending.
+  std::vector<std::vector<Index>> shared_of_, parts_of_;
 };
 
 }  // namespace geomesh::geomodel::arrangement

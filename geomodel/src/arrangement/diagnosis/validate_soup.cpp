@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks a polygon soup exactly. Shares no code with the arrangement except the core's predicates: it has its own
-// search tree and its own case analysis.
+// Checks a polygon soup exactly. This validator shares no code with the arrangement except the core's predicates: it
+// has its own search tree and its own case analysis.
 
 #include <algorithm>
 #include <map>
@@ -16,7 +16,7 @@ namespace {
 
 int to_int(Sign s) { return static_cast<int>(s); }
 
-/// A tree of boxes, split at the median.
+/// A bounding volume hierarchy, split at the median.
 class MedianTree {
  public:
   explicit MedianTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
@@ -113,7 +113,7 @@ class MeetingTests {
   }
 
   static bool are_equal(const Triangle& a, const Triangle& b) { return has(a, b[0]) && has(a, b[1]) && has(a, b[2]); }
-  /// Returns a corner of `a` near which the (different) facets meet.
+  /// Returns a corner of `a` near which two different facets meet improperly.
   std::optional<VertexIndex> facets_meet(const Triangle& a, const Triangle& b) const {
     if (clear(a, b) || clear(b, a)) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k)
@@ -146,7 +146,8 @@ class MeetingTests {
     return has(t, v) ? 0 : to_int(orient3d(p(t[0]), p(t[1]), p(t[2]), p(v)));
   }
 
-  /// Returns the sign of the area of a, b, c, times that of t, in the first coordinate plane in which t has an area.
+  /// Returns the sign of the area of triangle abc times that of t, in the first coordinate plane in which t has an
+  /// area.
   int turn(const Triangle& t, VertexIndex a, VertexIndex b, VertexIndex c) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
@@ -157,7 +158,7 @@ class MeetingTests {
     return 0;
   }
 
-  /// Returns whether v, which lies in the plane of t, is in the closed facet.
+  /// Returns whether the vertex v, which lies in the plane of triangle t, is in the closed triangle.
   bool point_in_facet(VertexIndex v, const Triangle& t) const {
     return turn(t, t[0], t[1], v) >= 0 && turn(t, t[1], t[2], v) >= 0 && turn(t, t[2], t[0], v) >= 0;
   }
@@ -169,8 +170,8 @@ class MeetingTests {
     return turn(plane, a, b, c) * turn(plane, a, b, d) < 0 && turn(plane, c, d, a) * turn(plane, c, d, b) < 0;
   }
 
-  /// Returns whether all corners that are not shared lie strictly on one side, so that only shared vertices and edges
-  /// can meet.
+  /// Returns whether all corners of one facet that are not shared lie strictly on one side of the other, so that only
+  /// shared vertices and edges can meet.
   bool clear(const Triangle& t, const Triangle& other) const {
     int positive = 0, negative = 0, shared = 0;
     for (const VertexIndex v : other) {
@@ -188,7 +189,7 @@ class MeetingTests {
   const PolygonSoup& soup_;
 };
 
-/// Collects the faults of a soup, up to a limit: sizes, points, facets, then contacts.
+/// Collects the faults of a soup, up to a limit: wrong array sizes, points, facets, then contacts.
 class Validator {
  public:
   Validator(const PolygonSoup& soup, std::size_t limit) : soup_(soup), tests_(soup), limit_(limit) {}

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removes facets as thin as rounding.
+/// Removes facets that are thin within rounding.
 #pragma once
 
 #include "arrangement/join/join_surfaces.hpp"
 
 namespace geomesh::geomodel::arrangement {
 
-/// Rounding leaves facets that are some units in the last place wide, as where three surfaces nearly meet in a point.
-/// No points fit between their sides, so meshes get flat cells there. Everything within the distance of such facets is
-/// merged: corners become one, or come to lie on the edge beside them. The same applies to a crack (mark_cracks) that a
-/// needle has left. If facets would meet anew, nothing is changed. Precondition: nothing meets. Cost: that of
-/// snap_near, and of the contacts of the changed facets.
+/// Rounding leaves facets that are a few ulps wide, as where three surfaces nearly meet in a point. No mesh points fit
+/// between their sides, so the mesh gets flat cells there. Everything within the distance of such facets is merged:
+/// corners are snapped together or moved to the edge beside them. Cracks (mark_cracks) that a needle has left are
+/// closed in the same way. If facets would cross anew, the complex is left unchanged. Precondition: no facets cross.
+/// Cost: that of snap_near(), and of finding the contacts of the changed facets.
 SnapOutcome flatten_slivers(Complex& complex, const Joining& joining, const RunContext& context,
                             std::size_t memory_bound);
 

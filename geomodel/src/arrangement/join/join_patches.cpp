@@ -11,7 +11,7 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Sides of the volume are numbered after the given surfaces.
+/// Sides of the model volume are numbered after the input surfaces.
 std::size_t rows_in_use(const Complex& complex) {
   std::size_t n = 0;
   for (const Origin& o : complex.origins.items) n = std::max<std::size_t>(n, o.surface + std::size_t{1});
@@ -83,12 +83,12 @@ class Patches {
 
   std::size_t n_surfaces_;
   UnionFind joined_;                 ///< rows of origins
-  std::vector<Index> patch_of_row_;  ///< for rows of other surfaces: the surface itself
+  std::vector<Index> patch_of_row_;  ///< patch of each origin (input triangle), or its surface if that has no patches
   std::vector<Index> surface_;       ///< surface of each patch; patches are numbered from n_surfaces_ on
-  std::set<SurfacePair> pairs_;      ///< pairs of patches of one surface
+  std::set<SurfacePair> pairs_;      ///< pairs of patches that belong to one surface
 };
 
-/// Restores the origins as they were before patches were distinguished.
+/// Restores the origins (input triangles) of facets as they were before each patch counted as a surface.
 void give_surfaces_back(Complex& complex, const Patches& patches) {
   edit_origins(complex, [&](Index, std::vector<Origin>& of) {
     for (Origin& o : of) o.surface = patches.surface_of(o.surface);

@@ -9,10 +9,10 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A patch is connected across edges. Patches of one surface are merged wherever they are closer to each other than the
-/// distance: faults come in patches that share no points, or overlap along their seams. A patch is not merged with
-/// itself, so that triangles smaller than the distance do not fold. `may_join` is by surface. `vertex_now` as for
-/// snap_near(). O(n log n).
+/// Merges patches (sets of facets connected across edges) of one surface wherever they are closer to each other than
+/// the distance. Faults are often given as patches that share no points, or that overlap along their seams. A patch is
+/// not merged with itself, so that triangles smaller than the distance do not fold. `may_join` has an entry per
+/// surface; `vertex_now` is as for snap_near(). O(n log n).
 SnapOutcome join_patches(Complex& complex, const std::vector<std::uint8_t>& may_join, double distance,
                          const std::optional<Box3>& box, std::vector<VertexIndex>& vertex_now);
 

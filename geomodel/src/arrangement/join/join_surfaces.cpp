@@ -20,11 +20,11 @@ Box3 box_of(const Complex& complex, std::initializer_list<VertexIndex> vertices,
   return {box.min - Vec3{margin, margin, margin}, box.max + Vec3{margin, margin, margin}};
 }
 
-/// Edges at which surfaces end and may be joined to others.
+/// Edges at which surfaces end, and which may be moved onto other surfaces.
 class Ends {
  public:
   struct Near {
-    std::vector<std::uint8_t> facets;  ///< marks of facets; empty if there are none
+    std::vector<std::uint8_t> facets;  ///< marks of the facets to be joined; empty if there are none
     std::set<SurfacePair> surfaces;
   };
 
@@ -36,7 +36,7 @@ class Ends {
     }
   }
 
-  /// Marks facets with ends that are close to another surface, and the facets of that surface.
+  /// Marks facets with free edges that are close to another surface, and the facets of that surface.
   Near find_near() const {
     Near near;
     if (ends_.empty()) return near;
@@ -66,8 +66,8 @@ class Ends {
     const auto origins = complex_.origins.of(f);
     return std::none_of(origins.begin(), origins.end(), [&](const Origin& o) { return o.surface == surface; });
   }
-  /// Returns whether an end of the edge is, possibly because of rounding, near the plane of the facet but not on it. An
-  /// end on the plane is intersected exactly. An edge with its ends on both sides of the plane crosses it plainly.
+  /// Returns whether an end of the edge is near the plane of the facet, possibly because of rounding, but not on it. An
+  /// end on the plane is intersected exactly, and an edge with its ends on both sides of the plane is a plain crossing.
   bool comes_near(const SurfaceEnd& e, const Triangle& t) const {
     const Vec3 &p = complex_.points[t[0]], &q = complex_.points[t[1]], &r = complex_.points[t[2]];
     const PlaneWithin plane({p, q, r}, joining_.distance);
@@ -102,7 +102,7 @@ std::optional<SnapOutcome> join_what_lies_in_each_other(Complex& complex, const 
   std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
   std::erase_if(pairs, [&](const SurfacePair& pair) { return pair.second >= joining.first_side; });
   if (pairs.empty()) return std::nullopt;
-  // Needles that this creates in a surface or a side are removed too.
+  // Needles that joining the surfaces creates are removed as well, in surfaces and in sides of the volume.
   for (const auto& [a, b] : std::set(pairs)) pairs.insert({{a, a}, {b, b}});
   for (const Origin& o : complex.origins.items)
     if (o.surface >= joining.first_side) pairs.insert({o.surface, o.surface});

@@ -20,7 +20,7 @@ ExactPoint construct(const Complex& complex, const ExactFrame& frame, const Symb
   return line_plane_point(frame, p[s.a], p[s.b], {p[t[0]], p[t[1]], p[t[2]]});
 }
 
-/// Finds vertices at equal places; each place is represented by its smallest row.
+/// Finds vertices at equal places; the one with the smallest index represents each place.
 class Identification {
  public:
   explicit Identification(const ExactVertices& vertices) : vertices_(vertices) {}
@@ -45,7 +45,7 @@ class Identification {
   Index operator()(Index v) const { return vertices_.is_made(v) ? alias_[v - vertices_.n_given()] : v; }
 
  private:
-  /// Joins rows begin..end, which have equal doubles and are ascending.
+  /// Unites vertices begin..end at equal exact places; they have equal doubles and are ascending.
   void join(const std::vector<Index>& rows, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin + 1; k < end; ++k)
       for (std::size_t m = begin; m < k; ++m)
@@ -58,7 +58,7 @@ class Identification {
   std::vector<Index> alias_;
 };
 
-/// The vertices of a round: each contact's place, constructed once, and which rows are at the same place.
+/// The vertices of a round: the place of each contact, constructed once, and the vertices that are at the same place.
 class Places {
  public:
   Places(const Complex& complex, const Contacts& contacts, ExactVertices& vertices)
@@ -84,14 +84,14 @@ class Places {
     identify();
   }
 
-  /// Repeats the search for equal places after vertices were added.
+  /// Repeats the search for vertices at equal places after vertices were added.
   void identify() {
     std::vector<Index> candidates = active_;
     for (std::size_t v = vertices_.n_given(); v < vertices_.size(); ++v) candidates.push_back(static_cast<Index>(v));
     identify_.run(std::move(candidates));
   }
 
-  /// Returns the row that represents vertex v.
+  /// Returns the vertex that represents the place of vertex v.
   Index operator()(Index v) const { return identify_(v); }
   Index row_of(const Symbol& s) const {
     if (s.is_point()) return s.a;
@@ -133,11 +133,11 @@ class Places {
   const Contacts& contacts_;
   ExactVertices& vertices_;
   Identification identify_;
-  std::vector<Index> active_;  ///< given vertices that take part in contacts
+  std::vector<Index> active_;  ///< points of the complex that take part in contacts
   std::vector<Symbol> symbols_;
 };
 
-/// Clusters of facets that overlap, and facets that cross others, in the order of their smallest facets.
+/// Clusters of facets that overlap, and facets that only cross others, in the order of their smallest facets.
 class Clusters {
  public:
   Clusters(const Complex& complex, const Contacts& contacts) {
@@ -163,7 +163,7 @@ class Clusters {
     for (const auto& m : members_) out[m.second] = 1;
     return out;
   }
-  /// Returns a cluster with the contacts on its facets; `contact_ends` is as in Arranged.
+  /// Returns a cluster with the contacts on its facets; `contact_ends` is as in struct Arranged.
   ClusterInput input(std::size_t cluster, const Contacts& contacts,
                      const std::vector<std::array<Index, 2>>& contact_ends) const {
     ClusterInput input;
@@ -184,11 +184,11 @@ class Clusters {
   }
 
  private:
-  std::vector<std::pair<Index, Index>> members_;  ///< pairs of the smallest facet of the cluster and a facet, sorted
+  std::vector<std::pair<Index, Index>> members_;  ///< pairs of a cluster's smallest facet and one of its facets, sorted
   std::vector<std::size_t> begin_;
 };
 
-/// Sorts rows of vertices on the segment from its first end to its second.
+/// Sorts vertices on a well's segment from its first end to its second.
 void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, const ExactVertices& vertices) {
   const Vec3 &a = vertices.rounded(segment.a), &b = vertices.rounded(segment.b);
   std::size_t axis = 0;
@@ -199,7 +199,7 @@ void sort_along(std::vector<Index>& rows, const PolygonSoup::Segment& segment, c
   });
 }
 
-/// One exact round: computes the places of contacts, the pieces of clusters, then the resulting complex.
+/// One exact round: computes the places of contacts, splits clusters of facets, and assembles the resulting complex.
 class Round {
  public:
   Round(const Complex& complex, const Contacts& contacts, const RunContext& context, std::size_t max_bytes)
@@ -234,7 +234,7 @@ class Round {
     });
   }
 
-  /// Points made inside clusters get rows in the clusters' order and are identified with all others.
+  /// Points made inside clusters are added in the clusters' order, and identified with other vertices at equal places.
   void number_made_points() {
     std::vector<ExactPoint> made;
     std::vector<Vec3> rounded;

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Vertices of a round: rows below n_given are points of the complex, the others were constructed.
+/// Vertices of a round: those below n_given are points of the complex, the others were constructed.
 class ExactVertices {
  public:
   ExactVertices(const std::vector<Vec3>& given, ExactFrame frame) : given_(given), frame_(frame) {}
@@ -32,25 +32,26 @@ class ExactVertices {
   std::vector<Vec3> made_rounded_;
 };
 
-/// Result of a round. Equal places have equal rows in `facets` and `segments`; rows may be unused.
+/// Result of a round. Vertices at equal places share one index in `facets` and `segments`; vertices may be unused.
 struct Arranged {
   ExactVertices vertices;
   std::vector<Triangle> facets;
   OriginLists origins;
-  std::vector<std::uint8_t> changed;  ///< for each facet, whether it is not a facet of the complex
+  /// For each facet, whether the round made it, so that it is no facet of the input complex.
+  std::vector<std::uint8_t> changed;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// For each facet contact: the one or two distinct vertices of its ends (the second is no_index if there is one).
+  /// Per facet contact: the one or two distinct vertices of its ends; the second is no_index if there is only one.
   std::vector<std::array<Index, 2>> contact_ends;
 };
 
-/// Throws Error{cannot_mesh} if more than `max_bytes` would be needed.
+/// Arranges a complex with its contacts. Throws Error{cannot_mesh} if that would need more than `max_bytes` of memory.
 Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context,
                        std::size_t max_bytes = no_memory_bound);
 
-/// Facets that overlap in their plane, split into pieces together with all contacts on them.
+/// Coplanar facets that overlap, split into pieces together with all contacts on them.
 struct ClusterPieces {
-  static constexpr Index made_here = 0x80000000u;  ///< bit that marks a row in `made` instead of a vertex
+  static constexpr Index made_here = 0x80000000u;  ///< bit that marks an index into `made` rather than a vertex
   std::vector<Triangle> facets;
   OriginLists origins;
   std::vector<ExactPoint> made;
@@ -58,7 +59,7 @@ struct ClusterPieces {
 };
 struct ClusterInput {
   std::vector<Index> members;  ///< facets, ascending
-  std::vector<Index> points;   ///< vertices on the facets other than corners
+  std::vector<Index> points;   ///< vertices on the facets that are not their corners
   struct Constraint {
     Index a, b;
     Line line;

@@ -88,7 +88,7 @@ void edit_origins(Complex& complex, const std::function<void(Index, std::vector<
 
 namespace {
 
-/// Returns the corners in ascending order, and whether sorting reverses the facet's orientation.
+/// Returns the facet's corners in ascending order, and whether sorting reverses its orientation.
 std::pair<Triangle, bool> sorted_corners(Triangle t) {
   bool turned = false;
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{1, 2}, std::pair{0, 1}})

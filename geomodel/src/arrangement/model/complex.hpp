@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Input and output of a round of the arrangement: triangles, wells' segments and points in doubles, each with its
-/// origins.
+/// Input and output of a round of the arrangement: triangles, wells' segments and points, each with its input origins.
 #pragma once
 
 #include <array>
@@ -19,15 +18,15 @@ inline constexpr std::size_t no_memory_bound = ~std::size_t{0};
 
 using Origin = PolygonSoup::Origin;
 
-/// An edge or a well's segment by its ends, the smaller index first.
+/// An edge or a well's segment, given by its ends, the smaller index first.
 using EdgeKey = std::pair<VertexIndex, VertexIndex>;
 inline EdgeKey edge_key(VertexIndex a, VertexIndex b) { return a < b ? EdgeKey{a, b} : EdgeKey{b, a}; }
-/// Returns the edges from each corner to the next.
+/// Returns the three edges of a triangle, each from a corner to the next.
 inline std::array<EdgeKey, 3> edges_of(const Triangle& t) {
   return {edge_key(t[0], t[1]), edge_key(t[1], t[2]), edge_key(t[2], t[0])};
 }
 
-/// Lists of origins, one for each facet, stored consecutively.
+/// Lists of origins (input triangles), one list for each facet, stored consecutively.
 struct OriginLists {
   std::vector<Origin> items;
   std::vector<Index> offsets{0};
@@ -40,7 +39,7 @@ struct OriginLists {
   }
 };
 
-/// Invariants: points are distinct; no facet is degenerate. Facets may cross, overlap and repeat.
+/// Facets, segments and points of a round. Points are distinct; no facet is degenerate. Facets may cross and overlap.
 struct Complex {
   std::vector<Vec3> points;
   std::vector<Index> input_point;  ///< as PolygonSoup::input_point
@@ -48,14 +47,13 @@ struct Complex {
   OriginLists origins;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// For each facet and each segment: whether it may still cross others. Those that are not dirty do not cross each
-  /// other.
+  /// For each facet and each segment: whether it is dirty (may cross others). Items that are not dirty do not cross.
   std::vector<std::uint8_t> dirty_facet, dirty_segment;
 };
 
 /// A facet that lost its area when its corners were rounded or merged, with the current places of its corners.
 struct VanishedFacet {
-  std::vector<Index> surfaces{};  ///< surfaces of its origins; losses are reported for the first one
+  std::vector<Index> surfaces{};  ///< surfaces from which the facet stems; its loss is reported for the first one
   std::array<Vec3, 3> corners{};
 };
 
@@ -65,19 +63,19 @@ std::vector<Index> surfaces_of(std::span<const Origin> origins);
 /// Removes segments that occur twice because a well runs back along the same line.
 void remove_repeated_segments(Complex& complex);
 
-/// Sorts origins by surface and triangle and drops repeated ones. Returns true if the first one is then reversed: all
-/// are inverted, and the caller must invert the facet.
+/// Sorts the origins (input triangles) of a facet by surface and triangle and drops repeated ones. Returns true if the
+/// first origin then has the reverse orientation: all are inverted, and the caller must invert the facet.
 bool normalise_origins(std::vector<Origin>& origins);
 
-/// Calls edit(facet, origins) for each facet with its origins, to change them. Facets without any origin left are
-/// removed. Facets whose first origin is then reversed are inverted. O(n).
+/// Calls edit(facet, origins) for each facet, to change its origins (input triangles). Facets without any origin left
+/// are removed. Facets whose first origin then has the reverse orientation are inverted. O(n).
 void edit_origins(Complex& complex, const std::function<void(Index, std::vector<Origin>&)>& edit);
 
-/// Returns `origin` of the facet `from`, oriented as its surface continues over the edge (a, b) to the facet `to`.
+/// Returns an origin (input triangle) of facet `from` for its neighbour `to`, oriented as its surface continues there.
 Origin carried_over(Origin origin, const Triangle& from, const Triangle& to, VertexIndex a, VertexIndex b);
 
-/// Merges facets on the same three vertices into the first of them, with the origins of all. Returns how many were
-/// removed.
+/// Merges facets on the same three vertices into the first of them, with the origins (input triangles) of all. Returns
+/// how many were removed.
 std::size_t merge_equal_facets(Complex& complex);
 
 struct PointHash {
@@ -97,10 +95,10 @@ struct Projection {
   Sign sign = Sign::zero;
 };
 inline Vec2 project(const Vec3& p, const Projection& frame) { return {p[frame.i], p[frame.j]}; }
-/// The sign is zero only if a, b, c are exactly collinear.
+/// Returns the projection for the plane of a, b, c. Its sign is zero only if the three points are exactly collinear.
 Projection projection_of(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// Returns the unit in the last place of the largest coordinate.
+/// Returns the unit in the last place of the complex' largest coordinate.
 double unit_in_the_last_place(const Complex& complex);
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c);

@@ -12,7 +12,7 @@ namespace {
 
 int to_int(Sign s) { return static_cast<int>(s); }
 
-/// Returns the sign of d against the plane of a facet: the static filter is inline, the rest in the core.
+/// Returns the sign of d against a facet's plane, by a static filter or, if that fails, by the exact predicate.
 int side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) { return to_int(orient3d(a, b, c, d)); }
 
 struct FacetView {
@@ -64,8 +64,8 @@ class Ends {
   std::size_t n_ = 0;
 };
 
-/// Adds the ends of `cut`'s intersection with the plane of `plane` that lie in the closed facet `plane`. `signs` are
-/// those of cut's corners against the plane.
+/// Adds the ends of the intersection of the facet `cut` with the plane of the facet `plane`, if they lie in that closed
+/// facet. `signs` are those of the corners of `cut` against the plane.
 void add_ends(const FacetView& plane, const FacetView& cut, const std::array<int, 3>& signs, Ends& ends) {
   for (std::size_t i = 0; i < 3; ++i) {
     if (signs[i] == 0 && (plane.corner(cut.v[i]) >= 0 || plane_point_in_facet(plane, cut.p(i))))
@@ -76,7 +76,7 @@ void add_ends(const FacetView& plane, const FacetView& cut, const std::array<int
   }
 }
 
-/// Returns whether a contact adds nothing to the facet because it is one of its corners or edges.
+/// Returns whether a contact lies only at corners and along edges of the facet, so that it does not split the facet.
 bool is_own_border(const FacetView& f, const Ends& ends) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     if (!ends[i].is_point() || f.corner(ends[i].a) < 0) return false;
@@ -130,8 +130,8 @@ bool same_strict_side(const std::array<int, 3>& s) {
   return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
 }
 
-/// Computes the signs of the corners of f against the plane; those of shared corners are zero without a test. Returns
-/// false if all are strictly on one side, or if the facet touches the plane only in a shared corner or edge.
+/// Computes the signs of the corners of f against another facet's plane, zero without a test for shared corners.
+/// Returns false if all corners are strictly on one side, or if f touches the plane only in a shared corner or edge.
 bool plane_signs(const FacetView& plane, const FacetView& f, std::array<int, 3>& signs) {
   int n_shared = 0, positive = 0, negative = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -148,7 +148,7 @@ bool plane_signs(const FacetView& plane, const FacetView& f, std::array<int, 3>&
   return n_shared == 0 ? !same_strict_side(signs) : positive != 3 - n_shared && negative != 3 - n_shared;
 }
 
-/// Returns whether d is strictly between a and b on their line.
+/// Returns whether the point d is strictly between a and b on their line.
 bool strictly_between(const Vec3& a, const Vec3& d, const Vec3& b) {
   for (std::size_t i = 0; i < 3; ++i)
     if (a[i] != b[i]) return (a[i] < d[i] && d[i] < b[i]) || (b[i] < d[i] && d[i] < a[i]);

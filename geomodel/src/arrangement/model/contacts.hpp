@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Narrow phase: computes the intersection of closed triangles, wells' segments and points, pair by pair, as symbols.
-/// Signs of exact predicates on doubles decide everything; no point is constructed here.
+/// Narrow phase: computes the intersections of closed triangles, wells' segments and points, pair by pair, as symbols.
+/// The signs of exact predicates on doubles decide everything; no intersection point is constructed.
 #pragma once
 
 #include <compare>
@@ -36,10 +36,10 @@ struct Line {
   friend auto operator<=>(const Line&, const Line&) = default;
 };
 
-/// A point (all symbols denote one place) or a segment (they denote its two ends) in which something meets a facet.
+/// A point or a segment in which another item meets a facet. Its symbols denote one place, or the segment's two ends.
 struct FacetContact {
   Index facet = no_index;
-  Index other = no_index;  ///< the other facet, or no_index for a well or point
+  Index other = no_index;  ///< the other facet, or no_index if a well or point touches `facet`
   Line line;
   std::array<Symbol, 4> ends;
   std::uint8_t n_ends = 0;
@@ -72,7 +72,7 @@ void segment_segment_contact(const Complex& complex, Index a, Index b, Contacts&
 void point_facet_contact(const Complex& complex, VertexIndex point, Index facet, Contacts& out);
 void point_segment_contact(const Complex& complex, VertexIndex point, Index segment, Contacts& out);
 
-/// Returns all contacts, sorted, in which something dirty takes part, other than shared vertices and edges. Nearly
+/// Returns all contacts, sorted, in which at least one dirty item takes part, without shared vertices and edges. Nearly
 /// linear, parallel. Throws Error{cannot_mesh} if they would take more than `max_bytes`.
 Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes = no_memory_bound);
 

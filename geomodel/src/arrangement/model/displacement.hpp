@@ -10,7 +10,7 @@ namespace geomesh::geomodel::arrangement {
 /// The movements of points in one step.
 class MovesOfStep {
  public:
-  /// Records a movement to `where` over the distance.
+  /// Records the movement of a point to `where` over the distance.
   void note(double distance, const Vec3& where) {
     ++moved_.points_moved;
     sum_ += distance;
@@ -29,7 +29,7 @@ class MovesOfStep {
   double sum_ = 0;
 };
 
-/// A point may move once per step, so the sum of the largest movements is a bound.
+/// Adds the largest movements of two steps. A point may move once per step, so the sum is an upper bound.
 inline void add(const Displacement& more, Displacement& total) {
   if (more.largest > total.largest) total.where = more.where;
   total.largest += more.largest;

@@ -10,7 +10,7 @@ namespace {
 
 using Vector = std::array<mpz_class, 3>;
 
-/// Returns the mantissa as an odd integer or zero, and the exponent of its unit.
+/// Splits a double into its mantissa, as an odd integer or zero, and the exponent of the mantissa's unit.
 std::pair<std::int64_t, int> split(double value) {
   int exponent = 0;
   auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
@@ -45,7 +45,7 @@ ExactPoint normalised(ExactPoint p) {
 std::uint64_t lowest_64_bits(const mpz_class& positive) {
   if constexpr (sizeof(unsigned long) >= sizeof(std::uint64_t)) {
     return mpz_get_ui(positive.get_mpz_t());
-  } else {  // Windows, and 32-bit machines
+  } else {  // `long` has 32 bits on Windows and on 32-bit machines
     const mpz_class high = positive >> 32;
     return std::uint64_t{mpz_get_ui(high.get_mpz_t())} << 32 | (mpz_get_ui(positive.get_mpz_t()) & 0xFFFFFFFFu);
   }
@@ -68,7 +68,7 @@ mpz_class ExactFrame::to_integer(double value) const {
   if constexpr (sizeof(long) >= sizeof mantissa)
     result = static_cast<long>(mantissa);
   else
-    result = static_cast<double>(mantissa);  // exact, also where GMP's `long` has 32 bits
+    result = static_cast<double>(mantissa);  // the conversion is exact, even if GMP's `long` has 32 bits
   const int up = exponent + shift_;
   if (mantissa != 0) mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), static_cast<mp_bitcnt_t>(up));
   return result;
@@ -90,7 +90,8 @@ ExactPoint ExactFrame::to_exact_beyond(const Vec3& p) const {
 double ExactFrame::ratio(const mpz_class& numerator, const mpz_class& denominator) const {
   if (sgn(numerator) == 0) return 0;
   mpz_class n = abs(numerator), d = denominator;
-  // Uses 55 or 56 significant bits, the last one sticky: the conversion to double then rounds to nearest, ties to even.
+  // Uses 55 or 56 significant bits of the quotient, of which the last one is sticky. Conversion to double then rounds
+  // to nearest, ties to even.
   const long scale =
       55 - (static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2)) - static_cast<long>(mpz_sizeinbase(d.get_mpz_t(), 2)));
   if (scale > 0)

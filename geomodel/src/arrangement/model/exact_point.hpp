@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Exact points of the arrangement: homogeneous integers over a power-of-two unit in which every input coordinate is an
-/// integer. No division and no gcd is ever needed, and constructions are never nested: every point comes from input
-/// points alone.
+/// integer. Neither a division nor a greatest common divisor is ever needed, and constructions are never nested: every
+/// point comes from input points alone.
 #pragma once
 
 #include <gmpxx.h>
@@ -20,19 +20,19 @@ struct ExactPoint {
   const mpz_class& operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
 };
 
-/// The unit 2^-shift in which all given coordinates are integers.
+/// The unit 2^-shift in which all coordinates of the input are integers.
 class ExactFrame {
  public:
   ExactFrame() = default;
   explicit ExactFrame(std::span<const Vec3> points);
   mpz_class to_integer(double value) const;
   ExactPoint to_exact(const Vec3& p) const;
-  /// Also accepts doubles that are not integers in the unit.
+  /// Converts a point to exact coordinates, even if its doubles are not integers in the unit.
   ExactPoint to_exact_beyond(const Vec3& p) const;
   /// Returns numerator / denominator in the coordinates' unit, rounded to the nearest double; denominator > 0.
   double ratio(const mpz_class& numerator, const mpz_class& denominator) const;
-  /// Returns the nearest doubles (ties to even). Rounding is monotone, so a coordinate that lies on an axis-aligned
-  /// plane in doubles remains on it. Equal points have equal doubles.
+  /// Returns the nearest doubles to an exact point (ties to even). Rounding is monotone, so a coordinate that lies on
+  /// an axis-aligned plane in doubles remains on it. Equal points have equal doubles.
   Vec3 to_nearest(const ExactPoint& p) const;
 
  private:
@@ -51,11 +51,11 @@ ExactPoint three_planes_point(const ExactFrame& frame, const PlanePoints& a, con
 ExactPoint line_line_point(const ExactFrame& frame, const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s);
 
 bool equal(const ExactPoint& a, const ExactPoint& b);
-/// Returns the sign of the doubled area of a, b, c in the coordinates i and j.
+/// Returns the sign of twice the area of the triangle abc in the coordinates i and j.
 Sign exact_orient2d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, std::size_t i, std::size_t j);
-/// Like geomesh::orient3d, for one exact point against three points.
+/// Returns the orientation of an exact point against the plane through three points, as geomesh::orient3d does.
 Sign exact_orient3d(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c, const ExactPoint& d);
-/// Returns the sign of a[i] - b[i].
+/// Returns the sign of a[i] - b[i] for two exact points.
 Sign compare_coordinate(const ExactPoint& a, const ExactPoint& b, std::size_t i);
 ExactPoint centroid(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Open-addressing hash table from coordinates to vertices; -0 equals 0.
+/// Open-addressing hash table from coordinates to vertices, in which -0 equals 0.
 class PointTable {
  public:
   PointTable(std::vector<Vec3>& points, std::size_t expected)
@@ -133,7 +133,7 @@ class Ingestion {
     return v;
   }
 
-  /// Returns false if the triangle has no area.
+  /// Adds a triangle of a surface. Returns false if the triangle has no area.
   bool add_triangle(Index surface, Index row, const Triangle& t) {
     Complex& complex = result_.complex;
     const Vec3 &a = complex.points[t[0]], &b = complex.points[t[1]], &c = complex.points[t[2]];

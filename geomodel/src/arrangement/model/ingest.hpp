@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Converts surfaces, wells and points as read to the complex of the first round.
+/// Converts surfaces, wells and points as they were read to the complex of the first round.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// All surfaces of one arrangement: the given ones, followed by the six sides of the box if there is one.
+/// All surfaces of one arrangement: those of the input, followed by the six sides of the box if there is one.
 struct SurfaceList {
   const std::vector<TriangulatedSurface>& given;
   const std::vector<TriangulatedSurface>& box_sides;
   std::size_t size() const { return given.size() + box_sides.size(); }
-  std::vector<TriangulatedSurface> all() const;  ///< returns copies with names and kinds only
+  std::vector<TriangulatedSurface> all() const;  ///< returns copies of the surfaces that hold names and kinds only
   const TriangulatedSurface& operator[](std::size_t i) const {
     return i < given.size() ? given[i] : box_sides[i - given.size()];
   }
@@ -23,18 +23,20 @@ struct SurfaceList {
 
 struct Ingested {
   Complex complex;
-  std::vector<std::vector<VertexIndex>> vertex_of_point;  ///< for each surface and point: vertex of the complex
-  std::vector<double> area_outside;  ///< for each given surface: area of triangles entirely outside the box
+  /// For each surface and each of its points: vertex of the complex.
+  std::vector<std::vector<VertexIndex>> vertex_of_point;
+  /// For each input surface: area of its triangles that are entirely outside the box.
+  std::vector<double> area_outside;
   std::vector<std::string> warnings;
 };
 
-/// Merges points of equal coordinates, drops triangles without area (with a warning) and those entirely beyond a side
-/// of the box. Throws Error{invalid_input} for coordinates that are not finite or out of the range of the exact
-/// arithmetic, and for indices out of range.
+/// Builds the complex from the input. Merges points of equal coordinates, drops triangles without area (with a warning)
+/// and triangles entirely beyond a side of the box. Throws Error{invalid_input} for coordinates that are not finite or
+/// out of the range of the exact arithmetic, and for indices out of range.
 Ingested ingest(const SurfaceList& surfaces, const std::vector<Polyline>& polylines,
                 const std::vector<NamedPoint>& points, const std::optional<Box3>& box);
 
-/// Returns the six sides with two triangles each and outward normals, in the order xmin xmax ymin ymax zmin zmax.
+/// Returns the box's sides, two triangles each with outward normals, in the order xmin xmax ymin ymax zmin zmax.
 std::vector<TriangulatedSurface> make_box_sides(const Box3& box);
 
 /// Formats a point as "(x, y, z)" to the millimetre, for messages.

@@ -13,8 +13,8 @@ namespace {
 constexpr int next(int i) { return i == 2 ? 0 : i + 1; }
 constexpr int previous(int i) { return i == 0 ? 2 : i - 1; }
 
-/// Returns the sign of the doubled area from nearest doubles, or zero if their errors (half an ulp where not exact)
-/// leave it open.
+/// Returns the sign of twice the area of a triangle from the nearest doubles of its corners, or zero if their errors
+/// (half an ulp unless exact) leave the sign open.
 Sign filtered_orient2d(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c, std::size_t i, std::size_t j) {
   constexpr double u = 0x1p-53;
   const auto error = [](const PlanarPoint& p, std::size_t k) { return p.exact ? u * std::fabs(p.rounded[k]) : 0.0; };
@@ -71,7 +71,7 @@ int PlanarTriangulation::mirror(int face, int edge) const {
   return none;
 }
 
-/// Updates the vertices and neighbours of a face that was rewritten.
+/// Updates the references of vertices and neighbouring faces to a face that was rewritten.
 void PlanarTriangulation::touch(int face) {
   for (int i = 0; i < 3; ++i) {
     face_of_[faces_[face].v[i]] = face;
@@ -113,8 +113,8 @@ PlanarTriangulation::Place PlanarTriangulation::locate(int p, int& face, int& in
   int f = hint_;
   for (std::size_t steps = 0;; ++steps) {
     GEOMESH_CHECK(steps <= 1000 + 100 * faces_.size());
-    turn_ = turn_ * 1103515245u +
-            12345u;  // a walk whose first edge varies ends in any triangulation (Devillers et al. 2002)
+    // A walk that varies the first edge to test terminates in any triangulation (Devillers et al. 2002).
+    turn_ = turn_ * 1103515245u + 12345u;
     int zeros = 0, zero_edge = none, move = none;
     for (int k = 0; k < 3 && move == none; ++k) {
       const int e = static_cast<int>((k + (turn_ >> 16)) % 3);
@@ -138,7 +138,7 @@ void PlanarTriangulation::insert_point(int p) {
   if (face_of_[p] != none) return;
   int face = none, index = none;
   const Place place = locate(p, face, index);
-  GEOMESH_CHECK(place != Place::on_vertex);  // equal points were merged before
+  GEOMESH_CHECK(place != Place::on_vertex);  // points at equal places were merged before
   if (place == Place::inside)
     split_face(face, p);
   else
@@ -193,7 +193,7 @@ void PlanarTriangulation::flip(int f, int e) {
   const int g = old.neighbour[e], m = mirror(f, e);
   const Face other = faces_[g];
   const int p = old.v[e], a = old.v[next(e)], b = old.v[previous(e)], q = other.v[m];
-  // Rows in `other`, whose counter-clockwise corners are q, b, a.
+  // Local indices in the face `other`, whose counter-clockwise corners are q, b, a.
   const int opposite_b = next(m), opposite_a = previous(m);
   faces_[f] = {{p, a, q},
                {other.neighbour[opposite_b], g, old.neighbour[previous(e)]},
@@ -218,8 +218,8 @@ bool PlanarTriangulation::wants_flip(int f, int e) const {
   const Vec3& q = points_[faces_[faces_[f].neighbour[e]].v[mirror(f, e)]].rounded;
   const Vec3 pa = a - p, pb = b - p, qa = a - q, qb = b - q;
   const double cos_p = dot(pa, pb), sin_p = length(cross(pa, pb)), cos_q = dot(qa, qb), sin_q = length(cross(qa, qb));
-  constexpr double margin =
-      1e-10;  // angles that exceed pi in sum by a clear margin: flips strictly improve, so they terminate
+  // Opposite angles must clearly exceed pi in sum for a flip, so that each flip improves the faces and flipping ends.
+  constexpr double margin = 1e-10;
   return sin_p * cos_q + cos_p * sin_q < -margin * length(pa) * length(pb) * length(qa) * length(qb) && is_convex(f, e);
 }
 
@@ -240,7 +240,7 @@ void PlanarTriangulation::legalize(std::vector<std::pair<int, int>>& edges) {
   }
 }
 
-/// Returns the first vertex or edge that the segment from a towards b meets.
+/// Returns the first vertex or edge that the segment from vertex a towards b meets.
 PlanarTriangulation::Stop PlanarTriangulation::first_stop(int a, int b) const {
   Stop stop;
   star(a, [&](int f, int k) {
@@ -268,8 +268,7 @@ PlanarTriangulation::Stop PlanarTriangulation::first_stop(int a, int b) const {
   return stop;
 }
 
-/// Inserts the first part of the segment a b, up to the next vertex on it or the next constraint across it; returns
-/// where it ends.
+/// Inserts the segment ab up to the next vertex on it or the next constraint across it; returns the vertex reached.
 int PlanarTriangulation::advance(int a, int b, int line) {
   const Stop stop = first_stop(a, b);
   if (stop.is_edge) {
@@ -297,14 +296,13 @@ int PlanarTriangulation::advance(int a, int b, int line) {
       legalize(crossed);
       return apex;
     }
-    e = index_of(g, s == Sign::positive
-                        ? left
-                        : right);  // leave through the edge between the apex and the vertex on the other side
+    // Leave the face through the edge between the apex and the vertex on the other side of the segment.
+    e = index_of(g, s == Sign::positive ? left : right);
     f = g;
   }
 }
 
-/// Sloan's flips: removes the free edges that cross a b, so that a b becomes an edge.
+/// Makes ab an edge by Sloan's flips, which remove the unconstrained edges that cross it.
 void PlanarTriangulation::force_edge(int a, int b, std::vector<std::pair<int, int>>& crossed) {
   std::deque<std::pair<int, int>> queue(crossed.begin(), crossed.end());
   std::vector<std::pair<int, int>> made;

@@ -22,47 +22,47 @@ struct PlanarPoint {
 };
 
 /// Incremental triangulation with constraint insertion by flips (Sloan 1993, "A fast algorithm for generating
-/// constrained Delaunay triangulations"). All decisions that touch validity are exact orientations. The Delaunay
+/// constrained Delaunay triangulations"). All decisions that affect validity are exact orientations. The Delaunay
 /// property is not required: flips for quality use rounded angles, which keeps slivers away and costs no exact
-/// in-circle test.
-/// Constraints that cross make a new point at their crossing.
-///
-/// Invariants: triangles turn left in the projection; neighbours are mutual; a constrained edge is never flipped away.
+/// in-circle test. A new point is made where constraints cross. Invariants: triangles are counter-clockwise in the
+/// projection; neighbours are mutual; a constrained edge is never flipped away.
 class PlanarTriangulation {
  public:
   static constexpr int none = -1;
   struct Face {
-    std::array<int, 3> v, neighbour{none, none, none}, constraint{none, none, none};  ///< edge i is opposite v[i]
+    /// Edge i of a face is opposite v[i].
+    std::array<int, 3> v, neighbour{none, none, none}, constraint{none, none, none};
   };
-  /// Makes the point where the lines of two constraints cross and returns its row (add_point).
+  /// Makes the point where the lines of two constraints cross; the triangulation then adds it.
   using Crossing = std::function<PlanarPoint(int line_a, int line_b)>;
 
   PlanarTriangulation(const ExactFrame& frame, std::size_t i, std::size_t j, Crossing crossing)
       : frame_(frame), i_(i), j_(j), crossing_(std::move(crossing)) {}
 
   int add_point(const PlanarPoint& p);
-  /// Creates the first face, which is counter-clockwise; every later point must lie in it.
+  /// Creates the first face, which must be counter-clockwise and contain every later point.
   void start(int a, int b, int c);
   void insert_point(int p);
   /// Makes the segment a union of constrained edges with the label `line`.
   void insert_constraint(int a, int b, int line);
-  /// Marks edges of the first face before anything else is inserted.
+  /// Constrains edges of the first face; to be called before anything else is inserted.
   void constrain_border(const std::array<int, 3>& lines) { faces_[0].constraint = lines; }
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<PlanarPoint>& points() const { return points_; }
   Sign orient(int a, int b, int c) const;
-  /// Returns the vertices from a to b along existing edges.
+  /// Returns the vertices on the way from a to b along existing edges.
   std::vector<int> chain(int a, int b) const;
-  /// Returns the face to the left of edge a b and the edge's index in it; {none, none} on the border.
+  /// Returns the face to the left of edge ab and the edge's index in that face; {none, none} on the border.
   std::pair<int, int> left_face(int a, int b) const;
 
  private:
   enum class Place { inside, on_edge, on_vertex };
   struct Stop {
     int vertex = none;
-    bool is_edge = false;          ///< whether the edge from a to it exists
-    int face = none, edge = none;  ///< otherwise: the constrained edge to split, or the first face that is crossed
+    bool is_edge = false;  ///< whether an edge from a to `vertex` exists
+    /// If no such edge exists: the constrained edge to split, or the first face that the segment crosses.
+    int face = none, edge = none;
   };
   Place locate(int p, int& face, int& index) const;
   void split_face(int face, int p);
@@ -87,7 +87,7 @@ class PlanarTriangulation {
   Crossing crossing_;
   std::vector<PlanarPoint> points_;
   std::vector<Face> faces_;
-  std::vector<int> face_of_;  ///< for each point: a face around it, none before its insertion
+  std::vector<int> face_of_;  ///< for each point: a face around it; none before its insertion
   mutable int hint_ = 0;
   mutable unsigned turn_ = 0;
 };

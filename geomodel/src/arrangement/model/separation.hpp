@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// An early exit of the narrow phase. Most triangles whose boxes meet are neighbours in one surface and nearly
-/// coplanar. Their planes separate them only in exact arithmetic, while in projection along the normal they lie side by
-/// side.
+/// Rejects pairs of triangles early in the narrow phase. Most triangles whose boxes meet are neighbours in one surface
+/// and nearly coplanar. Their planes separate them only in exact arithmetic; in projection along the normal they are
+/// side by side.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Returns the sign of the doubled area of a, b, c if doubles prove it (Shewchuk 1997, bound A), else zero.
+/// Returns the sign of twice the area of the triangle abc if doubles prove it (Shewchuk 1997, bound A), else zero.
 inline int proven_turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x), det = left - right;
   const double bound = 3.3306690738754716e-16 * (std::fabs(left) + std::fabs(right)) + 1e-290;
   return det > bound ? 1 : det < -bound ? -1 : 0;
 }
 
-/// Returns true if the line of an edge of one triangle proves that the other meets it at most in shared vertices or a
-/// shared edge. Both are projected along the axis nearest to a's normal. False means that nothing was proven.
+/// Returns true if the line of an edge of one triangle proves that the other meets it only in shared vertices or edges.
+/// Both are projected along the axis nearest to the normal of `a`. False means that nothing was proven.
 inline bool proven_apart(const std::array<const Vec3*, 3>& pa, const Triangle& a, const std::array<const Vec3*, 3>& pb,
                          const Triangle& b) {
   const Vec3 n = cross(*pa[1] - *pa[0], *pa[2] - *pa[0]);

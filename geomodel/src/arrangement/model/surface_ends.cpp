@@ -10,12 +10,12 @@ namespace {
 
 auto place(const SurfaceEnd& e) { return std::tie(e.a, e.b, e.surface); }
 
-/// Calls visit(a, b, surface, facet) for each edge of each facet once for each of its surfaces, a < b.
+/// Calls visit(a, b, surface, facet) for each edge (a, b), a < b, of each facet and each of the facet's surfaces.
 template <class Visit>
 void for_each_surface_edge(const Complex& complex, Visit visit) {
   for (Index f = 0; f < complex.facets.size(); ++f) {
     const Triangle& t = complex.facets[f];
-    Index last = no_index;  // origins of one surface are consecutive
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == last) continue;
       last = o.surface;
@@ -27,7 +27,7 @@ void for_each_surface_edge(const Complex& complex, Visit visit) {
   }
 }
 
-/// Returns those edges in ascending order by edge, then by surface, using buckets by their smaller end.
+/// Returns the edges of all facets, once for each surface of the facet, sorted by edge and then by surface.
 std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   std::vector<std::size_t> begin(complex.points.size() + 1, 0);
   for_each_surface_edge(complex, [&](VertexIndex a, VertexIndex, Index, Index) { ++begin[a + 1]; });
@@ -44,7 +44,7 @@ std::vector<SurfaceEnd> surface_edges(const Complex& complex) {
   return all;
 }
 
-/// Calls see(first, count) for the facets of one surface at one edge.
+/// Calls see(first, count) for each edge of each surface, with one of the surface's facets there and their number.
 template <class See>
 void for_each_group(const std::vector<SurfaceEnd>& all, See see) {
   for (std::size_t i = 0, j; i < all.size(); i = j) {

@@ -9,13 +9,13 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// An edge at which a surface has one facet.
+/// An edge at which a surface has exactly one facet, so that it ends there.
 struct SurfaceEnd {
   VertexIndex a, b;  ///< a < b
   Index surface, facet;
 };
 
-/// Returns the ends in ascending order by edge, then by surface. O(n log n).
+/// Returns the edges at which surfaces end, in ascending order by edge, then by surface. O(n log n).
 std::vector<SurfaceEnd> surface_ends(const Complex& complex);
 
 /// Returns the surfaces with an edge that has three or more of their facets, ascending. O(n log n).

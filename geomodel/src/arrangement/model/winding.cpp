@@ -29,8 +29,8 @@ struct ExactQuery {
 
 Sign sign_of_difference(double a, double b) { return a > b ? Sign::positive : a < b ? Sign::negative : Sign::zero; }
 
-/// Returns the sign of the area of a, b and q shifted by (e, e^2) for an infinitesimal e > 0. It is zero only if a and
-/// b coincide in the projection.
+/// Returns the sign of the area of the triangle of a, b and q after q is shifted by (e, e^2) for an infinitesimal e >
+/// 0. It is zero only if a and b coincide in the projection.
 template <typename Query>
 Sign shifted_planar(const Query& query, const Vec3& a, const Vec3& b, std::size_t i, std::size_t j) {
   const Sign s = query.planar(a, b, i, j);

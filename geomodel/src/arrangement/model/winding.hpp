@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Winding numbers by exact rays along an axis, with a symbolic shift of the ray that excludes degenerate cases.
+/// Computes winding numbers by exact rays along an axis; a symbolic shift of the ray excludes degenerate cases.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A ray along an axis; `up` means towards greater coordinates.
+/// A ray along an axis; `up` means towards larger coordinates.
 struct RayDirection {
   std::size_t axis = 2;
   bool up = true;
@@ -23,14 +23,15 @@ class WindingNumber {
  public:
   WindingNumber(std::span<const Vec3> points, std::vector<Triangle> triangles);
 
-  /// Returns the winding number around q, zero outside. `rounded` contains the nearest doubles of q. q may lie on
-  /// triangles only if `skip` (ascending) lists them; they are not counted.
+  /// Returns the winding number around the point q, zero outside. `rounded` contains the nearest doubles of q.
+  /// Triangles listed in `skip` (ascending) are not counted; q may lie on those, but on no others.
   int operator()(const ExactFrame& frame, const ExactPoint& q, const Vec3& rounded, RayDirection ray,
                  std::span<const Index> skip = {}) const;
-  /// Returns the winding number around q, which is not on a triangle.
+  /// Returns the winding number around the point q, which must not lie on a triangle.
   int operator()(const Vec3& q, RayDirection ray) const;
 
-  /// Returns the contribution of crossing triangle t to the winding number of points on its lower side along the axis.
+  /// Returns what triangle t, which the ray crosses, adds to the winding number of points on its lower side along the
+  /// axis.
   int contribution(Index t, std::size_t axis) const;
   const Box3& box() const { return box_; }
 

@@ -48,7 +48,7 @@ std::optional<Displacement> way_between(const Complex& complex, const std::vecto
   return way;
 }
 
-/// The part of its surface to which each triangle of the input belongs.
+/// For each triangle of the input, the part of its surface to which it belongs.
 class Parts {
  public:
   explicit Parts(const std::vector<std::vector<Index>>& of_triangle) : of_triangle_(of_triangle) {}
@@ -61,7 +61,7 @@ class Parts {
   const std::vector<std::vector<Index>>& of_triangle_;
 };
 
-/// One round: closes thin voids that share no facet.
+/// One round of closing thin voids; voids that share a facet are closed in different rounds.
 class PocketRound {
  public:
   PocketRound(Complex& complex, double distance, Index first_side, const Parts& parts)
@@ -83,7 +83,7 @@ class PocketRound {
   }
 
  private:
-  /// Returns whether a shell encloses a space without dangling faces that is thin on average.
+  /// Returns whether a shell encloses a space that is thin on average and has no dangling faces in it.
   bool is_thin(const std::vector<FacetSide>& shell) const {
     if (shell.size() < 4) return false;
     for (std::size_t k = 0; k + 1 < shell.size(); ++k)
@@ -107,7 +107,8 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Assigns to the facet the surfaces of the removed facet nearest to its centre, as seen from beyond the void.
+  /// Assigns to a kept wall's facet the surfaces of the removed facet nearest to its centre, as seen from beyond the
+  /// void.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

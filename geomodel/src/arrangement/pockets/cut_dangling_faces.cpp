@@ -15,7 +15,8 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-constexpr std::size_t most_facets = 64;  ///< number of facets of a dangling piece: the remains of a needle have few
+/// Largest number of facets of a dangling piece: the remains of a needle have few.
+constexpr std::size_t most_facets = 64;
 
 double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 along = b - a;
@@ -23,10 +24,11 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return length(p - (a + t * along));
 }
 
-constexpr int most_halvings = 24;  ///< halvings of a facet, until each piece is near one edge of the hinge
+/// Most halvings of a facet to prove that it is near the hinge, the edges along which it is attached.
+constexpr int most_halvings = 24;
 
-/// Returns whether all of the triangle is within the distance of the edges. The set of places within the distance of
-/// one edge is convex.
+/// Returns whether all of the triangle is within the distance of a set of edges. A triangle with all corners near the
+/// same edge is, because the places within the distance of one edge form a convex set.
 bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 2>>& edges, double distance,
                int halvings = most_halvings) {
   for (const auto& e : edges) {
@@ -43,7 +45,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
   const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
   for (std::size_t k = 1; k < 3; ++k)
     if (side(k) > side(longest)) longest = k;
-  if (side(longest) <= distance / 16) return true;  // the error is at most that
+  if (side(longest) <= distance / 16) return true;  // accepting the triangle causes an error of at most this length
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
   return is_within({a, middle, c}, edges, distance, halvings - 1) &&
          is_within({middle, b, c}, edges, distance, halvings - 1);
@@ -52,18 +54,19 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
 struct DanglingPiece {
   std::vector<Index> facets;
   std::vector<EdgeKey> hinge;
-  Displacement way;  ///< from its farthest corner to the hinge
+  Displacement way;  ///< displacement of the piece's farthest corner to its hinge
 };
 
-/// The facets of one surface, by edge.
+/// The facets of one surface at each edge.
 class SurfaceFacets {
  public:
   SurfaceFacets(const Complex& complex, const std::vector<Index>& facets) : complex_(complex) {
     for (const Index f : facets)
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
-  /// Returns pieces between ends of the surface and a hinge, whose corners are all within the distance of the hinge. If
-  /// pieces share a hinge, the one whose border begins with the lesser edge comes first.
+  /// Removes and returns the dangling pieces of the surface that are within the distance of their hinge (the edges
+  /// along which they are attached). If pieces share a hinge, the one whose free border begins with the smaller edge
+  /// comes first.
   std::vector<DanglingPiece> take_dangling_pieces(double distance) {
     std::vector<DanglingPiece> pieces;
     for (std::vector<Index>& facets : pieces_that_end()) {
@@ -91,8 +94,8 @@ class SurfaceFacets {
       }
     return pieces;
   }
-  /// Returns the piece connected through edges with two facets. Ends early if there are more facets than a dangling
-  /// piece has.
+  /// Returns the piece of the surface connected with `first` through edges with two facets. Stops early if it has more
+  /// facets than a dangling piece can have.
   std::vector<Index> piece_of(Index first) const {
     std::vector<Index> piece{first};
     for (std::size_t k = 0; k < piece.size() && piece.size() <= most_facets; ++k)
@@ -104,7 +107,8 @@ class SurfaceFacets {
       }
     return piece;
   }
-  /// Returns the hinge; empty if there is none, or if the surface would end at it without the piece.
+  /// Returns the hinge of a piece, its edges at which the surface has three facets or more; empty if there are none, or
+  /// if the surface would end at the hinge without the piece.
   std::vector<EdgeKey> hinge_of(const std::vector<Index>& piece) const {
     std::map<EdgeKey, std::size_t> own;
     for (const Index f : piece)
@@ -118,7 +122,7 @@ class SurfaceFacets {
     }
     return hinge;
   }
-  /// Returns whether all of the piece, and not only its corners, is within the distance of its hinge.
+  /// Returns whether all of the dangling piece, and not only its corners, is within the distance of its hinge.
   bool lies_along(const DanglingPiece& piece, double distance) const {
     std::vector<std::array<Vec3, 2>> hinge;
     for (const EdgeKey& e : piece.hinge) hinge.push_back({complex_.points[e.first], complex_.points[e.second]});
@@ -152,7 +156,7 @@ std::map<Index, std::vector<Index>> facets_of_branching_surfaces(const Complex& 
   for (const Index surface : branching_surfaces(complex)) facets_of[surface];
   if (facets_of.empty()) return facets_of;
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // origins of one surface are consecutive
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f))
       if (o.surface != std::exchange(last, o.surface))
         if (const auto at = facets_of.find(o.surface); at != facets_of.end()) at->second.push_back(f);
@@ -164,20 +168,20 @@ using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 
 /// The surfaces that meet a dangling piece at edges other than its hinge, where the piece belongs to no other surface.
 struct Borne {
-  /// Origin of a surface that ends there; `reversed` if the piece is oriented against it.
+  /// Origin (input triangle) of a surface that ends on the dangling piece; `reversed` if their orientations differ.
   std::optional<Origin> ending;
-  bool by_others = false;  ///< whether a surface continues beyond, or there is a second one
+  /// Whether the surface that meets the piece continues beyond it, or a second surface meets it.
+  bool by_others = false;
 };
 
-/// The origin that a facet loses, and the one that it gets if it has no other.
+/// The surface that a facet loses, and the origin (input triangle) that it receives if it has no other.
 struct Change {
   Index surface;
   std::optional<Origin> instead;
 };
 using Changes = std::map<Index, Change>;  ///< by facet
 
-/// Returns whether a facet of the piece, or one beside it (except at its hinge), changes already and may no longer
-/// exist.
+/// Returns whether a facet of the dangling piece, or one beside it (except at its hinge), is already to be changed.
 bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex,
                         const DanglingPiece& piece) {
   for (const Index f : piece.facets)

@@ -14,12 +14,12 @@ struct CutDanglingFaces {
   std::vector<VanishedFacet> vanished;
 };
 
-/// A dangling piece is a part of one surface between its hinge and edges at which the surface ends. At the edges of the
-/// hinge the surface has three facets or more. Where a needle beside it vanished, the surface is whole without it.
-/// Dangling pieces that are wholly within the distance of their hinge are removed from the surface. Each edge of the
-/// hinge keeps two facets of it or more. If one other surface ends on the piece, the piece becomes part of that
-/// surface, which then continues to the hinge. If more surfaces meet it, the piece is kept. No facet moves, so nothing
-/// new can cross. Unused points may be left. O(n log n).
+/// Removes dangling pieces of surfaces. A dangling piece is a part of one surface between its hinge and edges at which
+/// the surface ends. At the edges of the hinge the surface has three facets or more. They arise where a needle
+/// vanished, and the surface is whole without them. A piece is removed from its surface if all of it is within the
+/// distance of its hinge. Each edge of the hinge keeps at least two facets of the surface. If one other surface ends on
+/// the piece, the piece becomes part of that surface, which then continues to the hinge. If more surfaces meet the
+/// piece, it is kept. No facet moves, so no new crossings can arise. Unused points may be left. O(n log n).
 CutDanglingFaces cut_dangling_faces(Complex& complex, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -11,14 +11,14 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-/// Returns the surface's origin of the adjacent facet, oriented as the surface continues over the edge to `t`.
+/// Returns the origin (input triangle) that facet t receives from an adjacent surface, oriented as that continues.
 Origin origin_beside(const Complex& complex, const SurfaceEnd& end, const Triangle& t) {
   const auto of = complex.origins.of(end.facet);
   const Origin& own = *std::find_if(of.begin(), of.end(), [&](const Origin& o) { return o.surface == end.surface; });
   return carried_over(own, complex.facets[end.facet], t, end.a, end.b);
 }
 
-/// Largest length of the third edge, at which a hole is open, relative to the sum of the two others.
+/// Largest length of the open edge of a hole's facet, relative to the sum of its two other edges.
 constexpr double mouth_of_notch = 0.125;
 
 class Holes {
@@ -26,7 +26,7 @@ class Holes {
   Holes(const Complex& complex, double distance)
       : complex_(complex), height_(2 * distance), ends_(surface_ends(complex)) {}
 
-  /// Returns the origins that fill holes, by facet.
+  /// Returns for each facet that fills a hole the origins (input triangles) that it receives.
   std::map<Index, std::vector<Origin>> find() const {
     std::map<Index, std::vector<Origin>> found;
     for (Index f = 0; f < complex_.facets.size(); ++f)
@@ -61,8 +61,8 @@ class Holes {
     const double longest = std::max({edge_length(f, 0), edge_length(f, 1), edge_length(f, 2)});
     return 2 * area(complex_.points[a], complex_.points[b], complex_.points[c]) <= height_ * longest;
   }
-  /// Returns whether facet f fills a hole: the surface of `end`, which is at edge k, ends at the next edge too, and the
-  /// third edge is another end or short.
+  /// Returns whether facet f fills a hole in the surface of `end`, which ends at edge k of f: the surface ends at the
+  /// next edge too, and it also ends at the third edge, or that edge is short.
   bool fills(Index f, std::size_t k, const SurfaceEnd& end) const {
     if (end.facet == f || !ends_at(f, k + 1, end.surface)) return false;
     if (ends_at(f, k + 2, end.surface)) return true;
@@ -75,7 +75,7 @@ class Holes {
   }
 
   const Complex& complex_;
-  double height_;  ///< largest height of facets that fill holes
+  double height_;  ///< largest height of a facet that fills a hole
   std::vector<SurfaceEnd> ends_;
 };
 

@@ -13,10 +13,10 @@ namespace geomesh::geomodel::arrangement {
 
 namespace {
 
-// Least and largest share of a thin void's area that one of its two walls may have.
+// Smallest and largest fraction of a thin void's area that one of its two walls may have.
 constexpr double least_part = 0.3, most_part = 0.7;
 
-/// Calls see(edge, facets) for each edge of the facets, ascending.
+/// Calls see(edge, facets) for each edge of the facets, in ascending order.
 template <class See>
 void for_each_edge_of(const Complex& complex, const std::vector<FacetSide>& sides, const See& see) {
   std::vector<std::pair<EdgeKey, Index>> uses;
@@ -77,9 +77,9 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Returns connected sets of facets with one list of surfaces, joined across edges to which nothing else is attached.
+/// Returns the parts of a shell: facets of the same surfaces, connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
-  const auto row = [&](Index facet) {  // row in the shell, which is ascending
+  const auto row = [&](Index facet) {  // position in the shell, whose facets are ascending
     return static_cast<Index>(
         std::lower_bound(shell.begin(), shell.end(), facet, [](FacetSide s, Index f) { return facet_of(s) < f; }) -
         shell.begin());
@@ -115,7 +115,7 @@ bool WallSearch::can_go(const std::vector<FacetSide>& wall) const {
   return true;
 }
 
-/// Returns whether exactly two facets share the edge, and no well can run along it.
+/// Returns whether the edge has exactly two facets, and no well can run along it.
 bool WallSearch::is_free_inside(VertexIndex a, VertexIndex b) const {
   if (is_held_[a] && is_held_[b]) return false;
   const auto less = [](const EdgeFacets::Use& use, const EdgeKey& edge) { return EdgeKey(use.a, use.b) < edge; };

@@ -17,15 +17,15 @@ struct PocketWalls {
   std::vector<FacetSide> that_goes, that_stays;
 };
 
-/// Looks for a wall that can be removed from a complex, which must not change meanwhile.
+/// Looks for a wall that can be removed from a complex. The complex must not change meanwhile.
 class WallSearch {
  public:
-  /// Surfaces from the row `first_side` on are sides of the volume.
+  /// Surfaces from index `first_side` on are sides of the model volume.
   WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side);
 
-  /// Returns the part of one list of surfaces whose area is nearest to half of the shell, and the rest. Nothing if no
-  /// part has about half, if something else is attached to it, or if a side of the volume is part of it. O(n log n) for
-  /// n sides.
+  /// Returns the two walls of a shell: the removable part whose area is nearest to half of the shell's, and the rest.
+  /// All facets of a part belong to the same surfaces. Returns nothing if no part has about half of the area, if
+  /// something else is attached to the part, or if a side of the volume belongs to the shell. O(n log n) for n facets.
   std::optional<PocketWalls> of(const std::vector<FacetSide>& shell) const;
 
  private:

@@ -18,7 +18,7 @@ VertexIndex third_corner(const Triangle& t, const EdgeFacets::Use& use) {
   return no_vertex;
 }
 
-/// Orders facets counter-clockwise as seen against the edge from a to b, starting at the first of them.
+/// Orders facets around an edge from a to b counter-clockwise, seen against its direction, starting at the first one.
 class AngleOrder {
  public:
   AngleOrder(const Complex& complex, const EdgeFacets::Use& first)
@@ -34,7 +34,7 @@ class AngleOrder {
   const Vec3& corner(const EdgeFacets::Use& use) const {
     return complex_.points[third_corner(complex_.facets[use.facet], use)];
   }
-  /// Returns 0 for the first one; 1 for an angle of less than half a turn from it; 2 for half a turn; 3 for more.
+  /// Returns the angle of a facet from the first one at an edge: 0 none, 1 under half a turn, 2 half a turn, 3 more.
   int part_of_turn(const EdgeFacets::Use& use) const {
     const Vec3& p = corner(use);
     if (p == first_) return 0;
@@ -46,7 +46,7 @@ class AngleOrder {
   const Vec3 &a_, &b_, &first_;
 };
 
-/// Returns the side of a facet that is met by turning forward, and the one that is met by turning back.
+/// Returns the sides of a facet that face forward and backward in the counter-clockwise order around an edge.
 FacetSide side_ahead(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 0 : 1); }
 FacetSide side_behind(const EdgeFacets::Use& use) { return 2 * std::size_t{use.facet} + (use.forward ? 1 : 0); }
 

@@ -13,8 +13,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A closed box in floats relative to the tree's origin. The conversion from doubles is monotone, so boxes that meet in
-/// doubles meet here too.
+/// A closed box in floats relative to the tree's origin. Conversion from doubles is monotone, so boxes that meet in
+/// doubles meet in floats, too.
 struct FloatBox {
   std::array<float, 3> lo, hi;
   bool meets(const FloatBox& o) const {
@@ -33,15 +33,15 @@ class BoxTree {
  public:
   static constexpr std::size_t leaf_size = 4;
 
-  /// Takes n log n time (sorting) in parallel; boxes must not be empty. The tree is the same whatever the number of
-  /// threads. `groups`, where given, has a group or no_index for each box: boxes of one group are kept together, and
-  /// pairs within it are not visited.
+  /// Builds the tree in n log n time (sorting), in parallel. Boxes must not be empty. The tree is the same whatever the
+  /// number of threads. `groups`, if not empty, has a group or no_index for each box: boxes of one group are kept
+  /// together, and pairs within it are not visited.
   explicit BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups = {});
 
   std::size_t n_leaves() const { return n_leaves_; }
 
-  /// Calls visit(i, j) once for each unordered pair i != j of boxes that meet. One of them lies in the given leaf and
-  /// the other in it or in a later one. Leaves can be visited in parallel.
+  /// Calls visit(i, j) once for each unordered pair i != j of boxes that meet, one of them in the given leaf and the
+  /// other in that leaf or a later one. Leaves can be visited in parallel.
   template <typename Visit>
   void pairs_of_leaf(std::size_t leaf, Visit&& visit) const {
     const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, order_.size());
@@ -111,8 +111,8 @@ class BoxTree {
   std::vector<Index> order_;     ///< boxes in Morton order
   std::vector<FloatBox> boxes_;  ///< in that order
   std::vector<FloatBox> nodes_;
-  std::vector<Index> groups_;       ///< group of each box in that order; empty if none were given
-  std::vector<Index> node_groups_;  ///< for each node: the group of all its boxes, or no_index
+  std::vector<Index> groups_;       ///< group of each box in Morton order; empty if there are no groups
+  std::vector<Index> node_groups_;  ///< for each node: the common group of all its boxes, or no_index
 };
 
 }  // namespace geomesh::geomodel::arrangement

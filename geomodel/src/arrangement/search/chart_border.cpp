@@ -24,14 +24,14 @@ class Border {
   }
 
  private:
-  /// One end of an edge at vertex `at`; `is_out` if the edge leaves it.
+  /// One end of a border edge, at the vertex `at`; `is_out` if the edge leaves that vertex.
   struct End {
     VertexIndex at, other;
     bool is_out;
   };
   Vec2 flat(VertexIndex v) const { return {points_[v][i_], points_[v][j_]}; }
 
-  /// Returns whether edges meet only in shared vertices.
+  /// Returns whether all edges of the border meet only in shared vertices.
   bool is_simple() const {
     std::vector<Box3> boxes(edges_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -43,7 +43,7 @@ class Border {
     return simple;
   }
 
-  /// May return true for collinear edges that only come near each other, which costs only speed.
+  /// Returns whether two edges meet except in a shared end. May also be true for collinear edges that are only near.
   bool meet(const BorderEdge& e, const BorderEdge& f) const {
     for (const auto& [s, p] : {std::pair{e.from, e.to}, std::pair{e.to, e.from}})
       for (const auto& [t, q] : {std::pair{f.from, f.to}, std::pair{f.to, f.from}})
@@ -73,8 +73,8 @@ class Border {
     begin_.push_back(ends_.size());
   }
 
-  /// Returns whether the edges around each vertex, ordered by angle, alternately leave and reach it: the winding
-  /// numbers there are then two consecutive ones.
+  /// Returns whether the border edges around each vertex, ordered by angle, alternately leave and reach it: the winding
+  /// numbers around the vertex are then two consecutive ones.
   bool alternates_everywhere() {
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const std::size_t n = begin_[k + 1] - begin_[k];
@@ -86,7 +86,7 @@ class Border {
     return true;
   }
 
-  /// Sorts counter-clockwise, starting with the direction straight down.
+  /// Sorts the edge ends at a vertex counter-clockwise, starting with the direction straight down.
   void sort_by_angle(std::size_t begin, std::size_t end) {
     const Vec2 s = flat(ends_[begin].at);
     std::sort(ends_.begin() + static_cast<std::ptrdiff_t>(begin), ends_.begin() + static_cast<std::ptrdiff_t>(end),
@@ -97,8 +97,8 @@ class Border {
               });
   }
 
-  /// Returns the number of connected parts of the border whose outside is on the right of their edges. If there is one,
-  /// the others bound holes in it: see the header.
+  /// Returns the number of connected parts of the border that have the outside on the right of their edges. If there is
+  /// only one, the other parts bound holes in it.
   std::size_t n_outer_components() {
     std::map<VertexIndex, VertexIndex> parent;
     const auto root = [&parent](VertexIndex v) {
@@ -110,7 +110,7 @@ class Border {
       const VertexIndex a = root(e.from), b = root(e.to);
       parent[std::max(a, b)] = std::min(a, b);
     }
-    // Row in begin_ of the least vertex of each component in the projection.
+    // For each component: index in begin_ of its smallest vertex in the projection.
     std::map<VertexIndex, std::size_t> first_of;
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const auto [at, is_new] = first_of.try_emplace(root(ends_[begin_[k]].at), k);
@@ -119,7 +119,7 @@ class Border {
     std::size_t n = 0;
     for (const auto& [component, k] : first_of) {
       sort_by_angle(begin_[k], begin_[k + 1]);
-      n += ends_[begin_[k]].is_out;  // the outside lies below it
+      n += ends_[begin_[k]].is_out;  // the outside lies below the smallest vertex
     }
     return n;
   }
@@ -128,7 +128,7 @@ class Border {
   std::size_t i_, j_;
   const std::vector<BorderEdge>& edges_;
   std::vector<End> ends_;           ///< by vertex
-  std::vector<std::size_t> begin_;  ///< first end of each vertex
+  std::vector<std::size_t> begin_;  ///< index of the first edge end at each vertex
 };
 
 }  // namespace

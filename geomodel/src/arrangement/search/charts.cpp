@@ -11,8 +11,8 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Neighbours by facet and edge k (from corner k to corner k+1): the facet and edge beyond it as 4 * facet + edge;
-/// no_index if the edge does not have exactly two facets.
+/// The three neighbours of each facet, beyond its edges k (from corner k to corner k+1). A neighbour is stored as 4 *
+/// facet + edge; no_index if the edge does not have exactly two facets.
 using Neighbours = std::vector<std::array<Index, 3>>;
 
 constexpr Index facet_of(Index side) { return side / 4; }
@@ -52,10 +52,11 @@ Neighbours find_neighbours(const Complex& complex) {
 
 struct View {
   std::size_t axis;
-  double least_cosine;  ///< least cosine of the angle between a facet's normal and the axis for the facet to be added
+  /// Smallest cosine of the angle between the axis and the normal of a facet that may join the chart.
+  double least_cosine;
 };
 
-/// Charts among the facets begin .. end - 1, numbered from 0 by the order of their least facets.
+/// Finds charts among the facets begin .. end - 1, and numbers them from 0 in the order of their smallest facets.
 class ChartFinder {
  public:
   ChartFinder(const Complex& complex, const Neighbours& neighbours, Index begin, Index end,
@@ -68,7 +69,8 @@ class ChartFinder {
         turn_(end - begin, 0) {}
 
   Index run() {
-    // Wide view cones give few charts; a part that overlaps itself in a wide view is divided with a narrow one.
+    // A wide cone of normals gives few charts; parts that overlap themselves in projection are divided with a narrow
+    // one.
     for (const double least_cosine : {0.25, 0.6}) {
       visited_.assign(end_ - begin_, 0);
       for (Index f = begin_; f < end_; ++f)
@@ -78,7 +80,7 @@ class ChartFinder {
   }
 
  private:
-  /// Number of facets below which proving a chart takes longer than it saves.
+  /// Number of facets below which it takes longer to prove a chart than the chart saves.
   static constexpr std::size_t least_facets = 24;
 
   void try_chart(Index seed, double least_cosine) {
@@ -110,7 +112,7 @@ class ChartFinder {
 
   bool is_within(Index f) const { return f >= begin_ && f < end_ && chart_of_[f] == no_index && !visited_[f - begin_]; }
 
-  /// Returns edge k of f in the direction in which the chart lies on its left.
+  /// Returns edge k of facet f, in the direction in which the chart lies on its left.
   BorderEdge directed(Index f, std::size_t k) const {
     const Triangle& t = complex_.facets[f];
     const VertexIndex a = t[k], b = t[(k + 1) % 3];
@@ -131,7 +133,8 @@ class ChartFinder {
         const int turn = turn_as_seen(g, view);
         if (turn == 0) continue;
         turn_[g - begin_] = static_cast<std::int8_t>(turn);
-        if (directed(g, edge_of(beyond)).from == directed(facets_[next], k).from) {  // the surface folds over here
+        // The surface folds over at this edge.
+        if (directed(g, edge_of(beyond)).from == directed(facets_[next], k).from) {
           turn_[g - begin_] = 0;
           continue;
         }
@@ -157,13 +160,15 @@ class ChartFinder {
   const Neighbours& neighbours_;
   Index begin_, end_;
   std::vector<Index>& chart_of_;
-  std::vector<std::int8_t> turn_;  ///< for each facet of the current chart: its orientation in the projection; else 0
-  std::vector<std::uint8_t> visited_;  ///< for each facet: whether it was added or tried as a seed in this pass
+  /// For each facet of the current chart: its orientation in the projection; 0 for other facets.
+  std::vector<std::int8_t> turn_;
+  /// For each facet: whether it was added to a chart or tried as a seed in the current pass.
+  std::vector<std::uint8_t> visited_;
   std::vector<Index> facets_;
   Index n_charts_ = 0;
 };
 
-/// Returns the first facet of each run of facets of one surface, and the end.
+/// Returns the first facet of each run of consecutive facets of one surface, followed by the number of facets.
 std::vector<Index> surface_runs(const Complex& complex) {
   std::vector<Index> runs;
   for (Index f = 0; f < complex.facets.size(); ++f)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves facets that pass beside edges of the volume onto them, declared in arrangement/sides/join_to_sides.hpp.
+// Moves facets that pass beside feature edges of the volume onto them, declared in arrangement/sides/join_to_sides.hpp.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -17,7 +17,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Collects insertions where facets pass edges of the volume.
+/// Collects vertices to insert where facets pass close to feature edges of the volume.
 class Drawing {
  public:
   Drawing(Complex& complex, const Joining& joining, double tolerance)
@@ -28,8 +28,8 @@ class Drawing {
         on_edges_(complex, tolerance),
         places_(complex) {}
 
-  /// Inserts ends of the edge that are closer than the distance into the facet or its edges. Facet edges that pass the
-  /// edge get a common vertex with it.
+  /// Inserts those ends of the feature edge that are closer than the distance into the facet or its edges. Facet edges
+  /// that pass the feature edge get a common vertex with it.
   void see(const EdgeKey& crease, Index facet, double distance) {
     for (const VertexIndex corner : {crease.first, crease.second}) insert_corner(corner, facet, distance);
     for (const EdgeKey& e : edges_of(complex_.facets[facet])) {
@@ -39,7 +39,7 @@ class Drawing {
     edges_.insert(crease);
   }
 
-  /// Returns nothing if nothing is beside an edge of the volume; the complex is then unchanged.
+  /// Splits facets at the collected vertices. Returns nothing, without a change, if none is beside a feature edge.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
     if (!is_any_beside_) {
@@ -57,7 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// `orientation` is zero if the vertex lies on the edge or facet that it is inserted in.
+  /// Inserts vertex v into edge e. `orientation` is zero if v lies exactly on the item that it is inserted in.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);
@@ -106,13 +106,13 @@ class Drawing {
   Complex& complex_;
   std::size_t n_points_;  ///< that there were
   double rounding_;
-  bool is_any_beside_ =
-      false;  ///< if everything lies exactly on edges of the volume, it is left to the exact intersection
+  /// Remains false if everything lies exactly on edges of the volume, and is left to the exact intersection.
+  bool is_any_beside_ = false;
   BoxPlanes planes_;
   VerticesOnEdges on_edges_;
   std::map<Index, std::vector<VertexIndex>> in_facet_;
   VerticesByPlace places_;
-  std::set<EdgeKey> edges_;  ///< edges of the examined facets, and of the volume
+  std::set<EdgeKey> edges_;  ///< edges of the examined facets, and feature edges of the volume
 };
 
 Box3 box_about(const Complex& complex, const auto& vertices, double margin) {

@@ -20,14 +20,14 @@ Corners corners_of(const Complex& complex, Index f) {
   return {complex.points[t[0]], complex.points[t[1]], complex.points[t[2]]};
 }
 
-/// Returns whether all corners of t are farther from the plane than the distance, and on one side of it.
+/// Returns whether all corners of triangle t are farther from the plane than the distance, and on the same side of it.
 bool is_apart(const Corners& plane, const Corners& t, double distance) {
   const PlaneWithin near(plane, distance);
   const int side = near.side(t[0]);
   return side != 0 && near.side(t[1]) == side && near.side(t[2]) == side;
 }
 
-/// Position of items that are within the distance of each other.
+/// Position of two items relative to each other: apart, touching exactly, or beside each other within the distance.
 enum class Nearness : std::uint8_t { apart, exact, beside };
 
 Nearness nearness(double distance, double most, Sign orientation) {
@@ -35,7 +35,7 @@ Nearness nearness(double distance, double most, Sign orientation) {
   return orientation == Sign::zero ? Nearness::exact : Nearness::beside;
 }
 
-/// Returns the nearness of corners of t and the triangle `of`.
+/// Returns the closest position (apart, exact or beside) of the corners of triangle t relative to the triangle `of`.
 Nearness nearness_of_corners(const Corners& t, const Corners& of, double distance) {
   Nearness found = Nearness::apart;
   for (const Vec3& p : t)
@@ -44,7 +44,7 @@ Nearness nearness_of_corners(const Corners& t, const Corners& of, double distanc
   return found;
 }
 
-/// Returns the nearness of edges that pass each other.
+/// Returns the closest position (apart, exact or beside) of edges of two triangles that pass each other.
 Nearness nearness_of_edges(const Corners& s, const Corners& t, double distance) {
   Nearness found = Nearness::apart;
   for (std::size_t i = 0; i < 3; ++i)

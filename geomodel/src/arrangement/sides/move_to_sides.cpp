@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Moves vertices to sides, declared in arrangement/sides/join_to_sides.hpp.
+// Moves vertices to sides of the volume, declared in arrangement/sides/join_to_sides.hpp.
 #include <algorithm>
 #include <limits>
 #include <unordered_set>
@@ -18,7 +18,7 @@ namespace {
 
 Vec3 area_vector(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 
-/// The places of the sides: corners, edges between two sides, and facets.
+/// Finds places on the volume's sides to which vertices can move: corners, points on edges, and points on facets.
 class SidePlaces {
  public:
   SidePlaces(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
@@ -29,8 +29,8 @@ class SidePlaces {
         tolerance_(tolerance),
         reach_(complex, joining, sides, tolerance) {}
 
-  /// Returns the place for the vertex: a corner of the volume, otherwise on an edge between two sides, otherwise on a
-  /// side. Ends move to planes of a box later, in snap_near().
+  /// Returns the place to which vertex v moves: a corner of the volume, otherwise a point on an edge between two sides,
+  /// otherwise a point on a side. Ends of surfaces move to planes of a box later, in snap_near().
   std::optional<Vec3> nearest(VertexIndex v, bool is_end) const {
     const Vec3& p = complex_.points[v];
     Nearest corner, edge, side;
@@ -47,8 +47,8 @@ class SidePlaces {
     return corner.place ? corner.place : edge.place ? edge.place : side.place;
   }
 
-  /// Returns a facet of a side that the edge passes within reach: both ends are that close to its plane, wherever they
-  /// are along it. no_index if there is none.
+  /// Returns a side's facet that the end of a surface passes within reach: both ends of the edge are within reach of
+  /// the facet's plane, wherever they are along it. Returns no_index if there is none.
   Index followed_by(const SurfaceEnd& e) const {
     const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
@@ -82,7 +82,7 @@ class SidePlaces {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::optional<Vec3> place{};
-    /// Considers the place `at` for p; `reach()` returns the distance from which it may be used.
+    /// Considers moving the point p to the place `at`; `reach()` returns the distance from which p may move there.
     void see(const Vec3& p, const Vec3& at, auto reach) {
       const double d = length(p - at);
       if (!(d < distance) || !(d < reach())) return;
@@ -91,7 +91,7 @@ class SidePlaces {
     }
   };
 
-  /// Planes along the axes, such as top and bottom, are kept.
+  /// Returns the point of facet t closest to p, exactly on those axis-aligned planes that contain t.
   Vec3 on_facet(const Vec3& p, const Triangle& t) const {
     const Vec3 &a = complex_.points[t[0]], &b = complex_.points[t[1]], &c = complex_.points[t[2]];
     return planes_.onto(closest_on_triangle(p, {a, b, c}), planes_.of(a) & planes_.of(b) & planes_.of(c));
@@ -109,12 +109,12 @@ class SidePlaces {
   Reach reach_;
 };
 
-/// Moves vertices, except if a facet would be inverted.
+/// Moves vertices, and undoes the moves that would invert a facet.
 class Moves {
  public:
   Moves(const Complex& complex, double unit) : complex_(complex), unit_(unit), points_(complex.points) {}
 
-  /// Places remain distinct: if one is taken, another some ulps off is used.
+  /// Moves vertex v. Two vertices never get the same place: if it is taken, a place some ulps away is used.
   void add(VertexIndex v, Vec3 to) {
     if (to == points_[v]) return;
     if (taken_.empty()) taken_.insert(complex_.points.begin(), complex_.points.end());
@@ -146,7 +146,7 @@ class Moves {
     return true;
   }
 
-  static constexpr double least_share = 0.1;  // share of the facet's area
+  static constexpr double least_share = 0.1;  // fraction of its area that a moved facet keeps at least
 
   const Complex& complex_;
   double unit_;
@@ -154,7 +154,7 @@ class Moves {
   std::unordered_set<Vec3, PointHash> taken_;
 };
 
-/// Vertices of surfaces that are on no side, grouped by how they may move.
+/// Classifies vertices: fixed (unused or on a side of the volume), at an end of a surface, and others.
 class VerticesToMove {
  public:
   VerticesToMove(const Complex& complex, const SideFacets& sides, const std::vector<SurfaceEnd>& ends)
@@ -189,13 +189,14 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  constexpr double moves_a_distance = 16;  // number of moves that make up the distance within which surfaces are joined
+  // Number of small moves that add up to the distance within which surfaces are joined.
+  constexpr double moves_a_distance = 16;
   const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);
   std::erase_if(ends, [&](const SurfaceEnd& e) { return e.surface >= joining.first_side; });
   const VerticesToMove vertices(complex, sides, ends);
   Moves moves(complex, joining.distance / moves_a_distance);
-  // Rounding moves points that are closer to the planes of a box than joining.distance onto them.
+  // Points within joining.distance of the planes of a box are not moved here, because rounding moves them onto these.
   const bool is_box = !joining.sides_are_fixed;
   std::vector<std::uint8_t> is_placed(complex.points.size(), 0);
   for (VertexIndex v = 0; v < complex.points.size(); ++v) {

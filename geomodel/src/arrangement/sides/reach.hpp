@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The distance from which a surface moves to a side of the volume, or to an edge between two sides.
+/// Determines the distance from which a surface moves to a side of the volume, or to an edge between two sides.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,10 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A surface that follows a side within the tolerance bounds a thin unit, so it is kept apart. It moves to a side that
-/// it follows, and to its edges, only from a twentieth of the tolerance. The same holds for vertices near a side that
-/// are no ends. All others move from within the tolerance. The complex must outlive this object and keep its facets.
+/// The distance ("reach") from which vertices and facets move to sides of the volume. A surface that runs along a side
+/// within the tolerance bounds a thin unit, so it must be kept apart from the side: it moves to the side and its edges
+/// only from within a twentieth of the tolerance. The same holds for vertices near a side that are not at an end of a
+/// surface. All others move from within the tolerance. The complex must outlive this object and keep its facets.
 class Reach {
  public:
   Reach(const Complex& complex, const Joining& joining, const SideFacets& sides, double tolerance)
@@ -28,14 +29,14 @@ class Reach {
   bool is_crease(const EdgeKey& e) const { return sides_at_.contains(e); }
   const std::map<EdgeKey, std::array<Index, 2>>& creases() const { return sides_at_; }
 
-  /// `side` is a facet of a side.
+  /// Returns the distance from which a facet moves to the side to which the facet `side` belongs.
   double of_facet(Index facet, Index side) const { return follows(facet, side) ? least_ : tolerance_; }
   double of_facet(Index facet, const EdgeKey& crease) const {
     const auto& [s, t] = sides_at_.at(crease);
     return std::min(of_facet(facet, s), of_facet(facet, t));
   }
-  /// Returns whether the facet's plane contains the direction of the volume's edge up to a small angle. Facets that
-  /// cross the edge plainly do not.
+  /// Returns whether the facet's plane contains the direction of the volume's edge up to a small angle. A facet that
+  /// crosses the edge plainly is thereby excluded.
   bool runs_along(Index facet, const EdgeKey& crease) const {
     const Vec3 n = normal(facet), d = complex_.points[crease.second] - complex_.points[crease.first];
     return std::fabs(dot(n, d)) < sine_of_followed * length(n) * length(d);
@@ -54,7 +55,7 @@ class Reach {
 
  private:
   static constexpr double least_share = 0.05;  // of the tolerance
-  // Largest sine of the angle between a facet and a side that it follows.
+  // Largest sine of the angle between a side and a facet that runs along it.
   static constexpr double sine_of_followed = 0.1;
 
   Vec3 normal(Index f) const {
@@ -73,7 +74,7 @@ class Reach {
     return reach;
   }
 
-  /// Lists, vertex by vertex, the facets that are not sides.
+  /// Lists the facets at each vertex that do not belong to sides.
   void list_facets_of_vertices(const SideFacets& sides) {
     first_facet_.assign(complex_.points.size() + 1, 0);
     const auto visit = [&](auto take) {
@@ -90,7 +91,7 @@ class Reach {
 
   const Complex& complex_;
   double tolerance_, least_;
-  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< a facet of each of the two sides
+  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< for each edge between two sides: a facet of each side
   std::map<VertexIndex, std::vector<EdgeKey>> creases_at_;
   std::vector<Index> first_facet_, facets_;  ///< by vertex
 };

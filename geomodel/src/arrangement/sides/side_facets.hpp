@@ -13,7 +13,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The complex must outlive this object and keep its facets. Thread-safe.
+/// Finds facets of the volume's sides. The complex must outlive this object and keep its facets. Thread-safe.
 class SideFacets {
  public:
   SideFacets(const Complex& complex, const Joining& joining)
@@ -25,7 +25,7 @@ class SideFacets {
   bool is_of_side(Index facet) const { return is_of_side_[facet] != 0; }
   const std::vector<Index>& all() const { return facets_; }
 
-  /// Returns the edges between two sides, with a facet of each.
+  /// Returns the edges between two sides, with a facet of each side.
   std::map<EdgeKey, std::array<Index, 2>> creases(const Joining& joining) const {
     struct SurfaceFacet {
       Index surface, facet;
@@ -43,7 +43,7 @@ class SideFacets {
     return creases;
   }
 
-  /// Calls visit(facet) for facets whose box comes within the distance of the points' box.
+  /// Calls visit(facet) for side facets whose bounding box comes within the distance of that of the points.
   template <class Points, class Visit>
   void visit_near(const Points& points, double distance, Visit&& visit) const {
     Box3 box;

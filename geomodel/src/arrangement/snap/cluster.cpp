@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangulates facets that overlap together, declared in arrangement/model/arranged.hpp.
+// Triangulates overlapping facets together, declared in arrangement/model/arranged.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +10,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Sorts points by rows of a coarse lattice in alternating direction, so that neighbours in the order are near in the
-/// plane.
+/// Sorts points by rows of a coarse lattice, in alternating direction, so that consecutive points are near each other.
 void sort_in_rows(std::vector<int>& order, const std::vector<PlanarPoint>& points, const Projection& frame) {
   Box3 box;
   for (const int p : order) box.add(points[p].rounded);
@@ -42,7 +41,7 @@ class Crossings {
     lines_.push_back(line);
     return static_cast<int>(lines_.size()) - 1;
   }
-  /// Makes the point where two lines cross, which has the number `row` in the triangulation.
+  /// Makes the point where two constraint lines cross. Its index in the triangulation is `row`.
   PlanarPoint make(int row_a, int row_b, std::size_t row) {
     const Line a = lines_[row_a], b = lines_[row_b];
     ExactPoint p;
@@ -58,11 +57,11 @@ class Crossings {
     rows_.push_back(static_cast<int>(row));
     return {frame_.to_nearest(made_.back()), &made_.back()};
   }
-  /// Returns the number of a made point from its row in the triangulation.
+  /// Converts a made point's index in the triangulation to its index among the made points.
   Index number(int row) const {
     return static_cast<Index>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
   }
-  /// Transfers the points, with their doubles in the triangulation.
+  /// Moves the made points to `pieces`, with their nearest doubles as stored in the triangulation.
   void move_to(ClusterPieces& pieces, const std::vector<PlanarPoint>& points) {
     for (std::size_t k = 0; k < made_.size(); ++k) {
       pieces.made_rounded.push_back(points[rows_[k]].rounded);
@@ -79,14 +78,14 @@ class Crossings {
 
   const Complex& complex_;
   const ExactFrame& frame_;
-  Index plane_;  ///< a facet of the cluster
+  Index plane_;  ///< some facet of the cluster, which gives the cluster's plane
   std::vector<Line> lines_;
   std::deque<ExactPoint> made_;
   std::vector<int> rows_;  ///< of made_, ascending
 };
 
-/// Marks the faces inside a member, given its corners in counter-clockwise order, by a flood fill that does not cross
-/// its border.
+/// Marks the faces inside one facet of the cluster by a flood fill that does not cross the facet's border. `corners`
+/// are those of the facet in counter-clockwise order.
 void cover(const PlanarTriangulation& mesh, const std::array<int, 3>& corners, Index member,
            std::vector<std::vector<Index>>& members_of) {
   std::vector<std::pair<int, int>> border;
@@ -145,7 +144,7 @@ class Cluster {
     const Triangle& t = complex_.facets[member];
     return mesh_.orient(local(t[0]), local(t[1]), local(t[2]));
   }
-  /// Returns the corners' rows in the triangulation.
+  /// Returns the indices of the triangle's corners in the triangulation.
   std::array<int, 3> local_corners(const Triangle& t) const { return {local(t[0]), local(t[1]), local(t[2])}; }
   Triangle turning_left(Index member) const {
     Triangle t = complex_.facets[member];
@@ -169,8 +168,8 @@ class Cluster {
                             crossings_.add(Line::edge(t[0], t[1]))});
   }
 
-  /// Starts with a triangle around all members, with coordinates that are integers in the exact frame; no piece that
-  /// touches it is kept.
+  /// Starts the triangulation with a triangle around all facets of the cluster; no face that touches it is kept. Its
+  /// coordinates are integers in the exact frame.
   void start_with_a_frame() {
     const std::size_t i = frame_.i, j = frame_.j;
     Vec3 centre = point(base()[0]);
@@ -199,7 +198,7 @@ class Cluster {
                              input_.constraints.end());
   }
 
-  /// Inserts points in an order in which each walk is short.
+  /// Inserts the points in an order in which each point is located by a short walk.
   void insert_points() {
     const int n = static_cast<int>(ids_.size());
     std::vector<int> order(n);
@@ -235,7 +234,8 @@ class Cluster {
       std::vector<Origin> origins;
       for (const Index m : members_of[f])
         for (Origin o : complex_.origins.of(m)) {
-          o.reversed = (sign_of(m) == Sign::negative) != o.reversed;  // in this cluster: clockwise in the projection
+          // whether the surface is clockwise in the cluster's projection
+          o.reversed = (sign_of(m) == Sign::negative) != o.reversed;
           origins.push_back(o);
         }
       if (origins.empty()) continue;

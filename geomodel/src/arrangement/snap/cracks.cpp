@@ -29,7 +29,7 @@ class FacetsAt {
   std::vector<Index> facets_;
 };
 
-/// Returns whether p is between the ends of an edge and within the distance of it.
+/// Returns whether the point p is between the ends of an edge and within the distance of it.
 bool is_beside(const Vec3& p, const Vec3& a, const Vec3& b, double distance) {
   const Vec3 edge = b - a, off = p - a;
   const double squared = dot(edge, edge), along = dot(off, edge);

@@ -31,7 +31,7 @@ std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts
 
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts) {
   std::set<SurfacePair> pairs = surfaces_in_contact(complex, contacts);
-  std::vector<Index> first(complex.points.size(), no_index);  // a surface at each vertex
+  std::vector<Index> first(complex.points.size(), no_index);  // one of the surfaces at each vertex
   for (Index f = 0; f < complex.facets.size(); ++f)
     for (const Index surface : surfaces_of(complex.origins.of(f)))
       for (const VertexIndex v : complex.facets[f]) {
@@ -59,7 +59,7 @@ void JoinRule::index_edges(const Complex& complex, const std::function<bool(Vert
   std::vector<EdgeOfSurface> sides;
   if (asked_.empty()) sides.reserve(3 * complex.facets.size());
   for (Index f = 0; f < complex.facets.size(); ++f) {
-    Index last = no_index;  // origins of one surface are consecutive
+    Index last = no_index;  // a facet's origins (input triangles) are grouped by surface
     for (const Origin& o : complex.origins.of(f)) {
       if (o.surface == std::exchange(last, o.surface)) continue;
       for (std::size_t k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Rules for which surfaces may be merged: all, or only those that meet somewhere.
+/// Rules for which surfaces may be merged: all surfaces, or only those that meet somewhere.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,22 @@
 
 namespace geomesh::geomodel::arrangement {
 
-using SurfacePair = std::pair<Index, Index>;  ///< rows of two surfaces, the smaller first
+using SurfacePair = std::pair<Index, Index>;  ///< indices of two surfaces, the smaller first
 inline SurfacePair surface_pair(Index a, Index b) { return a < b ? SurfacePair{a, b} : SurfacePair{b, a}; }
 
 /// Returns pairs of surfaces whose facets touch, cross or overlap.
 std::set<SurfacePair> surfaces_in_contact(const Complex& complex, const Contacts& contacts);
-/// Returns those pairs, and pairs of surfaces that share a vertex.
+/// Returns the pairs of surfaces in contact (surfaces_in_contact) and the pairs that share a vertex.
 std::set<SurfacePair> surfaces_that_meet(const Complex& complex, const Contacts& contacts);
 
-/// Two items may be merged if one of them is a free border, and a surface of the one meets another surface of the other
-/// somewhere. Overshoots are thereby removed, and borders that stop short are extended. Where surfaces cross and
-/// nothing ends, remeshing removes fine triangles beside their curve. Surfaces from the row `first_fixed` on are never
-/// merged: they are sides of a model volume, which would leave their planes. Not thread-safe.
+/// Decides which vertices, edges and facets may be merged. Two of them may if one is a free border, and one of its
+/// surfaces meets a different surface of the other anywhere. Merging thereby removes overshoots, and extends borders
+/// that stop short. Where surfaces cross without ending, nothing is merged, since remeshing removes fine triangles
+/// beside their curve. Surfaces from index `first_fixed` on are sides of a model volume and never merged, because they
+/// would leave their planes. Not thread-safe.
 class JoinRule {
  public:
-  using Set = Index;  ///< number of a set of surfaces
+  using Set = Index;  ///< index of a set of surfaces
   struct Thing {
     Set surfaces = none;
     bool is_border = false;
@@ -38,38 +39,38 @@ class JoinRule {
   JoinRule() = default;
   explicit JoinRule(std::set<SurfacePair> meeting, Index first_fixed = no_index)
       : meeting_(std::move(meeting)), first_fixed_(first_fixed), restricts_(true) {}
-  /// Returns a rule by which all parts of these surfaces may be merged, whether they end there or not. A pair that
-  /// names one surface twice merges its parts.
+  /// Returns a rule that allows all parts of these pairs of surfaces to be merged, whether they end there or not. A
+  /// pair that names one surface twice allows parts of that surface to be merged with each other.
   static JoinRule all_of(std::set<SurfacePair> pairs, Index first_fixed) {
     JoinRule rule(std::move(pairs), first_fixed);
     rule.needs_border_ = false;
     return rule;
   }
-  /// A rule that allows everything else to be merged.
+  /// Returns a rule that allows everything to be merged except surfaces from index `first_fixed` on.
   static JoinRule all_but(Index first_fixed) {
     JoinRule rule({}, first_fixed);
     rule.joins_all_ = true;
     return rule;
   }
 
-  /// Surfaces of these pairs are merged wherever they are near, whether they end there or not.
+  /// Allows the surfaces of these pairs to be merged wherever they are near, whether they end there or not.
   void join_all_of(const std::set<SurfacePair>& pairs) {
     following_.insert(pairs.begin(), pairs.end());
     known_.clear();
   }
 
-  /// Surfaces of these pairs are merged where one of them ends, although they meet nowhere.
+  /// Allows the surfaces of these pairs to be merged where one of them ends, although they meet nowhere.
   void join_ends_of(const std::set<SurfacePair>& pairs) {
     meeting_.insert(pairs.begin(), pairs.end());
     known_.clear();
   }
 
   bool restricts() const { return restricts_; }
-  /// Indexes the complex in its current state. Edges with one facet are borders, except those that `lies_on_box` places
-  /// on a side of the box. `asked`, if not empty, marks the vertices that will be needed; others are left out.
+  /// Indexes the complex in its current state. Edges with one facet are borders, except those for which `lies_on_box`
+  /// returns true. `asked`, if not empty, marks the vertices that will be queried; others are left out.
   void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
              std::vector<std::uint8_t> asked = {});
-  /// Indexes only the edges again; vertices are unchanged.
+  /// Updates the index of edges only; the vertices must be unchanged.
   void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
 
   Thing of_vertex(VertexIndex v) const { return v < of_vertex_.size() ? of_vertex_[v] : Thing{}; }
@@ -87,13 +88,13 @@ class JoinRule {
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
-  std::vector<std::uint8_t> asked_;  ///< for each vertex, whether it may be needed; empty: all may be
+  std::vector<std::uint8_t> asked_;  ///< for each vertex, whether it may be queried; empty if all may be
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
   std::vector<std::pair<EdgeKey, Thing>> of_edge_;  // ascending by edge
-  /// For pairs of sets, without and with a border: 1 allowed, 2 not allowed, 0 not known yet. Used only while there are
-  /// few sets.
+  /// For each pair of surface sets, without and with a border: whether merging is allowed (1), not allowed (2) or not
+  /// known yet (0). Used only while there are few sets.
   mutable std::vector<std::uint8_t> known_;
 };
 

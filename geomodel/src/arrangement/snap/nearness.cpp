@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Edges that are nearly parallel give large errors in the parameters. The vector between the two points is short, so
-/// solving again for it reduces the error correspondingly.
+/// Solves repeatedly for the parameters of the nearest points, since the first solution has large errors if the edges
+/// are nearly parallel. The vector between the points found is short, so solving again for it reduces the error.
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   constexpr double least_sine2 = 1e-12;
   constexpr unsigned n_corrections = 2;
@@ -44,10 +44,10 @@ int PlaneWithin::side(const Vec3& p) const {
   return height > 0 ? 1 : -1;
 }
 
-/// Lengths are measured perpendicular to the longest edge: in that direction a thin triangle is as short as it is thin,
-/// and so are the errors.
+/// Measures lengths perpendicular to the longest edge, in which direction a thin triangle is short, and errors are
+/// small.
 bool is_near_inside(const Vec3& p, const std::array<Vec3, 3>& triangle, double distance) {
-  std::array<std::size_t, 3> from{0, 1, 2};  // edges by their first corner
+  std::array<std::size_t, 3> from{0, 1, 2};  // the triangle's edges, each identified by its first corner
   const auto edge = [&](std::size_t k) { return triangle[(k + 1) % 3] - triangle[k]; };
   const std::size_t k = *std::max_element(from.begin(), from.end(), [&](std::size_t i, std::size_t j) {
     return dot(edge(i), edge(i)) < dot(edge(j), edge(j));

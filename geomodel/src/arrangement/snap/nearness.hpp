@@ -11,25 +11,25 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Returns the points of the edges (a, b) and (c, d) that are nearest to each other; nothing if one of them would be an
-/// end or beyond it, or if the edges are parallel (to 1e-6 rad).
+/// Returns the points of the edges (a, b) and (c, d) that are nearest to each other. Returns nothing if one of the
+/// points would be an end of its edge or lie beyond it, or if the edges are parallel to within 1e-6 rad.
 std::optional<std::array<Vec3, 2>> nearest_of_edges(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Decides on which side of a triangle's plane a place lies that is farther from it than a distance.
+/// Determines the side of a triangle's plane on which a point lies, if it is farther from the plane than a distance.
 class PlaneWithin {
  public:
   PlaneWithin(const std::array<Vec3, 3>& triangle, double distance);
-  /// Returns 1 above, where the corners are counter-clockwise, -1 below; 0 if p is no farther than the distance, or if
-  /// rounding leaves that open.
+  /// Returns 1 for a point p on the side from which the corners are counter-clockwise, -1 on the other; 0 if p is no
+  /// farther from the plane than the distance, or if rounding leaves that open.
   int side(const Vec3& p) const;
 
  private:
   Vec3 at_, normal_;
-  /// Distance times the length of the normal; error per unit of length from the first corner.
+  /// The distance times the length of the normal, and the error per unit of length from the triangle's first corner.
   double distance_, error_;
 };
 
-/// Returns whether p is closer to the plane of the triangle than the distance, and above its interior.
+/// Returns whether p is closer to the triangle's plane than the distance, and projects into the triangle's interior.
 bool is_near_inside(const Vec3& p, const std::array<Vec3, 3>& triangle, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns pieces of edges between vertices of one facet: facets that share the vertices then share the edge.
+/// Returns the edge pieces between vertices of one facet; facets that share the vertices then share the edge, too.
 std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
   std::sort(vertices.begin(), vertices.end());
   std::vector<EdgeKey> found;
@@ -22,13 +22,14 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
 /// The facets and segments of a complex with the vertices inserted in them.
 class Rebuilding {
  public:
-  /// `edges` are those of the facets that were snapped; `touched` are the facets with a merged corner.
+  /// `edges` are those of the facets that take part in snapping; `touched` are the facets with a merged corner.
   Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
 
-  /// If a facet cannot be split, its edges are not divided, so that surfaces remain connected there. Each round leaves
-  /// insertions out, so there are no more rounds than insertions.
+  /// Splits the facets. If one cannot be split, the insertions in it and on its edges are dropped, so that surfaces
+  /// remain connected, and its neighbours are split again. Each round drops insertions, so there are no more rounds
+  /// than insertions.
   void leave_out_what_splits_nothing() {
     for (std::vector<Index> open = split_all(); !open.empty();) {
       std::set<EdgeKey> whole;
@@ -90,7 +91,7 @@ class Rebuilding {
     return std::any_of(edges.begin(), edges.end(), [&](const EdgeKey& e) { return insertions_.on_edge.contains(e); });
   }
 
-  /// Splits all facets. Returns those that cannot be split as required.
+  /// Splits all facets that have inserted vertices. Returns those that cannot be split as required.
   std::vector<Index> split_all() {
     std::vector<Index> facets;
     is_of_split_.assign(complex_.points.size(), 0);
@@ -101,7 +102,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// Splits facets at edges that are no longer divided.
+  /// Splits those facets again of which an edge must remain whole.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {
@@ -127,7 +128,7 @@ class Rebuilding {
     }
     return open;
   }
-  /// Returns the vertices on its border and inside.
+  /// Returns the vertices on the border of facet f and inside it.
   std::vector<VertexIndex> vertices_of(Index f) const {
     std::vector<VertexIndex> all = border_of(complex_.facets[f]);
     if (const auto inside = insertions_.in_facet.find(f); inside != insertions_.in_facet.end())
@@ -135,7 +136,7 @@ class Rebuilding {
     return all;
   }
 
-  /// Lists the vertices from a to b with the inserted ones in between, without b.
+  /// Appends the vertices from a to b along their edge, including the inserted ones and excluding b.
   void walk_edge(VertexIndex a, VertexIndex b, std::vector<VertexIndex>& walk) const {
     walk.push_back(a);
     const auto on = insertions_.on_edge.find(edge_key(a, b));
@@ -151,8 +152,7 @@ class Rebuilding {
     return walk;
   }
 
-  /// Returns pieces of the active facets' edges from both ends, sorted, between vertices of facets that are to be
-  /// split.
+  /// Returns the pieces of divided edges between vertices of facets to be split, sorted, each in both directions.
   std::vector<EdgeKey> list_pieces() const {
     std::vector<EdgeKey> pieces;
     std::vector<VertexIndex> walk;
@@ -192,7 +192,7 @@ class Rebuilding {
   const std::vector<EdgeKey>& edges_;
   const std::set<Index>& touched_;
   SnapOutcome& outcome_;
-  /// Triangles of each split facet; nothing if it is left unchanged.
+  /// Triangles of each split facet; nothing if the facet is left unchanged.
   std::unordered_map<Index, std::optional<std::vector<Triangle>>> splits_;
   std::vector<std::uint8_t> is_of_split_;  ///< for each vertex: whether it belongs to a facet that is to be split
 };

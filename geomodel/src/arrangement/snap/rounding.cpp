@@ -24,7 +24,7 @@ class Anchors {
 
   void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
 
-  /// Returns the rounded place of a constructed point, which becomes an anchor if it is not moved.
+  /// Returns the rounded place of a constructed point p: a near anchor, otherwise p itself, which becomes an anchor.
   Vec3 place(const Vec3& p) {
     if (const Vec3* const anchor = nearest(p)) return *anchor;
     add(p);
@@ -32,7 +32,7 @@ class Anchors {
   }
 
  private:
-  /// Returns the nearest anchor closer than the snapping distance that keeps p on its box planes, or null.
+  /// Returns the nearest anchor within the snapping distance of p that lies on all of p's box planes, or null.
   const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;
@@ -118,8 +118,8 @@ class Rounding {
     out.input_point.resize(out.points.size(), no_index);
   }
 
-  /// Returns the used constructed vertices in the order in which they are placed. Those on the box's sides come
-  /// first: they cannot leave a side, and others can snap to them.
+  /// Returns the used constructed vertices in the order in which they are rounded. Those on the box's sides come first:
+  /// they cannot leave a side, and others can snap to them.
   std::vector<Index> order_of_placing() const {
     const ExactVertices& vertices = arranged_.vertices;
     std::vector<Index> order;
@@ -152,7 +152,7 @@ class Rounding {
     }
   }
 
-  /// Returns true if the doubles are not the exact place.
+  /// Records the displacement of a constructed vertex. Returns true if its doubles differ from its exact place.
   bool note_displacement(Index v, const Vec3& p) {
     const ExactPoint& q = *arranged_.vertices.made(v);
     const ExactPoint r = arranged_.vertices.frame().to_exact_beyond(p);

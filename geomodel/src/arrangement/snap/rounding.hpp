@@ -9,7 +9,7 @@ namespace geomesh::geomodel::arrangement {
 
 struct RoundingOptions {
   /// Snapping distance. A constructed point closer than this to a vertex of the changed facets, or to an earlier
-  /// constructed point, is moved to it: crossings then bend to existing vertices instead of making ever more of them
+  /// constructed point, is moved there. Crossings then bend to existing vertices instead of making ever more of them
   /// (like hot pixels in snap rounding: Hobby 1999).
   double snap;
   std::optional<Box3> box;  ///< points on the planes of this box stay on them
@@ -21,9 +21,9 @@ struct Rounded {
   std::vector<VanishedFacet> vanished;
 };
 
-/// Merges vertices with equal doubles. Facets that lose their area are dropped: their neighbours replace them, or the
-/// next round mends them. Only used vertices are kept, those of the complex first. Marks facets and segments that may
-/// have become invalid as dirty.
+/// Rounds the vertices of an arrangement. Merges vertices with equal doubles. Drops facets that lose their area: their
+/// neighbours replace them, or the next round mends the gap. Keeps only used vertices, those of the complex first.
+/// Marks facets and segments that may have become invalid as dirty.
 Rounded round_to_doubles(const Arranged& arranged, const Complex& before, const RoundingOptions& options);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -11,7 +11,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Performs snapping: vertices are merged, then inserted in edges and facets that are near.
+/// Performs snapping: merges vertices, then inserts vertices in the edges and facets that are near them.
 class Snapper {
  public:
   Snapper(Complex& complex, const std::vector<std::uint8_t>& active, SnapOptions options)
@@ -52,7 +52,7 @@ class Snapper {
         marks_of_vertices());
   }
 
-  /// Returns nothing if all facets are active.
+  /// Marks the vertices of active facets, segments and points; empty if all facets are active.
   std::vector<std::uint8_t> marks_of_vertices() const {
     if (facets_.size() == complex_.facets.size()) return {};
     std::vector<std::uint8_t> marks(complex_.points.size(), 0);
@@ -69,8 +69,8 @@ class Snapper {
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
   }
 
-  /// Places must stay distinct: a vertex that would move to another's place is merged with it afterwards, because it is
-  /// closer than the distance.
+  /// Moves vertices to near planes of the box. Places must stay distinct: a vertex that would move to another's place
+  /// is not moved but merged with it afterwards, because it is closer than the distance.
   void move_to_box() {
     std::set<std::array<double, 3>> taken;
     for (const Vec3& p : complex_.points) taken.insert({p.x, p.y, p.z});
@@ -131,7 +131,8 @@ class Snapper {
   SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
-  std::vector<Index> facets_, active_facets_;  ///< active facets; those of them that still have three corners
+  /// Active facets; those of them that have three distinct corners after merging.
+  std::vector<Index> facets_, active_facets_;
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;
   std::set<Index> touched_;  ///< facets with a merged corner

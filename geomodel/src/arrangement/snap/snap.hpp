@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Snapping of everything closer than a distance: for `tolerance`, and, with a few ulps, for overlaps too thin for any
-/// rounding.
+/// Snaps everything closer than a distance: the tolerance, or some ulps, to resolve overlaps too thin for rounding.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Which vertices closer than the distance to a plane of the box move to it.
+/// The vertices that move to a plane of the box if they are closer to it than the distance.
 enum class MoveToBox : std::uint8_t { none, of_free_borders, all };
 
 struct SnapOptions {
@@ -22,8 +21,8 @@ struct SnapOptions {
   std::optional<Box3> box;  ///< vertices on the planes of this box remain on them
   MoveToBox move_to_box = MoveToBox::none;
   JoinRule rule{};
-  /// For each vertex, for a volume that is not a box: the sides on which it lies up to rounding, as bits modulo 64.
-  /// Vertices along a side remain there. Empty if there are none.
+  /// For each vertex, if the volume is not a box: the sides of the volume on which it lies up to rounding, as bits
+  /// modulo 64. New vertices on edges along a side are kept on that side. Empty if there are no sides.
   std::vector<std::uint64_t> sides_of{};
 };
 
@@ -34,26 +33,26 @@ struct SnapOutcome {
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 
-/// Works on the facets with active[f] and all wells' segments. Vertices closer than the distance are merged; of two,
-/// the one on more box planes is kept, then the one from the input, then the earlier. Edges and facets closer to a
-/// vertex are split at it. Edges closer to each other are split at a common new vertex. Facets without area are
-/// removed, equal ones merged. Everything that changed is marked dirty. Points keep their rows; `vertex_now`, if given,
-/// receives for each vertex the one that replaced it. This is a step towards separation and no proof of it: the exact
-/// check that follows decides. Deterministic; near-linear where each neighbourhood of that distance holds a bounded
-/// number of things.
+/// Snaps the facets with active[f] and all wells' segments. Vertices closer than the distance are merged; of two, the
+/// one on more box planes is kept, then the one from the input, then the earlier. Edges and facets are split at
+/// vertices that are closer to them than the distance. Two edges closer than that are split at a common new vertex.
+/// Facets without area are removed, equal ones merged. Everything that changed is marked dirty. Points keep their
+/// indices; `vertex_now`, if not null, receives for each vertex the one that replaced it. Snapping need not separate
+/// everything: the exact check that follows decides. Deterministic; near-linear if few items are within that distance
+/// of each.
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// The insertions by edge and facet; vertices on an edge are in order from its smaller end.
+/// Vertices inserted in edges and facets; those on an edge are in order from its smaller end.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
   std::map<Index, std::vector<VertexIndex>> in_facet;
 };
 
-/// Returns the facet with vertices on its edges and inside, as triangles with the facet's orientation. Edges of
-/// `wanted` between its vertices exist unless they cross something. Returns nothing if its border crosses itself in
-/// projection along the normal, and along the axes from which the border is well visible; the facet is best left
-/// unchanged. Empty if no area is left.
+/// Splits a facet at vertices on its edges and inside, and returns triangles with the facet's orientation. Edges of
+/// `wanted` between these vertices exist in the result unless they cross something. Returns nothing if the facet's
+/// border crosses itself in projection along the normal, and along the axes from which the border is well visible; the
+/// facet is best left unchanged. The result is empty if no area is left.
 std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points, const Triangle& facet,
                                                  const std::vector<VertexIndex>& border,
                                                  const std::vector<VertexIndex>& inside,

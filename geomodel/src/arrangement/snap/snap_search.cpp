@@ -13,7 +13,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns the box of the vertices, enlarged by the distance on all sides.
+/// Returns the bounding box of the vertices, enlarged by the distance on all sides.
 Box3 box_about(const Complex& complex, std::span<const VertexIndex> vertices, double distance) {
   Box3 box;
   for (const VertexIndex v : vertices) box.add(complex.points[v]);
@@ -21,7 +21,8 @@ Box3 box_about(const Complex& complex, std::span<const VertexIndex> vertices, do
   return {box.min - margin, box.max + margin};
 }
 
-/// Vertices that are made during the search have no entry: the edges are between older ones.
+/// Returns whether the edge lies along a side of the volume. Vertices made during the search have no entry in
+/// `sides_of`, but the edges are between older vertices.
 bool lies_along_side(const std::vector<std::uint64_t>& sides_of, const EdgeKey& e) {
   return e.second < sides_of.size() && (sides_of[e.first] & sides_of[e.second]) != 0;
 }
@@ -89,7 +90,7 @@ class Search {
     const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
     const auto nearest = nearest_of_edges(point(e.first), point(e.second), point(f.first), point(f.second));
-    if (!nearest) return;  // if they are parallel, the ends that are near were inserted already
+    if (!nearest) return;  // if the edges are parallel, their ends that are near were inserted already
     const auto& [p, q] = *nearest;
     if (length(p - q) >= distance_) return;
     const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);
@@ -103,8 +104,8 @@ class Search {
     insert(f, x);
   }
 
-  /// Returns a vertex of the grid that is near, otherwise one at the place itself: that of the complex if it has one
-  /// there, so that places remain distinct. no_vertex: the vertex there must not be used.
+  /// Returns a vertex of the grid near the place, otherwise the complex' vertex at that place, which is made if there
+  /// is none, so that places remain distinct. Returns no_vertex if the rule forbids using the vertex there.
   VertexIndex vertex_at(const Vec3& place, unsigned planes, const JoinRule::Thing& thing) {
     const Vec3 p = planes_.onto(place, planes);
     const auto may_take = [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); };
@@ -139,7 +140,7 @@ class Search {
   }
   VertexIndex corner(Index f, std::size_t k) const { return complex_.facets[f][k]; }
 
-  /// Returns whether v is closer to the facet's interior than the distance, and not on its border.
+  /// Returns whether vertex v is closer to the facet's interior than the distance, and not on the facet's border.
   bool is_in(VertexIndex v, Index f) const {
     unsigned planes = ~0u;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -150,7 +151,7 @@ class Search {
     return is_near_inside(point(v), {point(corner(f, 0)), point(corner(f, 1)), point(corner(f, 2))}, distance_) &&
            !is_by_edge_that_stays(v, f);
   }
-  /// Returns whether v is near an edge of the facet that must not be split, at which a needle would be left.
+  /// Returns whether v is near an edge of the facet that must not be split, so that inserting v would leave a needle.
   bool is_by_edge_that_stays(VertexIndex v, Index f) const {
     constexpr double needle = 0.05;  // of the distance
     for (const EdgeKey& e : edges_of(complex_.facets[f]))
@@ -244,7 +245,8 @@ VertexIndex VertexGrid::nearest(const Vec3& p, unsigned planes, const BoxPlanes&
   const Vec3 margin{distance_, distance_, distance_};
   const Cell low = cell_of(p - margin), high = cell_of(p + margin);
   double best_distance = distance_;
-  for (unsigned k = 0; k < 8; ++k) {  // the ball's diameter is half a cell: it meets at most two cells along an axis
+  // The diameter of the search ball is half a cell, so it meets at most two cells along an axis.
+  for (unsigned k = 0; k < 8; ++k) {
     Cell cell = low;
     bool is_same = false;  // as one before
     for (std::size_t i = 0; i < 3; ++i)

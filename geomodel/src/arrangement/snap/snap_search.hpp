@@ -11,27 +11,27 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The box planes on which points lie, as bits: 2 * axis for the minimum, 2 * axis + 1 for the maximum.
+/// Encodes the box planes on which points lie as bits: 2 * axis for the minimum, 2 * axis + 1 for the maximum.
 class BoxPlanes {
  public:
   explicit BoxPlanes(const std::optional<Box3>& box) : box_(box) {}
   unsigned of(const Vec3& p) const;
-  /// Returns p with its coordinates on those planes.
+  /// Returns p with its coordinates moved exactly onto the given planes.
   Vec3 onto(Vec3 p, unsigned planes) const;
-  /// Returns p moved to the planes that are closer than the distance, unless it is beyond the box by more.
+  /// Returns p moved to the box planes within the distance, unless p is outside the box by more than that.
   Vec3 onto_near(const Vec3& p, double distance) const;
 
  private:
   std::optional<Box3> box_;
 };
 
-/// Vertices by place, in cells of a few distances: a ball of that radius meets one to eight of them, mostly two.
+/// Hash grid of vertices, with cells four search distances wide: a search meets one to eight cells, mostly two.
 class VertexGrid {
  public:
   VertexGrid(const std::vector<Vec3>& points, double distance) : points_(points), distance_(distance) {}
   void add(VertexIndex v);
-  /// Returns the nearest vertex closer to p than the distance that lies on all of `planes` and may be used, or
-  /// no_vertex; of equally near ones the first by index.
+  /// Returns the nearest vertex that is closer to p than the distance, lies on all of `planes` and may be used, or
+  /// no_vertex. Of equally near vertices it returns the one with the smallest index.
   VertexIndex nearest(const Vec3& p, unsigned planes, const BoxPlanes& box,
                       const std::function<bool(VertexIndex)>& may_take) const;
 
@@ -47,13 +47,14 @@ class VertexGrid {
 
   const std::vector<Vec3>& points_;
   double distance_;
-  std::vector<Slot> slots_;        // size is a power of two; linear probing
-  std::vector<VertexIndex> next_;  // for each vertex: another vertex of its cell
+  std::vector<Slot> slots_;        // hash table with linear probing; its size is a power of two
+  std::vector<VertexIndex> next_;  // for each vertex: the next vertex in its cell
   std::size_t n_cells_ = 0;
 };
 
 /// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
-/// vertices, where the rule allows it. Edges near each other add vertices to the complex, to the grid and to the rule.
+/// vertices, where the join rule allows it. For edges near each other it adds a vertex to the complex, the grid and the
+/// rule.
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
                            std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects vertices to insert: on edges, and at places of their own.
+/// Collects vertices to insert on edges, and makes vertices at new places.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,19 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Vertices inserted on edges, by edge.
+/// The vertices inserted on each edge.
 class VerticesOnEdges {
  public:
   VerticesOnEdges(const Complex& complex, double distance) : complex_(complex), distance_(distance) {}
 
-  /// Returns the parameter of the point on the edge's line nearest to p.
+  /// Returns the parameter (0 to 1 within the edge) of the point on the edge's line nearest to p.
   double parameter(const EdgeKey& e, const Vec3& p) const {
     const Vec3 d = point(e.second) - point(e.first);
     return dot(p - point(e.first), d) / dot(d, d);
   }
   Vec3 at(const EdgeKey& e, double t) const { return point(e.first) + t * (point(e.second) - point(e.first)); }
 
-  /// Returns whether v is an inserted vertex or an end of the edge.
+  /// Returns whether v is an end of the edge or inserted on it.
   bool is_on(const EdgeKey& e, VertexIndex v) const {
     if (v == e.first || v == e.second) return true;
     const auto on = on_edge_.find(e);
@@ -31,7 +31,7 @@ class VerticesOnEdges {
   }
   void insert(const EdgeKey& e, VertexIndex v) { on_edge_[e].push_back(v); }
 
-  /// Returns a vertex of the edge, including inserted ones, that is closer to p than the distance.
+  /// Returns a vertex of the edge, including inserted ones, that is closer to p than the distance, or no_vertex.
   VertexIndex nearer(const EdgeKey& e, const Vec3& p) const {
     const auto on = on_edge_.find(e);
     if (on != on_edge_.end())
@@ -42,7 +42,7 @@ class VerticesOnEdges {
     return no_vertex;
   }
 
-  /// Returns the insertions, in order along each edge.
+  /// Returns the inserted vertices, in order along each edge.
   decltype(Insertions::on_edge) take_sorted() {
     for (auto& [edge, on] : on_edge_)
       std::sort(on.begin(), on.end(), [&, &e = edge](VertexIndex a, VertexIndex b) {
@@ -60,11 +60,11 @@ class VerticesOnEdges {
   decltype(Insertions::on_edge) on_edge_;
 };
 
-/// Vertices of a complex by place, so that places stay distinct.
+/// Finds the vertices of a complex by their coordinates, so that no two get the same place.
 class VerticesByPlace {
  public:
   explicit VerticesByPlace(Complex& complex) : complex_(complex) {}
-  /// Returns the first vertex at p, which is made if there is none. `second`: whether it was made.
+  /// Returns the first vertex at p, making one if there is none, and whether it was made.
   std::pair<VertexIndex, bool> at(const Vec3& p) {
     for (; n_known_ < complex_.points.size(); ++n_known_)
       known_.emplace(complex_.points[n_known_], static_cast<VertexIndex>(n_known_));
@@ -78,7 +78,7 @@ class VerticesByPlace {
 
  private:
   Complex& complex_;
-  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< the first n_known_ points
+  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< the first n_known_ points, by their coordinates
   std::size_t n_known_ = 0;
 };
 

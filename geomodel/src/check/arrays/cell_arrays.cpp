@@ -24,7 +24,7 @@ constexpr std::array<Measure, 5> measures{
 
 using Values = std::vector<double>;
 
-/// Returns nullptr if the file has no array of that name with a value for each cell.
+/// Returns the file's array with this name, or nullptr if it has none with a value for each cell.
 const Values* array_of(const MeshFile& file, const std::string& name) {
   const auto at = file.cell_values.find(name);
   return at != file.cell_values.end() && at->second.size() == file.tetrahedra.size() ? &at->second : nullptr;
@@ -42,8 +42,8 @@ void check_shapes(const CheckedMesh& mesh, double ulp, FaultCollector& wrong) {
   }
 }
 
-/// Checks that sizes are lengths, and that within one region they grow by at most `most` per unit of distance; 0:
-/// growth is not checked.
+/// Checks that element sizes are lengths, and that within one region they grow by at most `most` per unit of distance.
+/// With `most` = 0 the growth is not checked.
 void check_sizes(const CheckedMesh& mesh, double most, FaultCollector& wrong) {
   const Values* const sizes = array_of(mesh.file, "size");
   if (!sizes) return;

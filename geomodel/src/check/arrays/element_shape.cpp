@@ -11,28 +11,29 @@ namespace geomesh::geomodel::checking {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-/// Number of ulps by which other programs may round the coordinates of corners differently.
+/// Other programs may round the coordinates of corners differently, by at most this number of ulps.
 constexpr double ulps_of_corners = 64;
-/// Bound on the error of sums of products of edges, here and in the mesher, relative to products of the longest edge.
-/// It matters for needles, whose faces and volumes are much smaller than these products.
+/// Bound on the rounding error of sums of products of edge vectors, in the checker and in the mesher, as a multiple of
+/// machine epsilon and relative to products of the longest edge. It matters for needles, whose faces and volumes are
+/// much smaller than these products.
 constexpr double epsilons_of_products = 32;
-/// Relative error that double arithmetic adds.
+/// Relative difference that double arithmetic adds between two formulas for the same quantity.
 constexpr double agreement = 1e-9;
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// For each edge its two corners, followed by the other two corners.
+/// The six edges of a tetrahedron: the two corners of each edge, followed by the two corners opposite to it.
 constexpr std::array<std::array<int, 4>, 6> edges{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Angle in degrees between the directions to `k` and to `l`, projected perpendicular to the edge.
+/// Angle in degrees between the directions to `k` and to `l` after projecting both onto the plane normal to an edge.
 double angle_at_edge(const Vec3& along, const Vec3& k, const Vec3& l) {
   const double square = dot(along, along);
   const Vec3 u = k - (dot(k, along) / square) * along, v = l - (dot(l, along) / square) * along;
   return std::atan2(length_of(cross(u, v)), dot(u, v)) * degrees;
 }
 
-/// The circumcentre solves (p - a) . (c - a) = |p - a|^2 / 2 for the other three corners.
+/// Radius of the sphere through the origin, u, v and w. Its centre x solves x . p = |p|^2 / 2 for each p of u, v, w.
 double circumradius(const Vec3& u, const Vec3& v, const Vec3& w, double six_volumes) {
   const Vec3 sum = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
   return length_of((0.5 / six_volumes) * sum);
@@ -71,7 +72,7 @@ ElementShape element_shape(const std::array<Vec3, 4>& p, double ulp) {
   }
   const double of_products =
       epsilons_of_products * std::numeric_limits<double>::epsilon() * s.longest_edge * s.longest_edge;
-  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // floats do not decide
+  if (!(six_volumes > of_products * s.longest_edge && smallest > of_products)) {  // the element is too flat for doubles
     s.turn = std::numeric_limits<double>::infinity();
     return s;
   }

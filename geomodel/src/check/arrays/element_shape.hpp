@@ -9,23 +9,24 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Definitions: docs/meshing.md, "What the statistics mean".
+/// Shape measures of one tetrahedron, as defined in docs/meshing.md, "What the statistics mean".
 struct ElementShape {
   std::array<double, 6> dihedral;  ///< degrees
   double min_dihedral, max_dihedral;
   double radius_ratio, mean_ratio, aspect;
   double shortest_edge, longest_edge;
-  /// How far rounding of the coordinates may rotate a face, in radians; above 1 for elements as flat as rounding,
-  /// infinite if the volume is zero in floating point (ratios are 0 then).
+  /// Upper bound in radians on the rotation of a face by rounding of the coordinates. It is above 1 for elements as
+  /// flat as rounding, and infinite if the volume is zero in floating point (shape ratios are 0 then).
   double turn;
   double ulp;  ///< as given
-  /// Returns how far another program's angles (degrees), ratios and lengths may differ from these.
+  /// Returns how far the angles (in degrees) that another program measures for this element may differ from these; the
+  /// next two functions do so for ratios and lengths.
   double slack_of_angles() const;
   double slack_of_ratios() const;
   double slack_of_lengths() const;
 };
 
-/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. The volume must be positive.
+/// `ulp` is the distance between neighbouring numbers at the mesh's largest coordinate. Precondition: positive volume.
 ElementShape element_shape(const std::array<Vec3, 4>& corners, double ulp);
 ElementShape element_shape(const CheckedMesh& mesh, const Tetrahedron& cell, double ulp);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the points of the files against each other, declared in check/arrays/check_arrays.hpp.
+// Checks that points of the faces and curves files equal those of the mesh, declared in check/arrays/check_arrays.hpp.
 #include "check/arrays/check_arrays.hpp"
 #include "check/mesh/faults.hpp"
 

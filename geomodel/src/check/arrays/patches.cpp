@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the numbers of patches, declared in check/arrays/check_arrays.hpp.
+// Checks the patch numbers of mesh faces, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <numeric>
 
@@ -9,8 +9,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Returns a union-find root for each face; faces are joined across edges with exactly two faces, both of one set of
-/// surfaces.
+/// Returns a union-find root for each face. Faces are joined across edges with exactly two faces of the same surfaces.
 std::vector<Index> joined_faces(const CheckedFaces& checked) {
   std::map<MeshEdge, std::vector<Index>> edges;
   const auto& triangles = checked.candidates();
@@ -39,7 +38,7 @@ std::vector<Index> joined_faces(const CheckedFaces& checked) {
 void check_patches(const CheckedFaces& checked, CheckResult& result) {
   const FacesFile& faces = *checked.faces();
   const std::vector<Index> root = joined_faces(checked);
-  // If the model ends at a surface, the part that connects two pieces of a patch may lie outside.
+  // If the model ends at a surface, faces that connect two pieces of a patch may have been outside and removed.
   const bool parts_may_be_joined_outside = checked.specification().ends_inside || !checked.specification().volume;
   std::map<Index, std::int32_t> patch_of_root;
   std::map<std::int32_t, Index> root_of_patch;

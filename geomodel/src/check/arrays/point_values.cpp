@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of points, declared in check/arrays/check_arrays.hpp.
+// Checks the arrays `kind` and `input_vertex` of mesh points, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,11 +15,11 @@ namespace {
 
 enum Kind : std::int32_t { input = 0, intersection = 1, on_segment = 2, on_facet = 3, inside = 4, midpoint = 5 };
 
-/// The surfaces and curves at a point of the mesh.
+/// The surfaces and curves to which a point of the mesh belongs.
 struct AtPoint {
   std::set<std::int32_t> surfaces;
   bool on_curve = false, is_named = false;
-  bool may_be_on_curve = false;  ///< set if the files contain no curves
+  bool may_be_on_curve = false;  ///< whether the point may be on a curve, which is unknown without a curves file
 };
 
 std::vector<AtPoint> things_at_points(const CheckedFaces& checked, const CheckedCurves* curves) {
@@ -39,7 +39,7 @@ std::vector<AtPoint> things_at_points(const CheckedFaces& checked, const Checked
   return at;
 }
 
-/// Rows of the input's points by coordinates; the first of equal ones.
+/// Finds input points by their coordinates; of several equal points, the first one counts.
 class InputRows {
  public:
   explicit InputRows(const std::vector<Vec3>& points) : points_(points), order_(points.size()) {
@@ -48,7 +48,7 @@ class InputRows {
       return points_[a] == points_[b] ? a < b : comes_before(points_[a], points_[b]);
     });
   }
-  /// Returns -1 if there is no such point.
+  /// Returns the index of the first input point with the coordinates of p, or -1 if there is none.
   std::int32_t first_at(const Vec3& p) const {
     const auto at = std::lower_bound(order_.begin(), order_.end(), p,
                                      [&](std::size_t row, const Vec3& q) { return comes_before(points_[row], q); });
@@ -60,8 +60,8 @@ class InputRows {
   std::vector<std::size_t> order_;
 };
 
-/// Returns whether the kind of a point agrees with what lies at it. With `may_be_bare`, rules or bodies removed parts
-/// of surfaces, so that an intersection may have lost one of its surfaces.
+/// Returns whether the kind of a point agrees with the surfaces and curves at the point. With `may_be_bare`, rules or
+/// bodies removed parts of surfaces, so that an intersection point may have lost one of its surfaces.
 bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool may_be_bare) {
   if (at.may_be_on_curve) {
     const bool with_curve = fits(kind, {at.surfaces, true, true}, input_vertex, may_be_bare);
@@ -84,8 +84,8 @@ bool fits(std::int32_t kind, const AtPoint& at, std::int32_t input_vertex, bool 
   }
 }
 
-/// Returns whether two triangles of the input without a common corner pass p within rounding: merging surfaces there,
-/// or closing a crack, may have left only the point of the intersection. O(triangles).
+/// Returns whether two input triangles without a common corner both pass p within rounding. If surfaces were merged at
+/// p, or a crack was closed, only the intersection point may be left of their crossing. O(triangles).
 bool were_apart_at(const Specification& specification, const Vec3& p, double rounding) {
   std::vector<Corners> near;
   for (const TriangulatedSurface& s : specification.surfaces)

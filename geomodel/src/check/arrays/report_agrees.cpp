@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the report against the mesh, declared in check/arrays/check_arrays.hpp.
+// Checks the JSON report against the mesh, declared in check/arrays/check_arrays.hpp.
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -10,8 +10,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Allowed differences of floating-point sums from those of the report, relative to the sum, and relative to the total,
-/// since the volumes of parts as thin as rounding are rounding errors.
+/// Allowed differences between floating-point sums computed here and those of the report: relative to the sum itself,
+/// and relative to the total over the model, because volumes of parts as thin as rounding are rounding errors.
 constexpr double agreement = 1e-9, agreement_of_whole = 1e-14;
 
 bool is_about(double a, double b, double whole = 0) {
@@ -20,7 +20,7 @@ bool is_about(double a, double b, double whole = 0) {
 
 double length_of(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// Returns the entries of a list by id; entries that are not objects with an id are ignored.
+/// Returns the entries of one list of the report by their `id`; entries that are not objects with an id are ignored.
 std::map<std::int32_t, nlohmann::json> by_id(const nlohmann::json& report, const char* list) {
   std::map<std::int32_t, nlohmann::json> entries;
   if (report.is_object() && report.contains(list) && report[list].is_array())

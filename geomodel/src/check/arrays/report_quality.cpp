@@ -29,12 +29,11 @@ struct Between {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Between above_all{infinity, infinity}, below_all{-infinity, -infinity};
 
-/// Returns whether the value is an integer from `least` to `most`.
 bool is_count(const json& told, std::size_t least, std::size_t most) {
   return told.is_number_unsigned() && told.get<std::size_t>() >= least && told.get<std::size_t>() <= most;
 }
 
-/// A histogram that counts what is certainly in each bin, and what may be.
+/// A histogram of uncertain values, which counts for each bin the values certainly in it, and those that may be.
 class Bins {
  public:
   Bins(std::size_t n, double width) : certain_(n, 0), possible_(n, 0), width_(width) {}
@@ -64,7 +63,7 @@ class Bins {
   double width_;
 };
 
-/// A mean of values that are each uncertain, by at most the range from which they come.
+/// The mean of uncertain values. The error of each value is limited by the length of the range of possible values.
 class Mean {
  public:
   explicit Mean(double range) : range_(range) {}
@@ -86,7 +85,7 @@ class Mean {
 /// Elements with an angle below this many degrees are counted and listed.
 constexpr double sharp = 8;
 
-/// Shapes of the elements of the whole mesh or of a region.
+/// Shape statistics of the elements of the whole mesh or of one region.
 struct Shapes {
   std::size_t n = 0, n_sharp = 0, n_sharp_at_most = 0;
   Between min_dihedral = above_all, max_dihedral = below_all, min_radius_ratio = above_all, shortest = above_all,
@@ -115,7 +114,7 @@ struct Shapes {
   }
 };
 
-/// Returns null if the report has nothing there.
+/// Returns the JSON value at a path of the report, or null if the report has no such entry.
 const json& at(const json& from, const char* path) {
   static const json nothing;
   const json::json_pointer pointer(path);
@@ -144,7 +143,7 @@ bool agree(const json& told, const Shapes& due) {
          histograms_agree(told, due);
 }
 
-/// Compares what the report contains about the whole mesh besides its statistics.
+/// Returns whether the report's extremes, histograms and number of sharp elements agree with the measured ones.
 bool agree_on_whole(const json& quality, const Shapes& due) {
   return agree(at(quality, "/whole"), due) && is_in(at(quality, "/min_dihedral"), due.min_dihedral) &&
          is_in(at(quality, "/max_dihedral"), due.max_dihedral) &&
@@ -152,7 +151,7 @@ bool agree_on_whole(const json& quality, const Shapes& due) {
          is_count(at(quality, "/below_8_degrees/tetrahedra"), due.n_sharp, due.n_sharp_at_most);
 }
 
-/// Checks the report of a mesh made on ranks (docs/ranks-report.schema.json).
+/// Checks the quality statistics in the report of a mesh made on MPI ranks (docs/ranks-report.schema.json).
 bool agree_on_parts(const json& quality, const Shapes& due) {
   return is_in(at(quality, "/min_dihedral/min"), due.min_dihedral) &&
          is_in(at(quality, "/min_dihedral/mean"), due.mean_min_dihedral.between()) &&
@@ -162,7 +161,7 @@ bool agree_on_parts(const json& quality, const Shapes& due) {
          is_in(at(quality, "/mean_ratio"), due.mean_mean_ratio.between());
 }
 
-/// Checks an element in the list of the worst: its row, angles, place and region.
+/// Checks one entry of the report's list of worst elements: cell index, angles, position and region.
 bool agree_on_element(const CheckedMesh& mesh, const json& told, double ulp) {
   const json& row = at(told, "/tetrahedron");
   if (!is_count(row, 0, mesh.cells.size() - 1)) return false;
@@ -185,7 +184,7 @@ struct MeasuredShapes {
   double ulp;
 };
 
-/// Checks the report of a mesh made in one process (docs/report.schema.json).
+/// Checks the quality statistics in the report of a mesh made in one process (docs/report.schema.json).
 void compare(const CheckedMesh& mesh, const json& quality, const MeasuredShapes& due, FaultCollector& differs) {
   if (!agree_on_whole(quality, due.whole)) differs.add(0, {});
   const json& told = at(quality, "/regions");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the lists of surfaces and of their sets, declared in check/arrays/check_arrays.hpp.
+// Checks the lists of surfaces and of sets of coincident surfaces, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -16,7 +16,7 @@ struct Listed {
   std::string name, kind;
 };
 
-/// Returns the expected list: the project's surfaces in its order, then the sides of the volume.
+/// Returns the surfaces that the files must list: the project's surfaces in its order, then the sides of the volume.
 std::vector<Listed> due_surfaces(const Specification& specification) {
   std::vector<Listed> due;
   for (const TriangulatedSurface& s : specification.surfaces) due.push_back({s.name, to_string(s.kind)});
@@ -63,7 +63,8 @@ void check_set_names(const FacesFile& faces, CheckResult& result) {
   wrong.report(result, "sets of surfaces are not in the order of ids or do not bear their members' names");
 }
 
-/// A face in which several surfaces coincide must lie on each of them; the first is checked by its source triangle.
+/// Checks that a mesh face in which several surfaces coincide lies on each of them. The first surface is checked
+/// elsewhere, by the source triangle of the face.
 void check_members(const CheckedFaces& checked, double rounding, CheckResult& result) {
   FaultCollector off("faces_off_their_surface");
   std::map<Index, std::optional<TriangleSet>> sets;
@@ -71,7 +72,7 @@ void check_members(const CheckedFaces& checked, double rounding, CheckResult& re
     const auto& ids = checked.set_of(f);
     for (std::size_t k = 1; k < ids.size(); ++k) {
       const Index row = checked.surface_of(ids[k]);
-      if (row == no_index) continue;  // sides of the box are checked separately
+      if (row == no_index) continue;  // sides of the box are checked by `check_box_sides`
       auto& set = sets[row];
       if (!set) set.emplace(triangles_of(checked.specification().surfaces[row]));
       const Corners c = corners_of(checked, f);

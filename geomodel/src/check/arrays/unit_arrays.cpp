@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the arrays of units, declared in check/arrays/check_arrays.hpp.
+// Checks the arrays of groups and attributes of regions, declared in check/arrays/check_arrays.hpp.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 
 bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// Returns a region's unit and name; an entry for the name takes precedence over one for the unit.
+/// Returns the unit and name of each region. An attribute of the region's name takes precedence over one of its unit.
 std::map<std::int32_t, std::array<std::string, 2>> unit_and_name(const CheckedFaces& checked) {
   const std::set<std::string> known = names_of_specification(checked.specification());
   std::map<std::int32_t, std::array<std::string, 2>> names;

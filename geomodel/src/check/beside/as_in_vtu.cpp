@@ -22,7 +22,8 @@ namespace {
 
 constexpr const char* fault_id = "not_as_in_vtu";
 
-/// Numbers the places of points of both meshes, ascending by coordinates.
+/// Numbers the distinct points of both meshes in the order of their coordinates, so that equal points get equal
+/// numbers.
 class Places {
  public:
   explicit Places(const ModelMesh& mesh) : points_(mesh.points) {
@@ -44,18 +45,18 @@ class Places {
   std::vector<Vec3> points_;
 };
 
-/// Place numbers of the corners, ascending; for faces, edges and nodes no_index follows them.
+/// Ascending point numbers of a part's corners. Faces, edges and nodes have fewer than four; no_index fills the rest.
 using Corners = std::array<Index, 4>;
 constexpr Corners nowhere{no_index, no_index, no_index, no_index};
-/// The elements, faces, edges or nodes under each name, ascending.
+/// For each name, its elements, faces, edges or nodes in ascending order.
 using NamedParts = std::map<std::string, std::vector<Corners>>;
 
 struct NamedMesh {
   NamedParts solids, groups, faces, edges, nodes;
 };
 
-/// Converts a mesh to named parts whose points are identified by their places, in the same way as `output` selects
-/// parts for a solver's file.
+/// Converts a mesh to lists of named elements, faces, edges and nodes, in which points are identified by their
+/// coordinates. `output` selects the parts in the same way as for a solver's file.
 class Namer {
  public:
   Namer(const ModelMesh& mesh, std::vector<Index> place, const WriteOptions& output)
@@ -124,7 +125,7 @@ class Namer {
 
 using CurvedEdges = std::vector<std::pair<Corners, std::array<double, 3>>>;
 
-/// Returns the midpoint nodes that are not half-way along their edges, by the places of the ends.
+/// Returns the midpoint nodes that are not half-way along their edges, by the point numbers of the edge's ends.
 CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& place) {
   CurvedEdges edges;
   for (const CurvedEdge& e : mesh.curved_edges) {
@@ -135,13 +136,13 @@ CurvedEdges curved_edges_of(const ModelMesh& mesh, const std::vector<Index>& pla
   return edges;
 }
 
-/// Compares the parts under the names of one file with those of the other.
+/// Compares the named elements, faces, edges and nodes of one file with those of another.
 class Comparison {
  public:
   Comparison(const Places& places, std::string file, CheckResult& result)
       : places_(places), file_(std::move(file)), result_(result) {}
 
-  /// `what` describes the parts, for example "faces of surface".
+  /// Compares the parts under each name. `what` describes them in messages, for example "faces of surface".
   void compare(const std::string& what, const NamedParts& given, const NamedParts& due) {
     std::set<std::string> names;
     for (const NamedParts* parts : {&given, &due})
@@ -157,7 +158,7 @@ class Comparison {
         tell(in_one_alone(g->second, d->second), named + " are here or in " + file_ + " alone");
     }
   }
-  /// Compares midpoint nodes that are not half-way along their edges.
+  /// Compares the midpoint nodes that are not half-way along their edges.
   void compare(const CurvedEdges& given, const CurvedEdges& due) {
     std::vector<Corners> edges;
     for (const auto& [ends, middle] : in_one_alone(given, due)) edges.push_back(ends);
@@ -182,7 +183,8 @@ class Comparison {
   CheckResult& result_;
 };
 
-/// Returns the place number of each point; reports a fault and returns nothing if one is not a point of the .vtu.
+/// Returns the number in `places` of each mesh point. If a point is missing in the .vtu, reports it and returns
+/// nothing.
 std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places& places, const std::string& file,
                                             CheckResult& result) {
   FaultCollector elsewhere(fault_id);
@@ -198,7 +200,7 @@ std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places&
   return found;
 }
 
-/// Rounds all coordinates as the fields of the format do.
+/// Rounds all coordinates to the number of digits that the file format stores.
 void round_to_fields(ModelMesh& mesh, const Format& format) {
   if (!format.rounded) return;
   const auto round = [&](Vec3& p) { p = {format.rounded(p.x), format.rounded(p.y), format.rounded(p.z)}; };

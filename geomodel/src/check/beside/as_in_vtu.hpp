@@ -10,10 +10,10 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Checks that the parts under each name have the same places in both files (`not_as_in_vtu`): elements, faces, edges
-/// and nodes by their corners, and midpoint nodes. `output` determines which parts solvers get. If a format has no
-/// edges, the nodes of curves are compared. Returns false, with a message, if there is no .vtu, if the format has no
-/// names, or if a file is not understood (prisms); returns false for VTK files. O(n log n).
+/// Checks that the elements, faces, edges and nodes under each name are the same in both files, compared by the
+/// coordinates of their corners and midpoint nodes (`not_as_in_vtu`). `output` determines which parts solvers get. If a
+/// format has no edges, the nodes of curves are compared. Returns false, with a message, if there is no .vtu, if the
+/// format has no names, or if a file is not understood (prisms); returns false for VTK files. O(n log n).
 bool check_as_in_vtu(const std::filesystem::path& mesh, const WriteOptions& output, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

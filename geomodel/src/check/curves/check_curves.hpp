@@ -10,14 +10,14 @@
 
 namespace geomesh::geomodel::checking {
 
-/// An edge of the mesh by its vertices, the smaller index first.
+/// A mesh edge by its vertices, the smaller index first.
 using MeshEdge = std::array<VertexIndex, 2>;
 
-/// The file's curves, expressed in vertices of the mesh.
+/// The curves of the curves file, expressed in vertices of the mesh.
 struct CheckedCurves {
   const CurvesFile& file;
-  std::vector<MeshEdge> edges;                    ///< as in the file; no_vertex if a point is not in the mesh
-  std::vector<VertexIndex> vertices;              ///< as the file's
+  std::vector<MeshEdge> edges;        ///< In the order of the file; no_vertex if a point is not in the mesh.
+  std::vector<VertexIndex> vertices;  ///< as the file's
   std::map<std::int32_t, std::size_t> row_of_id;  ///< in file.curves
 };
 
@@ -32,8 +32,8 @@ CheckedCurves check_curve_cells(const CheckedMesh& mesh, const CurvesFile& file,
 void check_surface_curves(const CheckedFaces& checked, const CheckedCurves& curves, CheckResult& result);
 
 /// Checks that each well is the set of mesh edges along its path, wherever the path lies in the mesh (`wells_off`,
-/// `missing_well_parts`, `wrong_wells`), and that each named point is a vertex of the mesh at its place
-/// (`wrong_named_points`). `room` is how far rounding and remeshing may move points.
+/// `missing_well_parts`, `wrong_wells`), and that each named point is a mesh vertex at its position
+/// (`wrong_named_points`). `room` is the largest distance by which rounding and remeshing may move points.
 void check_wells_and_points(const CheckedFaces& checked, const CheckedCurves& curves, double room, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

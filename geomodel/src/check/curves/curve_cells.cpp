@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks cells of curves against edges of the mesh, declared in check/curves/check_curves.hpp.
+// Checks the line cells of curves against the edges of the mesh, declared in check/curves/check_curves.hpp.
 #include <algorithm>
 #include <set>
 
@@ -22,8 +22,8 @@ std::set<MeshEdge> edges_of_mesh(const CheckedMesh& mesh) {
 
 constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "point"};
 
-/// Checks that ids are distinct, and follow those of regions and surfaces; that kinds are known; and that each curve
-/// has cells.
+/// Checks that ids of curves are distinct and follow those of regions and surfaces, that kinds of curves are known, and
+/// that each curve has cells.
 void check_lists(const CheckedMesh& mesh, const CurvesFile& file, const FacesFile& faces, CheckResult& result) {
   FaultCollector wrong("wrong_curve_lists");
   std::set<std::int32_t> used(file.edge_curve.begin(), file.edge_curve.end()), listed, taken;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Determines the curves that surfaces must have, declared in check/curves/check_curves.hpp.
+// Determines the intersections, borders and tips of surfaces from mesh faces, declared in
+// check/curves/check_curves.hpp.
 #include <algorithm>
 #include <set>
 
@@ -14,7 +15,7 @@ struct Named {
   friend auto operator<=>(const Named&, const Named&) = default;
 };
 
-/// Returns the rows of faces at each edge of the face set.
+/// Returns the indices of the faces at each edge of the face set.
 std::map<MeshEdge, std::vector<Index>> faces_at_edges(const CheckedFaces& checked) {
   std::map<MeshEdge, std::vector<Index>> at;
   for (Index f = 0; f < checked.candidates().size(); ++f) {
@@ -25,7 +26,7 @@ std::map<MeshEdge, std::vector<Index>> faces_at_edges(const CheckedFaces& checke
   return at;
 }
 
-/// Returns the curve that docs/output-files.md defines for an edge with these faces; nothing inside a patch.
+/// Returns the name and kind of the curve (docs/output-files.md) at an edge with these faces; nothing inside a patch.
 std::optional<Named> curve_at(const CheckedFaces& checked, const std::vector<Index>& faces) {
   if (faces.size() == 2 && checked.set_of(faces[0]) == checked.set_of(faces[1])) return std::nullopt;
   std::set<std::int32_t> ids;

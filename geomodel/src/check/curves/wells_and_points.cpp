@@ -61,7 +61,7 @@ std::vector<MeshEdge> WellChecker::edges_of(const std::string& name) {
   return edges;
 }
 
-/// Returns whether five points of the edge, from end to end, are each near some segment of the path.
+/// Returns whether five points spread over the mesh edge are each near some segment of the well's path.
 bool WellChecker::lies_on(const MeshEdge& e, const Polyline& well) const {
   const Vec3 &a = checked_.mesh().point(e[0]), &b = checked_.mesh().point(e[1]);
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -74,8 +74,8 @@ bool WellChecker::lies_on(const MeshEdge& e, const Polyline& well) const {
   return true;
 }
 
-/// Returns whether a point is inside the mesh and farther than the allowed distance from its border, tested at places
-/// around p.
+/// Returns whether a point of a well's path must be on mesh edges: whether it is inside the mesh and farther than the
+/// allowed distance from its border. Points around p are tested.
 bool WellChecker::is_due(const Vec3& p) const {
   if (volume_.is_outside(p)) return false;
   if (checked_.specification().volume && !checked_.specification().ends_inside) return true;
@@ -85,7 +85,7 @@ bool WellChecker::is_due(const Vec3& p) const {
   return true;
 }
 
-/// Checks that edges run along the whole of each segment of the path inside the mesh.
+/// Checks that mesh edges cover each segment of a well's path inside the mesh.
 void WellChecker::check_covered(const Polyline& well, const std::vector<MeshEdge>& edges) {
   for (std::size_t i = 1; i < well.points.size(); ++i) {
     const Vec3 &a = well.points[i - 1], &b = well.points[i];
@@ -95,8 +95,7 @@ void WellChecker::check_covered(const Polyline& well, const std::vector<MeshEdge
     for (const MeshEdge& e : edges) {
       const auto [t, d] = along(checked_.mesh().point(e[0]), a, b);
       const auto [u, f] = along(checked_.mesh().point(e[1]), a, b);
-      // If points may move, an edge may cut a corner of the path: each of its ends is then near one of the two
-      // segments.
+      // If points may move, an edge may cut a corner of the well's path, with each end near one of the two segments.
       if (d <= 2 * room_ || f <= 2 * room_) covered.push_back({std::min(t, u), std::max(t, u)});
     }
     std::sort(covered.begin(), covered.end(), [](const Interval& x, const Interval& y) { return x.from < y.from; });
@@ -141,8 +140,7 @@ void WellChecker::report(CheckResult& result) {
   result.checks_done.emplace_back(text);
 }
 
-/// Checks that each named point inside the model exists under its name, at exactly the requested place, or near it if
-/// features were merged.
+/// Checks that each named point inside the model exists, at exactly its position, or near it if features were merged.
 void check_points(const CheckedFaces& checked, const CheckedCurves& curves, double room, CheckResult& result) {
   FaultCollector wrong("wrong_named_points");
   std::set<std::string> asked;

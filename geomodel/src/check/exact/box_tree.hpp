@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A bounding volume tree over boxes. Its order and its results depend on the boxes alone.
+/// A bounding volume tree over boxes. Its structure and the order of its results depend on the boxes alone.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,8 @@ inline bool overlap(const Box3& a, const Box3& b) {
          b.min.z <= a.max.z;
 }
 
-/// Splits at the median along the longest axis. O(n log n) to build, O(log n + results) per query on well-spread boxes.
+/// Bounding volume tree that is split at the median along the longest axis. Building takes O(n log n), a query O(log n
+/// + results) on well-spread boxes.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box3> boxes) : boxes_(std::move(boxes)), items_(boxes_.size()) {
@@ -36,7 +37,7 @@ class BoxTree {
     if (!items_.empty()) build(0, static_cast<Index>(items_.size()));
   }
 
-  /// Calls visit(item) for every box that meets `box`, in an order that depends on the tree alone.
+  /// Calls visit(item) for every box that meets `box`, in an order that depends only on the tree.
   template <class Visit>
   void query(const Box3& box, Visit&& visit) const {
     if (nodes_.empty()) return;
@@ -60,7 +61,7 @@ class BoxTree {
   struct Node {
     Box3 box;
     Index begin, end;
-    Index right = 0;  ///< 0 for a leaf; the left child is next to its parent
+    Index right = 0;  ///< index of the right child, 0 for a leaf; the left child directly follows its parent
   };
 
   Index build(Index begin, Index end) {

@@ -46,7 +46,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Vec3& a, const V
   return !opposite(s0, s1) && !opposite(s1, s2) && !opposite(s0, s2);
 }
 
-/// Corners of both triangles with the shared ones first, in the same order.
+/// Corners of two triangles, reordered so that the corners they share come first and in the same order.
 struct Shared {
   Triangle s, t;
   int n = 0;
@@ -66,15 +66,14 @@ Shared sort_shared(Triangle s, Triangle t) {
   return shared;
 }
 
-/// Returns +1 or -1 if the ray from the centroid of c crosses the triangle p q r from its back or its front, 0 if it
-/// does not cross it. The ray points along +axis, or along -axis if `up` is false. Sets `on` if the centroid lies on
-/// the triangle.
+/// Returns +1 or -1 if the ray from the centroid of c crosses the triangle p q r from its back or its front, else 0.
+/// The ray points along +axis, or along -axis if `up` is false. Sets `on` if the centroid lies on the triangle p q r.
 int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int axis, bool up, bool& on) {
   const Sign s0 = centroid_side(c[0], c[1], c[2], t[0], t[1], axis),
              s1 = centroid_side(c[0], c[1], c[2], t[1], t[2], axis),
              s2 = centroid_side(c[0], c[1], c[2], t[2], t[0], axis);
   if (s0 == Sign::zero || s0 != s1 || s1 != s2) return 0;
-  // With cyclic axes, the normal's component along the axis has the sign of the projected area.
+  // For cyclic axes, the normal's component along the axis has the sign of the triangle's projected area.
   const Sign side = centroid_orientation(t[0], t[1], t[2], c[0], c[1], c[2]);
   if (side == Sign::zero) {
     on = true;
@@ -86,7 +85,7 @@ int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int
   return leaves_along_normal ? 1 : -1;
 }
 
-/// Returns a box that contains the ray; the centroid is in floating point, with room for its rounding.
+/// Returns a box that contains the ray from the triangle's centroid, enlarged because the centroid is rounded.
 Box3 ray_box(const std::array<Vec3, 3>& c, int axis, bool up) {
   Box3 box;
   const Vec3 m = (1.0 / 3) * (c[0] + c[1] + c[2]);

@@ -12,21 +12,21 @@
 namespace geomesh::geomodel::checking {
 
 enum class Meeting {
-  proper,    ///< disjoint, or meeting in shared vertices and edges only
-  overlap,   ///< coplanar, with an area or a part of an edge in common
-  crossing,  ///< with any other point in common
+  proper,    ///< The triangles are disjoint, or meet in shared vertices and edges only.
+  overlap,   ///< The triangles are coplanar and share an area or a part of an edge.
+  crossing,  ///< The triangles share any other point: they cross, or one touches the other.
 };
-/// Classifies how two triangles meet; points are identified by index. Triangles of zero area are `proper` with
-/// everything.
+/// Classifies how two triangles meet. Points are identified by index. A triangle of zero area is `proper` with all
+/// others.
 Meeting meeting(const std::vector<Vec3>& points, const Triangle& s, const Triangle& t);
 
-/// Returns the winding number of the closed oriented surface `triangles` just outside face f of it (on the side that
-/// its normal points to). `tree` is over the triangles' boxes. Expects an embedded surface.
+/// Returns the winding number of the closed oriented surface `triangles` at a point just outside face f, on the side to
+/// which its normal points. `tree` is over the triangles' boxes. Precondition: the surface is embedded.
 int winding_outside(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles, Index f,
                     const BoxTree& tree);
 
-/// Returns the winding number of the closed oriented surface around the centroid of a, b, c; nothing if the centroid is
-/// on the surface.
+/// Returns the winding number of the closed oriented surface around the centroid of the triangle a b c; nothing if the
+/// centroid is on the surface.
 std::optional<int> winding_about_centroid(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles,
                                           const BoxTree& tree, const Vec3& a, const Vec3& b, const Vec3& c);
 

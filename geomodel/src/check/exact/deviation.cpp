@@ -10,10 +10,10 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Number of pieces of one triangle beyond which the rest is only sampled.
+/// One triangle is cut into at most this many pieces; the rest of it is only sampled.
 constexpr std::size_t most_pieces = 4000;
-/// Number of bisections of pieces with a corner that is beyond the tolerance without being a fault: down to a sixteenth
-/// of the triangle's edges.
+/// Number of bisections of a piece that has a corner beyond the tolerance where this is not a fault. Eight bisections
+/// divide the triangle's edges by sixteen.
 constexpr int depth_beyond = 8;
 
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Bounds the largest distance of a triangle from a triangulated set: proven where possible, sampled elsewhere.
+/// Checks whether triangles lie within a distance of a set of triangles: proven where possible, sampled elsewhere.
 ///
-/// A triangle is within a distance t of a set where one of these holds:
+/// A triangle is within a distance t of a set if one of these conditions holds:
 ///   - its corners are within t of one triangle X of the set: the distance to a convex set is convex;
 ///   - two corners are within s of X, the third is within s of Y, and X and Y share an edge E. The chords from the
-///     corners' nearest points on X to that on Y pass E at no more than t - s: what of the triangle between those
-///     points does not lie on X or Y is mapped there. The map moves the crossing points of the chords onto E;
-///   - a corner is within s of the set and no corner is farther from it than t - s.
-/// Where none holds, the triangle is cut in two at its longest edge, until it is small against t.
+///     corners' nearest points on X to that on Y pass E at a distance of at most t - s. Then the triangle between these
+///     nearest points can be mapped onto X and Y by moving the crossing points of the chords onto E;
+///   - a corner is within s of the set and no corner is farther from that corner than t - s.
+/// If none holds, the triangle is cut in two at its longest edge, until it is small compared with t.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ using Corners = std::array<Vec3, 3>;
 /// Returns the point of the triangle (which may be degenerate) nearest to p. Ericson 2005, section 5.1.5.
 Vec3 nearest_on_triangle(const Vec3& p, const Corners& t);
 
-/// Triangles, prepared for measuring distances to them. Edges with equal coordinates are shared.
+/// A set of triangles, prepared for measuring distances to it. Edges with equal coordinates are shared.
 class TriangleSet {
  public:
   explicit TriangleSet(std::vector<Corners> triangles);
@@ -36,9 +36,9 @@ class TriangleSet {
     double distance;
     Vec3 point;  ///< of the triangle
   };
-  /// Returns the rows of triangles within `reach` of p.
+  /// Returns the triangles of the set within `reach` of p.
   std::vector<Near> near(const Vec3& p, double reach) const;
-  /// Returns the distance to the whole set; infinite if it is empty.
+  /// Returns the distance of a point to the whole set; infinite if the set is empty.
   double distance(const Vec3& p) const;
   /// Returns the edge that triangles a and b share; nothing if there is none.
   std::optional<std::array<Vec3, 2>> shared_edge(Index a, Index b) const;
@@ -46,28 +46,29 @@ class TriangleSet {
 
  private:
   std::vector<Corners> triangles_;
-  std::vector<std::array<Index, 3>> corner_ids_;  ///< equal ids for equal coordinates
+  std::vector<std::array<Index, 3>> corner_ids_;  ///< ids of the triangles' corners; equal coordinates have equal ids
   Box3 box_;
   BoxTree tree_;
 };
 
-/// Results of measuring triangles against a set, summed over all of them.
+/// Results of measuring triangles against a triangle set, accumulated over all measured triangles.
 struct Deviation {
-  double largest = 0;  ///< largest distance among the samples within the tolerance
-  /// Areas: measured; proven within; and in pieces whose corners are all beyond the tolerance at places where this is
-  /// not a fault.
+  double largest = 0;  ///< largest distance to the set among the samples within the tolerance
+  /// Areas of the measured triangles: of all, of the part proven within the tolerance, and of pieces whose corners are
+  /// all beyond the tolerance at places where this is not a fault.
   double area = 0, proven = 0, beyond = 0;
-  double spacing = 0;  ///< longest edge of a piece that was only sampled
+  double spacing = 0;  ///< longest edge of a piece that was only sampled, not proven
 };
 
-/// Decides whether triangles lie within a tolerance of the set.
+/// Decides whether triangles lie within a tolerance of a triangle set.
 class DeviationChecker {
  public:
-  /// `is_due` returns whether a point farther away than the tolerance is a fault; without it, every such point is.
+  /// `is_due` returns whether a point beyond the tolerance counts as a fault; without it every such point does.
   DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
-  /// Adds the triangle to `so_far`. Returns a point that is farther than the tolerance and counts as a fault. At most
-  /// `most_pieces` pieces are examined; what is undecided then was sampled at the corners of pieces.
+  /// Measures one triangle and adds the results to `so_far`. Returns a point that is beyond the tolerance and counts as
+  /// a fault, if there is one. At most `most_pieces` pieces are examined; undecided ones are then only sampled at their
+  /// corners.
   std::optional<Vec3> check(const Corners& triangle, Deviation& so_far) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 using Exact = CGAL::Mpzf;
 
-/// Magnitude below which a product may have lost bits to underflow, so that the filter must not decide.
+/// Products of smaller magnitude may have lost bits to underflow, so the floating-point filter must not decide then.
 constexpr double underflow_guard = 1e-280;
 
 Sign sign_of(double value) { return value > 0 ? Sign::positive : value < 0 ? Sign::negative : Sign::zero; }
@@ -30,7 +30,7 @@ Exact determinant(const ExactVector& u, const ExactVector& v, const ExactVector&
   return u.x * (v.y * w.z - v.z * w.y) + u.y * (v.z * w.x - v.x * w.z) + u.z * (v.x * w.y - v.y * w.x);
 }
 
-/// Determinant of three rows in floating point, with the sum of the magnitudes of its products.
+/// A 3x3 determinant in floating point, with the sum of the magnitudes of its products.
 struct Estimate {
   double value, magnitude;
 };
@@ -41,7 +41,7 @@ Estimate estimate(const Vec3& u, const Vec3& v, const Vec3& w) {
                                                              std::abs(u.z) * (std::abs(e) + std::abs(f))};
 }
 
-/// Returns true if a whole column is zero: the differences are then exact zeros, and so is the determinant.
+/// Returns true if a column is zero. These coordinate differences are then exact zeros, and so is the determinant.
 bool has_zero_column(const Vec3& u, const Vec3& v, const Vec3& w) {
   return (u.x == 0 && v.x == 0 && w.x == 0) || (u.y == 0 && v.y == 0 && w.y == 0) || (u.z == 0 && v.z == 0 && w.z == 0);
 }
@@ -77,7 +77,8 @@ Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const
   const std::array<Vec3, 4> r{a - e, b - e, c - e, d - e};
   std::array<double, 4> lift{};
   for (int i = 0; i < 4; ++i) lift[i] = dot(r[i], r[i]);
-  // The determinant is expanded along the lifted column; for a positive tetrahedron it is negative if e is inside.
+  // The in-sphere determinant is expanded along the lifted column; it is negative if e is inside a positive
+  // tetrahedron's sphere.
   constexpr std::array<std::array<int, 3>, 4> minor{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
   double value = 0, magnitude = 0;
   for (int i = 0; i < 4; ++i) {
@@ -112,7 +113,7 @@ Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, c
   const Exact pj = Exact(a[j]) + Exact(b[j]) + Exact(c[j]) - three * Exact(u[j]);
   const Sign s = sign_of(di * pj - dj * pi);
   if (s != Sign::zero) return s;
-  const Sign first = sign_of(u[j] - v[j]);  // derivative with respect to the first remaining coordinate
+  const Sign first = sign_of(u[j] - v[j]);  // ties: derivative of the determinant along the first axis
   return first != Sign::zero ? first : sign_of(v[i] - u[i]);
 }
 
@@ -126,7 +127,8 @@ Sign centroid_orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const Estimate e = estimate(u, v, w);
-  if (std::abs(e.value) > 1e-3 * e.magnitude + underflow_guard) return e.value;  // no cancellation: correct to 1e-12
+  // There is no cancellation, so the floating-point value is correct to 1e-12.
+  if (std::abs(e.value) > 1e-3 * e.magnitude + underflow_guard) return e.value;
   if (has_zero_column(u, v, w)) return 0;
   return CGAL::to_double(determinant(difference(b, a), difference(c, a), difference(d, a)));
 }

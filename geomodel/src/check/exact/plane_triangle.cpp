@@ -14,7 +14,7 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Clips a convex polygon to where `value` is not negative (Sutherland and Hodgman 1974).
+/// Clips a convex polygon to the half-space in which `value` is not negative (Sutherland and Hodgman 1974).
 template <class Point, class Value, class Blend>
 std::vector<Point> clip(const std::vector<Point>& polygon, Value&& value, Blend&& blend) {
   std::vector<Point> kept;

@@ -23,19 +23,19 @@ class PlaneTriangle {
   const Vec3& normal() const { return normal_; }  ///< of unit length
   const std::array<Vec3, 3>& corners() const { return corner_; }
 
-  /// Returns the distance of p from the plane.
+  /// Returns the distance of p from the triangle's plane.
   double distance(const Vec3& p) const;
-  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of its
+  /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of the
   /// sides.
   double outside(const Vec3& p) const;
-  /// Returns whether both points, projected into the plane, lie beyond the line of one side, or within it by
-  /// `tolerance` at most.
+  /// Returns whether, for one side of the triangle, both points projected into the plane lie beyond the line of that
+  /// side, or at most `tolerance` within it.
   bool are_beyond_a_side(const Vec3& p, const Vec3& q, double tolerance) const;
-  /// Returns the area of the triangle p q r, projected into the plane, that overlaps this one.
+  /// Returns the area of overlap between the triangle p q r, projected into the plane, and this triangle.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
-  /// Returns the area of the part inside the closed box.
+  /// Returns the area of the triangle's part inside the closed box.
   double area_inside(const Box3& box) const;
-  /// Returns that part as a convex polygon (empty if fewer than three points).
+  /// Returns the triangle's part inside the box as a convex polygon; empty if it has fewer than three points.
   std::vector<Vec3> inside(const Box3& box) const;
 
  private:
@@ -44,7 +44,7 @@ class PlaneTriangle {
   std::array<Vec3, 3> corner_;
   Vec3 normal_, axis_u_, axis_v_;  ///< unit vectors
   double length_;                  ///< twice the area
-  std::array<Vec2, 3> flat_;       ///< corners in coordinates of the plane, counter-clockwise
+  std::array<Vec2, 3> flat_;       ///< corners in coordinates of the triangle's plane, counter-clockwise
 };
 
 }  // namespace geomesh::geomodel::checking

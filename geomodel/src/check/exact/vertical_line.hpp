@@ -13,7 +13,7 @@ namespace geomesh::geomodel::checking {
 BoxTree tree_over_triangles(const TriangulatedSurface& surface);
 
 /// Calls visit(triangle, z) for every triangle of the surface that the vertical line through p crosses, or passes at a
-/// distance of less than `room` in the map; inclusion is decided exactly apart from that distance, heights are rounded.
+/// horizontal distance of less than `room`. Crossings are decided exactly; heights are rounded.
 void for_each_height(const TriangulatedSurface& surface, const BoxTree& tree, const Vec3& p, double room,
                      const std::function<void(Index, double)>& visit);
 

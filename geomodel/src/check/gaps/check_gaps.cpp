@@ -15,14 +15,14 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// The distance to the nearest point of a wall is less than that along the horizon; half of it if both meet at 30
-/// degrees.
+/// Share of the continuation distance within which a wall counts as near. The shortest distance to a wall is less than
+/// the distance along the horizon; it is half of it if horizon and wall meet at 30 degrees.
 constexpr double share_of_distance = 0.5;
-/// Least cosine of the angle between the direction outward from a border and that to the nearest point of a wall: a
-/// horizon next below or above is not a wall ahead.
+/// Least cosine of the angle between the outward direction at a border of a horizon and the direction to the nearest
+/// point of a wall. A horizon directly above or below the border is thus not a wall ahead of it.
 constexpr double least_ahead = 0.25;
 
-/// The faces of each cell, and which of them belong to surfaces.
+/// The faces of each mesh cell, and whether each face belongs to a surface.
 struct MeshWays {
   std::vector<std::array<Index, 4>> faces_of_cell;
   std::vector<bool> has_surface;  ///< per FacePair
@@ -50,7 +50,7 @@ enum class HorizonSide : std::uint8_t { none, over, under };
 
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
-/// Checks one horizon in one region that lies on both sides of it.
+/// Finds gaps of one horizon in one region that lies on both sides of it.
 class GapChecker {
  public:
   GapChecker(const CheckedFaces& checked, const MeshWays& ways, Index horizon, std::int32_t region)
@@ -74,7 +74,8 @@ class GapChecker {
     walls_ = TriangleSet(std::move(walls));
   }
 
-  /// Returns a place in a gap whose whole border has a wall in front of it; nothing if there is none.
+  /// Returns a point in a gap of the horizon whose whole border faces a wall (another surface); nothing if there is
+  /// none.
   std::optional<Vec3> narrow_gap(const std::vector<InnerFace>& inner, double distance) {
     spread(inner);
     const std::vector<Index> between = faces_between();
@@ -99,7 +100,7 @@ class GapChecker {
   }
 
  private:
-  /// Assigns to each cell of the region the nearer side of the horizon.
+  /// Assigns each cell of the region to the nearer side of the horizon.
   void spread(const std::vector<InnerFace>& inner) {
     struct Reached {
       double distance;
@@ -129,7 +130,7 @@ class GapChecker {
     }
   }
 
-  /// Calls visit(face, cell) for the cells of the region across faces that belong to no surface.
+  /// Calls visit(face, cell) for the neighbouring cells of the same region across faces that belong to no surface.
   template <class F>
   void for_each_neighbour(Index cell, F&& visit) const {
     for (const Index f : ways_.faces_of_cell[cell]) {
@@ -157,8 +158,8 @@ class GapChecker {
     }
   }
 
-  /// Returns whether another surface lies in front of a border edge, in the direction away from the third corner of its
-  /// face.
+  /// Returns whether another surface lies in front of a border edge of the horizon, in the direction away from the
+  /// third corner of the edge's face.
   bool has_wall_ahead(const Edge& edge, VertexIndex third, double distance) const {
     const Vec3 &a = mesh_.point(edge.first), &b = mesh_.point(edge.second);
     const Vec3 along = b - a, middle = 0.5 * (a + b), inward = mesh_.point(third) - a;
@@ -172,12 +173,12 @@ class GapChecker {
   const CheckedMesh& mesh_;
   const MeshWays& ways_;
   std::int32_t region_;
-  TriangleSet walls_;                   ///< faces of other surfaces at the region
-  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, with the third corner of their face
+  TriangleSet walls_;                   ///< faces of other surfaces that bound the region
+  std::map<Edge, VertexIndex> border_;  ///< border edges of the horizon, each with the third corner of its face
   std::vector<HorizonSide> side_;       ///< per cell
 };
 
-/// Returns the faces of the horizon that have the same region on both sides, by region.
+/// Returns the faces of one horizon that have the same region on both sides, grouped by region.
 std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const CheckedFaces& checked, Index horizon) {
   const CheckedMesh& mesh = checked.mesh();
   const FacesFile& faces = *checked.faces();
@@ -206,8 +207,8 @@ std::map<std::int32_t, std::vector<InnerFace>> inner_faces(const CheckedFaces& c
   return found;
 }
 
-/// Returns whether the name contains a unit next to the horizon: a piece of an older horizon above an unconformity
-/// separates nothing.
+/// Returns whether the region's name contains a unit next to the horizon. If not, the horizon is a remnant, for example
+/// of an older horizon above an unconformity, and separates no units there.
 bool is_named_beside(const std::string& name, const std::string& horizon, const Specification& specification) {
   const std::vector<std::string>& column = specification.names.column;
   const auto at = std::ranges::find(column, horizon);
@@ -217,7 +218,7 @@ bool is_named_beside(const std::string& name, const std::string& horizon, const 
          units.find("+" + *(at + 1) + "+") != std::string::npos;
 }
 
-/// Returns whether the run reported that the horizon is open somewhere, or that units are joined in the region.
+/// Returns whether the run's report says that the horizon is open somewhere, or that units are joined in the region.
 bool is_told(const std::vector<ReportedGap>& told, const std::string& horizon, const std::string& region) {
   return std::ranges::any_of(told, [&](const ReportedGap& gap) {
     return gap.horizon == horizon || (gap.joins_units && gap.region == region);

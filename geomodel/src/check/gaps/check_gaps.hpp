@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Detects units that are joined through a gap which the project should have closed by default.
+/// Detects units that are joined through a gap in a horizon which the project should have closed by default.
 #pragma once
 
 #include <string>
@@ -10,21 +10,20 @@
 
 namespace geomesh::geomodel::checking {
 
-/// An entry of `open_borders` in the report of a run: a horizon that stops short or has holes.
+/// An entry of `open_borders` in a run's report: a horizon that ends before it reaches another surface, or has holes.
 struct ReportedGap {
   std::string horizon, region;
   bool joins_units;
 };
 
-/// Reports a region that lies on both sides of a horizon of the column through a gap whose whole border has another
-/// surface in front of it, closer than half of the distance over which horizons are continued (`units_joined_by_gap`).
-/// The gap is found from the mesh itself: the cells of the region are divided by which side of the horizon is nearer,
-/// along paths through the region that cross no face of a surface, and the faces between both parts fill the gap. If
-/// part of a gap's border has nothing in front of it, the horizon has a free end there, which is not a fault. A gap is
-/// not a fault either if the run itself reported that the horizon stops short or has a hole, or that units are joined
-/// in this region; it is then listed among what was checked. `told` comes from the report beside the mesh. The only
-/// thing shared with the mesher is the distance, which the documents promise. Precondition: a face set. O(n log n) in
-/// the cells of such regions.
+/// Reports a region that lies on both sides of a horizon of the column through a gap if the whole border of the gap has
+/// another surface in front of it, closer than half of the distance over which horizons are continued
+/// (`units_joined_by_gap`). The gap is found from the mesh itself: the cells of the region are divided by which side of
+/// the horizon is nearer, along paths through the region that cross no face of a surface, and the faces between both
+/// parts fill the gap. If part of a gap's border has nothing in front of it, the horizon has a free end there, which is
+/// not a fault. A gap is not a fault either if the run itself reported that the horizon stops short or has a hole, or
+/// that units are joined in this region; the gap is then listed among the checks done. `told` comes from the report
+/// beside the mesh.  Precondition: a face set. O(n log n) in the cells of such regions.
 void check_gaps(const CheckedFaces& checked, const std::vector<ReportedGap>& told, CheckResult& result);
 
 }  // namespace geomesh::geomodel::checking

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The two sides of a surface along which a mesh was opened: NAME.minus and NAME.plus, as documented in
-/// docs/outputs.md.
+/// The two sides, NAME.minus and NAME.plus, of a surface along which a mesh was opened (docs/outputs.md).
 #pragma once
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace geomesh::geomodel::checking {
 
 enum class Wall { none, minus, plus };
 
-/// Returns the surface and side of a wall's name; for any other name, the name itself and no side.
+/// Splits a wall's name into the surface and its side. For any other name, returns the name itself and no side.
 inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::vector<std::string>& opened) {
   for (const std::string& surface : opened) {
     if (name == surface + ".minus") return {surface, Wall::minus};
@@ -24,8 +23,8 @@ inline std::pair<std::string, Wall> wall_of(const std::string& name, const std::
   return {name, Wall::none};
 }
 
-/// Returns the wall to which a face belongs: by its first surface, else by any other of its set (a fault may coincide
-/// with another one).
+/// Returns the wall to which a mesh face belongs, according to its first surface, else to any other surface of its set
+/// (a fault may coincide with another surface).
 inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vector<std::string>& opened) {
   const auto wall_of_id = [&](std::int32_t id) {
     const auto name = faces.surface_names.find(id);
@@ -39,7 +38,7 @@ inline Wall wall_of_face(const FacesFile& faces, std::size_t f, const std::vecto
   return Wall::none;
 }
 
-/// Returns whether each point of the face set has a row of the mesh.
+/// Returns whether the face set gives a mesh point for each of its points.
 inline bool knows_mesh_points(const FacesFile& faces, std::size_t n_points) {
   return faces.mesh_point.size() == faces.points.size() &&
          std::all_of(faces.mesh_point.begin(), faces.mesh_point.end(),

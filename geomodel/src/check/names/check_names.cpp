@@ -15,8 +15,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Returns the cosine of the angle between the normals of the face and of its source triangle; 1 if there is no such
-/// triangle.
+/// Returns the cosine of the angle between the normals of a mesh face and its source triangle; 1 if the face has none.
 double agreement_with_source(const CheckedFaces& checked, Index face) {
   const Index row = checked.surface_of(checked.faces()->surface[face]);
   const auto source = static_cast<std::size_t>(checked.faces()->source_triangle[face]);
@@ -62,7 +61,7 @@ class NameChecker {
   std::size_t n_undecided_ = 0;
 };
 
-/// Checks that the face set has the same names as the mesh.
+/// Checks that the face set gives the same names to regions as the mesh.
 void NameChecker::check_same_everywhere(CheckResult& result) const {
   FaultCollector differ("names_differ");
   for (const auto& [id, name] : checked_.mesh().file.region_names) {
@@ -75,7 +74,7 @@ void NameChecker::check_same_everywhere(CheckResult& result) const {
   differ.report(result, "regions bear one name in the mesh and another one, or none, in the face set");
 }
 
-/// Checks each name against what the project allows. Returns false if suffixes and ids cannot be checked.
+/// Checks region names against those that the project allows. Returns false if suffixes and ids cannot be checked.
 bool NameChecker::read_rows(CheckResult& result) {
   FaultCollector wrong("wrong_region_names");
   const std::set<std::string> known = names_of_specification(checked_.specification());
@@ -105,8 +104,8 @@ bool NameChecker::read_rows(CheckResult& result) {
   return all_right && n_undecided_ == 0;
 }
 
-/// Returns regions without a name of their own, ordered by the first triangle that bounds them. Faces nearly
-/// perpendicular to their triangle may be on either side of it.
+/// Returns regions without a name of their own, ordered by the first input triangle that bounds them. Mesh faces nearly
+/// perpendicular to their source triangle may count for either side of it.
 std::vector<NameChecker::Row*> NameChecker::unnamed_in_order(bool turns_steep_faces) {
   using Key = std::tuple<std::int32_t, std::int32_t, int>;
   std::map<std::int32_t, Key> first;
@@ -155,8 +154,7 @@ bool NameChecker::comes_first(const Row& a, const Row& b) const {
   return comes_before(p.centroid, q.centroid);
 }
 
-/// A region whose name is unique has no suffix; regions that share a name have `__1`, `__2` ... in the order of their
-/// places.
+/// Checks the suffixes of region names: a unique name has none; equal names have `__1`, `__2` ... by position.
 void NameChecker::check_suffixes(CheckResult& result) const {
   FaultCollector wrong("wrong_name_suffixes");
   std::map<std::pair<std::string, std::size_t>, std::vector<const Row*>> named;
@@ -188,8 +186,8 @@ void NameChecker::check_ids(CheckResult& result) const {
   wrong.report(result, "region ids are not those that names and places give (units youngest first, bodies, seeds)");
 }
 
-/// Returns the blocks that contain a unit, by region: regions joined across horizons of the column only, numbered by
-/// place.
+/// Returns the number of the fault block of each region that contains a unit. A block consists of regions joined across
+/// horizons of the column; blocks are numbered by their positions.
 std::map<std::int32_t, std::size_t> NameChecker::blocks() const {
   std::map<std::int32_t, std::int32_t> root;
   for (const Row& row : rows_) root[row.id] = row.id;

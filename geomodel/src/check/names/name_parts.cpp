@@ -4,8 +4,8 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Removes a number after `mark` from the end of the text and returns it; returns 0 and changes nothing if there is
-/// none.
+/// Removes `mark` and the number after it from the end of the text and returns the number; returns 0 and changes
+/// nothing if the text has no such ending.
 std::size_t take_number(std::string& text, const std::string& mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string::npos) return 0;
@@ -22,13 +22,10 @@ std::size_t take_number(std::string& text, const std::string& mark) {
 NameParts parts_of(const std::string& name, const std::set<std::string>& known) {
   NameParts parts{name};
   if (known.contains(name)) return parts;
-  for (const bool numbered : {true, false}) {  // a block without a number ends in the same way as a number
-    parts = {name};
-    if (numbered) parts.number = take_number(parts.base, "__");
-    if (known.contains(parts.base)) return parts;
-    parts.block = take_number(parts.base, "__B");
-    if (known.contains(parts.base)) return parts;
-  }
+  parts.number = take_number(parts.base, "__");
+  if (known.contains(parts.base)) return parts;
+  parts.block = take_number(parts.base, "__B");
+  if (known.contains(parts.base)) return parts;
   parts = {name};
   parts.number = take_number(parts.base, "__");
   return parts;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t n_samples = 12;
 
-/// Returns whether every edge is traversed as often in one direction as in the other.
+/// Returns whether every edge of the surface is traversed as often in one direction as in the other.
 bool is_closed(const TriangulatedSurface& s) {
   using Place = std::array<double, 3>;
   std::map<std::array<Place, 2>, int> balance;
@@ -55,7 +55,8 @@ std::optional<std::vector<Index>> LabelFinder::bodies_about(const RegionPlace& p
   return about;
 }
 
-/// The first seed in a region names it. A seed on a border names none, since it is not certain which.
+/// Returns the names that seeds give to regions; the first seed in a region counts. A seed on a border between regions
+/// names none of them, because it is uncertain which one is meant.
 std::map<std::int32_t, RegionLabel> LabelFinder::seeded() const {
   std::map<std::int32_t, RegionLabel> labels;
   const auto& seeds = checked_.specification().names.seeds;
@@ -66,8 +67,8 @@ std::map<std::int32_t, RegionLabel> LabelFinder::seeded() const {
   return labels;
 }
 
-/// Returns the innermost of the bodies around a region: one that contains no other of them; the first if there are
-/// several. One lies within another if all regions in it are in the other, but not vice versa.
+/// Returns the label of the innermost body around a region: one that contains no other body around it; the first if
+/// there are several. A body lies within another if all regions in it are in the other, but not vice versa.
 std::optional<RegionLabel> LabelFinder::body_label(const std::vector<std::vector<Index>>& about,
                                                    const std::vector<Index>& own) const {
   const auto is_within = [&](Index inner, Index outer) {

@@ -11,7 +11,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Kinds of labels in the order of ids.
+/// Kinds of region labels, in the order in which ids are assigned.
 enum class LabelKind { unit, body, seed, unnamed };
 
 struct RegionLabel {
@@ -20,8 +20,8 @@ struct RegionLabel {
   std::string name;  ///< empty: `region_k`
 };
 
-/// Labels that the project allows for the region: one, or several if places in it give different results; empty if
-/// nothing is known.
+/// Labels that the project allows for a region: one, or several if sampled points in the region give different results;
+/// empty if nothing is known.
 using AllowedLabels = std::vector<RegionLabel>;
 
 class LabelFinder {
@@ -32,7 +32,7 @@ class LabelFinder {
   const std::map<std::int32_t, RegionPlace>& places() const { return places_; }
 
  private:
-  /// Returns the rows of the bodies around the region; nothing if every sampled place is too near their surfaces.
+  /// Returns the bodies that contain a region; nothing if every sampled point of the region is too near their surfaces.
   std::optional<std::vector<Index>> bodies_about(const RegionPlace& place) const;
   std::map<std::int32_t, RegionLabel> seeded() const;
   std::optional<RegionLabel> body_label(const std::vector<std::vector<Index>>& about,
@@ -40,7 +40,7 @@ class LabelFinder {
 
   const CheckedFaces& checked_;
   double reach_;
-  double least_volume_;  ///< least volume of a region that is compared with horizons, since rounding makes smaller ones
+  double least_volume_;  ///< least volume of a region compared with horizons, because rounding makes smaller ones
   UnitFinder units_;
   std::map<std::int32_t, RegionPlace> places_;
 };

@@ -11,10 +11,10 @@ using Place = std::array<double, 3>;
 
 struct Use {
   Index triangle;
-  bool forward;  ///< whether the triangle traverses the edge from its smaller end
+  bool forward;  ///< whether the triangle traverses the edge from the smaller end to the larger
 };
 
-/// Edges by the coordinates of their ends: points with equal coordinates are one.
+/// Returns the triangles at each edge of a surface. Edges are identified by coordinates: duplicate points count as one.
 std::map<std::array<Place, 2>, std::vector<Use>> edge_uses(const TriangulatedSurface& s) {
   std::map<std::array<Place, 2>, std::vector<Use>> uses;
   const auto place = [&](VertexIndex v) { return Place{s.points[v].x, s.points[v].y, s.points[v].z}; };
@@ -36,7 +36,7 @@ double area_in_map(const TriangulatedSurface& s, Index t) {
 std::vector<int> upper_sides(const TriangulatedSurface& surface) {
   struct Neighbour {
     Index triangle;
-    int same;  ///< +1 if both normals are on one side of the sheet
+    int same;  ///< +1 if the normals of both triangles point to the same side of the surface
   };
   std::vector<std::vector<Neighbour>> across(surface.triangles.size());
   for (const auto& [ends, at] : edge_uses(surface)) {

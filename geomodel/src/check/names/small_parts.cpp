@@ -10,7 +10,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Joins cells across faces of one region that are not candidates.
+/// Groups mesh cells into parts, joined across faces that lie inside one region and on no surface.
 UnionFind parts_of(const CheckedFaces& checked) {
   const CheckedMesh& mesh = checked.mesh();
   std::vector<Triangle> walls;
@@ -24,11 +24,11 @@ UnionFind parts_of(const CheckedFaces& checked) {
   return parts;
 }
 
-/// Returns for each cell whether it is in a small part.
+/// Returns for each mesh cell whether it belongs to a small part of its region.
 std::vector<bool> cells_of_small_parts(const CheckedFaces& checked, double min_volume) {
   const CheckedMesh& mesh = checked.mesh();
   UnionFind parts = parts_of(checked);
-  std::vector<double> volume(mesh.cells.size(), 0);  // volume of the part that the cell represents
+  std::vector<double> volume(mesh.cells.size(), 0);  // volume of each part, stored at the cell that represents the part
   for (Index c = 0; c < mesh.cells.size(); ++c) {
     const Tetrahedron& v = mesh.cells[c];
     volume[parts.find(c)] += six_volumes(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3])) / 6;

@@ -13,7 +13,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// If the smaller of two areas exceeds this share of their sum, the larger one does not decide.
+/// Comparing two areas is inconclusive if the smaller one exceeds this share of their sum.
 constexpr double close_share = 0.45;
 
 double area_of(const std::map<Index, double>& areas, Index h) {
@@ -41,8 +41,8 @@ UnitFinder::UnitFinder(const CheckedFaces& checked, double reach) : checked_(che
   add_faces(reach);
 }
 
-/// Determines on which side of a horizon each face lies for its two regions, by the input triangle nearest to the face.
-/// A small part that was merged into a region of another unit is ignored.
+/// Adds up for each region the areas of horizons that bound it, by the side of the horizon on which it lies. The side
+/// follows from the input triangle nearest to a mesh face. Small parts merged into another unit are ignored.
 void UnitFinder::add_faces(double reach) {
   const FacesFile& faces = *checked_.faces();
   const std::vector<SmallSides> in_small_part = sides_in_small_parts(checked_);
@@ -65,7 +65,7 @@ void UnitFinder::add_faces(double reach) {
         best = std::abs(cosine);
         agreement = cosine * horizons_[h].upper_side[near.triangle];
       }
-      if (best < least_cosine) continue;  // a face off its surface is reported as another fault
+      if (best < least_cosine) continue;  // a face off its surface is reported by another check
       const std::int32_t lower = agreement > 0 ? faces.region_minus[f] : faces.region_plus[f];
       const std::int32_t upper = agreement > 0 ? faces.region_plus[f] : faces.region_minus[f];
       const auto [minus_is_small, plus_is_small] = in_small_part[f];
@@ -91,8 +91,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // The region lies on both sides of the horizon, or of one beyond it, over a larger area, so it is not bounded
-    // there.
+    // The region is not bounded by this horizon if it lies on both sides of it, or of one beyond it, over a larger
+    // area.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
     };
@@ -106,7 +106,9 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  if (first >= last) {  // one unit; or below an older and above a younger horizon: the unit above the younger one
+  // Only one unit is possible; or the unit above the younger horizon is taken, because the region lies below an older
+  // one.
+  if (first >= last) {
     verdict.first = verdict.last = last;
     return verdict;
   }
@@ -125,7 +127,7 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   return verdict;
 }
 
-/// Returns the horizons next above and below, from their remaining parts in the mesh, else from the input.
+/// Returns the horizons directly above and below a point, taken from their parts in the mesh, else from the input.
 UnitFinder::Contacts UnitFinder::on_vertical(const Vec3& p) const {
   Contacts contacts;
   for (const bool of_input : {false, true}) {

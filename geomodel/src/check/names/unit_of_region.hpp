@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines which unit of the column a region is, by the rules of docs/output-files.md ("Column"). It is decided here
-/// from the faces at the region and the input's sheets, independently of the program's naming.
+/// Determines which unit of the column a region is, by the rules of docs/output-files.md ("Column"). The checker uses
+/// the mesh faces that bound the region and the input surfaces, independently of the program's naming.
 #pragma once
 
 #include <cstdint>
@@ -15,34 +15,34 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The possible units of a region.
+/// The unit of a region, or the range of neighbouring units that it may belong to.
 struct UnitVerdict {
-  Index first = no_index, last = no_index;  ///< range of units that are joined; no_index if none
+  Index first = no_index, last = no_index;  ///< range of units that are joined in the region; no_index if none
   /// Whether the region has nearly equal areas below and above one horizon, so that nothing is decided.
   bool close = false;
-  bool open = false;  ///< the horizons at the region leave several units possible, of which this is the nearest
+  bool open = false;  ///< whether the horizons at the region leave several units possible; the nearest was taken
   Index first_possible = no_index, last_possible = no_index;  ///< of these
 };
 
 class UnitFinder {
  public:
-  /// `reach` is how far a face may be from the triangles that it represents.
+  /// `reach` is the largest distance of a mesh face from the input triangles that it represents.
   UnitFinder(const CheckedFaces& checked, double reach);
 
   bool given() const { return !units_.empty(); }
   const std::vector<std::string>& units() const { return units_; }
-  /// Decides by the horizons at the region; if there are none, by the vertical line through each sampled place. If
-  /// these leave several units possible, or none, the input's horizons above and below each place are used too, because
-  /// rules may have removed a whole horizon there. Each possible unit is one verdict.
+  /// Returns the possible units of a region, one verdict for each. They follow from the horizons that bound the region;
+  /// if there are none, from the vertical lines through its sampled points. If these leave several units possible, or
+  /// none, the input's horizons above and below each sampled point are used too, because rules may have removed a whole
+  /// horizon there.
   std::vector<UnitVerdict> verdicts_of(std::int32_t region, const RegionPlace& place) const;
   std::string name_of(const UnitVerdict& verdict) const;
-  /// Returns whether the surface is a horizon of the column.
   bool is_horizon(Index surface) const { return horizon_of_surface_.contains(surface); }
 
  private:
-  /// Areas of horizons at one region.
+  /// Areas of the horizons that bound one region.
   struct Contacts {
-    /// Area by horizon where the region is below it, above it, and on both sides of it.
+    /// For each horizon, the area of its faces with the region only below them, only above them, and on both sides.
     std::map<Index, double> below, above, both;
   };
   struct Horizon {
@@ -50,15 +50,15 @@ class UnitFinder {
     bool is_unconformity;
     std::vector<int> upper_side;
     TriangleSet triangles;
-    BoxTree tree;  ///< tree over the surface's triangles
+    BoxTree tree;
   };
   void add_faces(double reach);
   UnitVerdict verdict_of(const Contacts& contacts) const;
   Contacts on_vertical(const Vec3& p) const;
   /// Narrows the units first .. last by horizons of the input that lie entirely above or below p; if two of them
-  /// contradict each other, the range is unchanged. Returns false if none is above or below p.
+  /// contradict each other, the range is unchanged. Returns false if no horizon is above or below p.
   bool narrow(const Vec3& p, Index& first, Index& last) const;
-  /// The units that `narrow` leaves possible at the places where it gives a result.
+  /// The units that `narrow` leaves possible at those sampled points where it gives a result.
   struct Narrowed {
     std::vector<UnitVerdict> verdicts;
     bool tells_everywhere;
@@ -70,7 +70,7 @@ class UnitFinder {
   std::vector<Horizon> horizons_;  ///< youngest first
   std::map<Index, Index> horizon_of_surface_;
   std::map<std::int32_t, Contacts> contacts_;
-  std::vector<TriangulatedSurface> left_;  ///< the parts of each horizon in the mesh
+  std::vector<TriangulatedSurface> left_;  ///< remaining triangles of each horizon in the mesh
 };
 
 }  // namespace geomesh::geomodel::checking

@@ -40,8 +40,8 @@ PiecesWithoutFaces::PiecesWithoutFaces(const CheckedFaces& checked, Index surfac
   tree_ = tree_over(checked.mesh().file.points, open_edges_);
 }
 
-/// Returns whether some point of the segment is on the triangle. The distance outside the triangle is convex along the
-/// segment.
+/// Returns whether some point of the segment a b is on the triangle. Ternary search finds it, because the distance
+/// outside the triangle is convex along the segment.
 bool PiecesWithoutFaces::runs_on(const PlaneTriangle& triangle, const Vec3& a, const Vec3& b) const {
   double from = 0, to = 1;
   for (int k = 0; k < 60; ++k) {

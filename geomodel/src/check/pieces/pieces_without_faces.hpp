@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the parts of a surface that are missing in the mesh and that horizons may have cut off: collected triangle by
-/// triangle, decided piece by piece.
+/// Finds the parts of a surface that are missing in the mesh and that crossing horizons may have cut off. Uncovered
+/// triangles are collected one by one; each connected piece of them is decided as a whole.
 #pragma once
 
 #include <functional>
@@ -16,15 +16,16 @@ namespace geomesh::geomodel::checking {
 
 class PiecesWithoutFaces {
  public:
-  /// `may_end_at` returns whether an edge runs along something other than horizons that may cut the surface, or along
-  /// its own border.
+  /// `may_end_at` returns whether the surface may end at a mesh edge for another reason than a horizon that cuts it:
+  /// along its own border, a box side or a body.
   PiecesWithoutFaces(const CheckedFaces& checked, Index surface, const TakenByRules& rules, double tolerance,
                      const std::function<bool(VertexIndex, VertexIndex)>& may_end_at);
 
-  /// Adds a triangle of the surface that `faces`, the faces in its plane, do not cover.
+  /// Adds an input triangle of the surface that `faces`, the mesh faces in its plane, do not cover.
   void add(const PlaneTriangle& triangle, Index row, const std::vector<Index>& faces);
   std::size_t size() const { return uncovered_.size(); }
-  /// Returns the added triangles that are in no piece that may be absent.
+  /// Returns the uncovered triangles that must not be missing: those outside all pieces that a horizon may have cut
+  /// off.
   std::vector<UncoveredTriangle> not_taken() const;
 
  private:
@@ -34,9 +35,9 @@ class PiecesWithoutFaces {
   Index surface_;
   const TakenByRules& rules_;
   double tolerance_;
-  /// Edges at which the surface's faces end, stored as triangles with the second end repeated.
+  /// Mesh edges at which the faces of the surface end, stored as triangles with the second end repeated.
   std::vector<Triangle> open_edges_;
-  /// For each open edge: whether it runs along a surface that cuts, or along the surface's border.
+  /// Whether each open edge runs along a surface that cuts, or along the surface's border.
   std::vector<bool> at_cutter_;
   BoxTree tree_;  ///< over open_edges_
   std::vector<UncoveredTriangle> uncovered_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Pieces of a horizon that the rules remove as a whole, although parts of them are not beyond the horizon that cuts: a
-/// piece may continue where the other one has ended.
+/// Decides which uncovered pieces of a horizon may be missing as a whole, although parts of them are not beyond the
+/// horizon that cuts: a piece may continue where the cutting horizon has ended.
 #pragma once
 
 #include <array>
@@ -14,17 +14,17 @@ namespace geomesh::geomodel::checking {
 /// A triangle of an input surface that mesh faces cover incompletely or not at all.
 struct UncoveredTriangle {
   Index triangle;
-  /// Uncovered area that a rule may remove place by place, and the rest of the uncovered area.
+  /// Uncovered area that lies beyond a cutting surface, and the remaining uncovered area.
   double beyond = 0, within = 0;
-  std::array<bool, 3> goes_on{};  ///< whether some place of side i (corner i to i + 1) is uncovered
-  /// Whether open edges of its faces run along surfaces that cut, or along the surface's border.
+  std::array<bool, 3> goes_on{};  ///< whether some point of side i (corner i to i + 1) is uncovered
+  /// Whether open edges of the mesh faces on this triangle run only along cutting surfaces or the surface's own border.
   bool ends_at_cutters = true;
   Vec3 place{};  ///< of the rest
 };
 
-/// Returns the rows of `uncovered` in pieces that must not be absent. Triangles are joined across uncovered sides. A
-/// piece may be absent if most of its area is beyond the surface that cuts it and if it ends only at cutting surfaces.
-/// O(n log n).
+/// Returns the triangles of `uncovered` in pieces that must not be missing. Triangles form one piece if they are joined
+/// across uncovered sides. A piece may be missing if most of its area is beyond the surface that cuts it and if its
+/// faces end only at cutting surfaces. O(n log n).
 std::vector<Index> not_taken_as_pieces(const TriangulatedSurface& surface,
                                        const std::vector<UncoveredTriangle>& uncovered);
 

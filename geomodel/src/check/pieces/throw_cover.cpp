@@ -12,11 +12,11 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-constexpr double most_lost = 0.03;      // share of the horizon's area in the volume
-constexpr double places_across = 64;    // number of sampled places across the horizon's extent
+constexpr double most_lost = 0.03;      // largest allowed share of the horizon's area in the volume that may be lost
+constexpr double places_across = 64;    // number of sampled points across the horizon's extent
 constexpr int most_places_a_side = 16;  // of a triangle
 
-/// Surfaces that are queried along vertical lines.
+/// A surface that is queried along vertical lines.
 struct Verticals {
   TriangulatedSurface surface;
   BoxTree tree;
@@ -77,7 +77,7 @@ class ThrowCover {
     s.triangles.resize(std::min(s.triangles.size(), checked_.specification().trims[row_].n_given_triangles));
     return s;
   }
-  /// Returns all faults of the input, with their extensions for this horizon.
+  /// Returns all faults of the input, with the extensions made for this horizon.
   TriangulatedSurface faults() const {
     TriangulatedSurface all;
     const auto add = [&](const std::array<Vec3, 3>& corners) {
@@ -116,7 +116,7 @@ class ThrowCover {
     return length > 0 && !is_taken(p) && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
            !checked_.is_removed(row_, p, (reach_ / length) * normal);
   }
-  /// Returns whether a rule removed the horizon above or below p: p may overshoot into the block that is given there.
+  /// Returns whether a rule removed the horizon above or below p, so that p may be data that overshoot a fault.
   bool is_taken(const Vec3& p) const {
     bool taken = false;
     for_each_height(given_.surface, given_.tree, p, 0, [&](Index triangle, double z) {

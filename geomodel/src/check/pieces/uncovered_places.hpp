@@ -14,7 +14,6 @@ namespace geomesh::geomodel::checking {
 /// Number of lattice intervals along each side of a triangle.
 inline constexpr int lattice_parts = 14;
 
-/// Returns the faces, projected into their planes.
 inline std::vector<PlaneTriangle> flat_faces(const CheckedFaces& checked, const std::vector<Index>& faces) {
   std::vector<PlaneTriangle> flat;
   for (const Index f : faces) {
@@ -29,7 +28,7 @@ inline bool is_covered(const Vec3& p, const std::vector<PlaneTriangle>& flat, do
                              [&](const PlaneTriangle& f) { return !f.degenerate() && f.outside(p) <= tolerance; });
 }
 
-/// Visits the lattice points inside the triangle that none of the faces covers; visit returns whether to continue.
+/// Calls visit(point) for lattice points of an input triangle that no mesh face covers, until visit returns false.
 template <class Visit>
 void for_each_uncovered(const PlaneTriangle& triangle, const std::vector<PlaneTriangle>& flat, double tolerance,
                         Visit visit) {

@@ -47,14 +47,14 @@ class TrimReader {
     const Index row = name.empty() ? no_index : row_of(name);
     if (row != no_index && row != but) rows.push_back(row);
   }
-  /// Returns the number of the horizon in the column, youngest first; no_index if it is not in the column.
+  /// Returns the index of the horizon in the column, youngest first; no_index if it is not in the column.
   Index rank_of(const std::string& horizon) const {
     for (std::size_t i = 1; i < project_.column.size(); i += 2)
       if (project_.column[i] == horizon) return static_cast<Index>(i / 2);
     return no_index;
   }
 
-  /// Adds erosion, onlap, and the effects of crossing horizons on each other.
+  /// Adds the surfaces that may cut a horizon by erosion, by onlap or because horizons cross.
   void add_order_of_horizons(Index row, TrimRules& trim) const {
     const Index own = rank_of(project_.surfaces[row].name);
     if (own == no_index) return;
@@ -69,7 +69,8 @@ class TrimReader {
     }
   }
 
-  /// A fault that cuts only some units ends at the horizon above the first and the one below the last of them.
+  /// Adds the horizons at which a fault ends that cuts only some units: the one above the first and the one below the
+  /// last of them.
   void add_cut_units(Index row, TrimRules& trim) const {
     const auto& units = project_.surfaces[row].rules.cut_units;
     if (units.empty()) return;
@@ -88,7 +89,7 @@ class TrimReader {
   const Project& project_;
 };
 
-/// Returns the triangles that extend the faults with throw of a horizon beyond their ends.
+/// Returns the triangles that extend the faults of a horizon with throw beyond their ends.
 std::vector<std::array<Vec3, 3>> partings_of(const BuiltSurfaces& built, const std::vector<Index>& faults) {
   std::vector<std::array<Vec3, 3>> partings;
   for (const Index s : faults) {
@@ -114,14 +115,14 @@ SpecifiedNames names_of(const Project& project, const ProjectInputs& inputs) {
   return names;
 }
 
-/// Returns the largest growth of target sizes within one region per unit of distance; 0 if they follow a grid or depth.
+/// Returns the largest growth of target sizes within one region per unit of distance; 0 if sizes follow a grid or
+/// depth, so that the growth is unknown.
 double size_growth(const NamedSizes& sizes) {
-  constexpr double most_of_searches = 1;  // the steepest gradation in the search for a number of elements
+  constexpr double most_of_searches = 1;  // steepest gradation used when sizes are derived from a number of elements
   if (!sizes.background.empty() || !sizes.by_depth.empty()) return 0;
   return std::max(most_of_searches, sizes.base.gradation);
 }
 
-/// Volume of a regular tetrahedron with edges of this length.
 double volume_of_element(double edge) { return edge * edge * edge / (6 * std::sqrt(2.0)); }
 
 }  // namespace
@@ -141,7 +142,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, specification.volume ? specification.volume->bounds : bounds_of(inputs.surfaces),
                project.naming.attributes, Vec3{});
-  RefinementSettings of_build = refinement;  // the triangulation of a level set has used its share by then
+  RefinementSettings of_build = refinement;  // tolerance left to build surfaces after level sets were triangulated
   if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (specification.volume) {
     ask_stack(rules, of_build, *specification.volume);
@@ -150,11 +151,11 @@ Specification specification_of_project(const std::filesystem::path& file) {
   inputs.add_throws(rules);
   grid_in_blocks(inputs.surfaces, inputs.gridded, rules);
   inputs.complete_field_parts(rules);
-  std::vector<std::string> found, doubts;  // messages that the run itself gives
+  std::vector<std::string> found, doubts;  // messages, which the checker ignores because the run itself reports them
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // regions are units in fault blocks, and small ones were merged with others
+  if (built.stack.settled) {  // settled regions are units in fault blocks, and small regions were merged into others
     specification.names.fault_blocks = true;
     specification.names.merges_small = true;
     if (!(specification.names.min_volume > 0))
@@ -192,7 +193,7 @@ Specification specification_of_project(const std::filesystem::path& file) {
   specification.cell_arrays = refinement.cell_arrays;
   specification.size_growth = size_growth(refinement.size);
   if (refinement.refine && refinement.honour == Honour::tolerance)
-    specification.within = refinement.tolerance.requested();  // cannot be combined with crs.z_scale
+    specification.within = refinement.tolerance.requested();  // tolerances are never combined with crs.z_scale
   specification.within_by_count = specification.within > 0 && refinement.tolerance.follows_sizes() &&
                                   (refinement.derive_size || refinement.target_elements > 0);
   return specification;

@@ -30,7 +30,7 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   if (specification_.volume->box) return false;
   const auto& sides = specification_.volume->sides;
   bool inside = false;
-  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // zmin and zmax are the last two sides
+  for (std::size_t i = 0; i + 2 < sides.size(); ++i) {  // the last two sides of a volume are zmin and zmax
     const Vec3 &a = sides[i].points[0], &b = sides[i].points[1];
     const double t = std::clamp(((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) /
                                     std::max((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y), 1e-300),
@@ -41,7 +41,7 @@ bool TakenByRules::is_outside(const Vec3& p) const {
   return !inside;
 }
 
-/// Returns whether a fault of the input passes between p and the height z on its vertical, farther than `room_` from
+/// Returns whether a fault of the input crosses the vertical line between p and the height z, farther than `room_` from
 /// both.
 bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
   bool is_between = false;
@@ -54,8 +54,8 @@ bool TakenByRules::is_fault_between(const Vec3& p, double z) const {
   return is_between;
 }
 
-/// Returns whether p is above (below) the other surface on the vertical, or relative to its nearest point if it is not
-/// above or below p.
+/// Returns whether p is above (below) the other surface, compared along the vertical line through p; if the other
+/// surface is not on that line, compared with its nearest point.
 bool TakenByRules::is_beyond(Index other, const Vec3& p, bool above, Heights heights) const {
   const TriangulatedSurface& cutter = specification_.surfaces[other];
   bool any = false, beyond = false;
@@ -118,7 +118,7 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
     const Vec3 n = cross(b - a, c - a);
     height = dot(n, upward_[fault]) < 0 ? -dot(n, p - a) : dot(n, p - a);
   };
-  // The search distance grows until the surface found is closer than any that may have been missed.
+  // The search distance grows until the nearest surface found is closer than any that the search may have missed.
   Box3 bounds;
   for (const Vec3& q : s.points) bounds.add(q);
   const Vec3 size = bounds.max - bounds.min, away = p - bounds.min;
@@ -129,7 +129,8 @@ bool TakenByRules::is_above_fault(Index fault, const Vec3& p) const {
   }
 }
 
-/// Returns whether p lies on a side of a fault on which the field of its triangle is not valid, or near a fault.
+/// Returns whether p is outside the fault block in which the field of its triangle is valid, or near a fault that
+/// bounds the block.
 bool TakenByRules::is_outside_domain(Index surface, Index triangle, const Vec3& p) const {
   const std::vector<FieldPart>& fields = specification_.trims[surface].fields;
   const auto part = std::find_if(fields.begin(), fields.end(), [&](const FieldPart& f) { return triangle < f.end; });

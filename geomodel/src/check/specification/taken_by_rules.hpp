@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Decides which points of an input surface the rules of the model may have removed, point by point from the input
-/// surfaces: heights on the vertical, distances, the outside of the volume. Reports of the run are not used.
+/// Decides which points of an input surface the rules of the model may have removed, from the input surfaces alone: by
+/// heights along vertical lines, by distances, and by the extent of the volume. Reports of the run are not used.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,16 @@ class TakenByRules {
   /// `room`: points closer than this to the limit of a rule may have been removed.
   TakenByRules(const Specification& specification, double room);
 
-  /// Returns whether p, a point of triangle `triangle` of the surface, may be absent: outside the volume, or because of
-  /// a rule. Pieces are removed as a whole, and may extend over another block, so heights across faults count.
+  /// Returns whether the point p of the given triangle of the surface may be missing in the mesh, because it is outside
+  /// the volume or because a rule removed it. Rules remove pieces as a whole, and pieces may extend into another fault
+  /// block, so heights of surfaces across faults count, too.
   bool may_be_away(Index surface, Index triangle, const Vec3& p) const;
-  /// Like the function above, but without regard to throw, because of which any part of a horizon may be removed.
+  /// Returns whether the point p of the surface may be missing in the mesh for another reason than throw. Throw is
+  /// ignored, because it allows any part of a horizon to be removed.
   bool may_be_away_but_for_throw(Index surface, Index triangle, const Vec3& p) const;
-  /// Returns whether p, a point of the surface, is beyond one of the surfaces that cut it by rule, so that its piece
-  /// may be removed. A horizon is not beyond one that lies across a fault on the vertical, since that belongs to
-  /// another block.
+  /// Returns whether the point p of the surface is beyond one of the surfaces that cut it by rule, so that the piece
+  /// around p may be removed. A cutting surface that lies across a fault from p along the vertical line does not count,
+  /// because it belongs to another block.
   bool is_beyond_cutters(Index surface, const Vec3& p) const;
   /// Returns whether p is outside the volume (which need not be a box) or closer than the allowed distance to its
   /// sides.
@@ -36,14 +38,15 @@ class TakenByRules {
   bool is_beyond(Index other, const Vec3& p, bool above, Heights heights) const;
   bool is_fault_between(const Vec3& p, double z) const;
   bool is_outside_domain(Index surface, Index triangle, const Vec3& p) const;
-  /// Decides by the plane of the triangle nearest to p, with its normal turned to the upper side of the whole fault.
+  /// Returns whether p is above the fault, according to the plane of the nearest triangle, with normals turned to the
+  /// upper side of the whole fault.
   bool is_above_fault(Index fault, const Vec3& p) const;
   bool is_near_another(Index surface, const Vec3& p, double distance, bool faults_alone) const;
 
   const Specification& specification_;
   double room_;
-  std::vector<BoxTree> trees_;  ///< tree over the triangles of each surface
-  std::vector<Vec3> upward_;    ///< for each surface: the sum of its normals, each turned upwards
+  std::vector<BoxTree> trees_;
+  std::vector<Vec3> upward_;  ///< sum of the normals of each surface, each turned upwards
 };
 
 }  // namespace geomesh::geomodel::checking

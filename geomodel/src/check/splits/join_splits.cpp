@@ -104,7 +104,7 @@ class SplitJoiner {
         out.surface_sets.push_back(set);
   }
 
-  /// Returns the nodes of the mesh in the file.
+  /// Returns the mesh nodes of face f as they are in the file, before merging.
   Triangle nodes(std::size_t f) const {
     Triangle t{};
     for (std::size_t i = 0; i < 3; ++i) t[i] = static_cast<VertexIndex>(faces_.mesh_point[faces_.triangles[f][i]]);
@@ -115,8 +115,8 @@ class SplitJoiner {
     return t;
   }
 
-  /// Pairs each minus face with its plus face; reports faces without one, and faces that do not bound their own side.
-  /// On the boundary of the model nothing is split.
+  /// Pairs each minus face of a split fault with its plus face; reports faces without a partner, and faces that do not
+  /// bound their own side. Nothing is split on the boundary of the model.
   void join_faces(CheckResult& result) {
     FaultCollector alone("wrong_splits"), inside("wrong_splits");
     CheckResult told_of_the_rest;
@@ -151,7 +151,8 @@ class SplitJoiner {
           ++n_pairs;
           plus = faces_.region_minus[other->second];
           const Triangle from = nodes(f), to = nodes(other->second);
-          if (sorted(from) != sorted(to)) {  // otherwise all three are at a tip, where nothing opens
+          // If both faces have the same nodes, all three are at a fault tip, where the fault does not open.
+          if (sorted(from) != sorted(to)) {
             open_pairs_.emplace_back(from, to);
             if (!bounds(from) || !bounds(to)) inside.add(f, mesh_.points[from[0]]);
           }
@@ -193,9 +194,10 @@ class SplitJoiner {
                                  "The rest was checked with the sides joined");
   }
 
-  /// Prisms extend from the minus face, as seen from within the prism, to the plus face.
+  /// Checks that cohesive prisms extend from the minus face, as seen from within the prism, to the plus face.
   void check_prisms(CheckResult& result) {
-    std::map<std::pair<Triangle, Triangle>, bool> due;  // required pairs of sides, with the parity of the minus face
+    // Required pairs of minus and plus faces, with the parity of the minus face.
+    std::map<std::pair<Triangle, Triangle>, bool> due;
     if (asked_.cohesive)
       for (const auto& [minus, plus] : open_pairs_) due[{sorted(minus), sorted(plus)}] = is_odd(minus);
     FaultCollector wrong("wrong_splits");
@@ -229,9 +231,9 @@ class SplitJoiner {
   const FacesFile& faces_;
   const AskedSplits& asked_;
   CheckedMesh as_split_;
-  std::vector<VertexIndex> row_;                           // row of each node's place
+  std::vector<VertexIndex> row_;                           // for each node of the split mesh, the point after merging
   std::set<Triangle> split_;                               // faces, by places
-  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // nodes of both sides of faces, if any of them differ
+  std::vector<std::pair<Triangle, Triangle>> open_pairs_;  // pairs of minus and plus faces that differ in a node
   JoinedFiles joined_;
 };
 

@@ -8,10 +8,10 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// A face of a tetrahedron with its corners in the order of the key.
+/// A face of a tetrahedron; `corner` is in the order of the vertices in `key`.
 struct CellFace {
   Triangle key;
-  std::array<Index, 3> corner;  ///< each corner as 4 t + i for corner i of tetrahedron t
+  std::array<Index, 3> corner;  ///< the face's corners, corner i of tetrahedron t stored as 4 t + i
 };
 
 std::vector<CellFace> faces_of(const std::vector<Tetrahedron>& cells) {

@@ -81,7 +81,7 @@ bool InputBorder::faces_border(Index row, const Vec3& p) const {
     const Vec3 d = edges_[e][1] - edges_[e][0];
     return std::sqrt(dot(d, d));
   };
-  std::map<VertexIndex, double> along;  // shortest known distance to vertices within twice the length
+  std::map<VertexIndex, double> along;  // shortest known distance from p along the border to each vertex
   std::vector<std::pair<VertexIndex, double>> open;
   for (std::size_t k = 0; k < 2; ++k) open.emplace_back(ends_[row][k], distance_to(edges_[row][k]));
   while (!open.empty()) {

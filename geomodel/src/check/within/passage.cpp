@@ -36,8 +36,8 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Corners& t) {
 
 double length(const Vec3& d) { return std::sqrt(dot(d, d)); }
 
-/// Returns the line up to and including its first point that is farther from the other surface than the depth; nothing
-/// if it ends before.
+/// Returns the polyline up to and including its first point that is deeper than `depth`, that is, farther from the
+/// other surface; nothing if the polyline ends before.
 std::optional<std::vector<Vec3>> until_deeper(const Vec3& start, const std::vector<Vec3>& line,
                                               const FollowedSurface& other, double depth, const AlongLine& along) {
   constexpr double least_step = 0.25;  // of the depth

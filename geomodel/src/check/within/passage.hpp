@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines how deep surfaces of the input pass through each other. From a point of a crossing each surface is
+/// Determines how deep input surfaces pass through each other. From a point on their intersection curve each surface is
 /// followed in both directions, normal to the curve, until it is farther from the other surface than a given depth. It
-/// passes through the other one if both ends get that far, on different sides. The parity of the number of times that
-/// the line between the ends crosses the other surface determines the sides. A surface whose line ends before, or
-/// returns, enters the other one by less than the depth, or touches it.
+/// passes through the other surface if both directions get that far and end on different sides. The sides differ if the
+/// line between the two ends crosses the other surface an odd number of times. A surface that ends before it gets that
+/// far, or returns, enters the other one by less than the depth, or only touches it.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@
 
 namespace geomesh::geomodel::checking {
 
-/// Returns the segment in which triangles pass through each other; nothing if they only touch or lie in one plane.
-/// Whether they do is decided exactly.
+/// Returns the segment in which two triangles pass through each other; nothing if they only touch or lie in one plane.
+/// This is decided exactly.
 std::optional<std::array<Vec3, 2>> crossing_of(const Corners& s, const Corners& t);
 
-/// A plane normal to a curve at one of its points.
+/// A plane normal to an intersection curve at one of its points.
 struct CurvePlane {
   Vec3 place, along;
 };
 
-/// A surface of the input with equal points merged.
+/// An input surface with equal points merged, which can be followed along a plane.
 class FollowedSurface {
  public:
   explicit FollowedSurface(const TriangulatedSurface& surface);
@@ -36,13 +36,14 @@ class FollowedSurface {
   const BoxTree& tree() const { return tree_; }
   const TriangleSet& set() const { return set_; }
 
-  /// Returns the two lines in which the plane cuts the surface, from the point in a triangle to where the surface ends
-  /// or the lines meet. Empty if the plane does not meet the triangle. O(triangles crossed).
+  /// Returns the two polylines in which the plane cuts the surface, starting at a point in the given triangle and
+  /// ending where the surface ends or the polylines meet. Empty if the plane does not meet the triangle. O(triangles
+  /// crossed).
   std::vector<std::vector<Vec3>> lines(Index triangle, const CurvePlane& plane) const;
 
  private:
   using Edge = std::array<VertexIndex, 2>;
-  /// Returns the edge by which the line leaves the triangle, other than `entered`; nothing if there is none.
+  /// Returns the edge, other than `entered`, by which the plane's cut leaves the triangle; nothing if there is none.
   std::optional<Edge> exit(Index triangle, const CurvePlane& plane, const Edge& entered) const;
   Vec3 cut(const Edge& edge, const CurvePlane& plane) const;
   double height(VertexIndex v, const CurvePlane& plane) const { return dot(points_[v] - plane.place, plane.along); }
@@ -50,20 +51,20 @@ class FollowedSurface {
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
   std::vector<Corners> corners_;
-  std::map<Edge, std::vector<Index>> at_;  ///< triangles at each edge
+  std::map<Edge, std::vector<Index>> at_;
   BoxTree tree_;
   TriangleSet set_;
 };
 
-/// Functions that are evaluated at each point of a line that is no farther from the other surface than the depth.
+/// Functions called at the points of a followed line until it is farther from the other surface than the depth.
 struct AlongLine {
-  std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended there
-  /// Called with all points that are examined, at most a quarter of the depth apart.
+  std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended at a point of the line
+  /// Called with every examined point. Neighbouring points are at most a quarter of the depth apart.
   std::function<void(const Vec3&)> visit;
 };
 
-/// Returns whether the surface, followed from the point in its triangle, passes through the other one, deeper than that
-/// on both sides. O(length / depth) queries of the other surface.
+/// Returns whether the surface, followed from a point in its triangle, passes through the other one and gets farther
+/// than `depth` from it on both sides. O(length / depth) queries of the other surface.
 bool passes_through(const FollowedSurface& surface, Index triangle, const CurvePlane& plane,
                     const FollowedSurface& other, double depth, const AlongLine& along);
 

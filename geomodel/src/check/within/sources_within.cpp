@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks the input triangles that faces name, declared in check/within/within_tolerance.hpp.
+// Checks that mesh faces are near the input triangles that they name as sources, declared in
+// check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,9 +14,9 @@ namespace {
 
 double distance(const Vec3& p, const Vec3& q) { return std::sqrt(dot(q - p, q - p)); }
 
-/// Returns the distance between the segments a b and c d.
 double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Corners first{a, b, b}, second{c, d, d};  // triangle without area: the nearest point of the segment
+  // The segments as degenerate triangles, so that the nearest point of a segment can be queried.
+  const Corners first{a, b, b}, second{c, d, d};
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& p : {a, b}) least = std::min(least, distance(p, nearest_on_triangle(p, second)));
   for (const Vec3& p : {c, d}) least = std::min(least, distance(p, nearest_on_triangle(p, first)));
@@ -26,8 +27,7 @@ double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const V
   return s > 0 && s < 1 && t > 0 && t < 1 ? std::min(least, distance(a + s * u, c + t * v)) : least;
 }
 
-/// Returns the distance between the segment a b and the triangle at the point where the segment crosses the triangle's
-/// plane.
+/// Returns the distance between the triangle t and the point where the segment a b crosses the triangle's plane.
 double distance_at_plane(const Vec3& a, const Vec3& b, const Corners& t) {
   const Vec3 normal = cross(t[1] - t[0], t[2] - t[0]);
   const double from = dot(a - t[0], normal), to = dot(b - t[0], normal);
@@ -36,8 +36,7 @@ double distance_at_plane(const Vec3& a, const Vec3& b, const Corners& t) {
   return distance(p, nearest_on_triangle(p, t));
 }
 
-/// Returns the distance of two triangles, which occurs at a corner, between two sides, or where a side crosses the
-/// other triangle.
+/// Returns the distance of two triangles, attained at a corner, between two sides, or where a side crosses the other.
 double gap_between(const Corners& a, const Corners& b) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})

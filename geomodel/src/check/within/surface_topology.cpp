@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks sheets, borders and holes of moved surfaces, declared in check/within/within_tolerance.hpp.
+// Checks pieces, borders and holes of surfaces that were moved within a tolerance, declared in
+// check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -21,10 +22,9 @@ Edge edge_of(const Triangle& t, std::size_t i) {
   return {std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])};
 }
 
-/// Positions along a segment at which it is sampled.
+/// Relative positions along a segment at which it is sampled.
 constexpr std::array<double, 5> between{0.125, 0.3125, 0.5, 0.6875, 0.875};
 
-/// Returns edges with the rows of their triangles.
 std::map<Edge, std::vector<Index>> edges_of(const std::vector<Triangle>& triangles) {
   std::map<Edge, std::vector<Index>> edges;
   for (Index t = 0; t < triangles.size(); ++t)
@@ -99,12 +99,11 @@ class TopologyChecker {
   void check_curves(CheckResult& result);
 
  private:
-  /// Returns whether rules may trim the surface; clipping by a volume that is not a box counts as such.
+  /// Returns whether rules may trim the surface; clipping by a volume that is not a box counts as trimming.
   bool may_be_trimmed(Index row) const {
     return specification_.may_be_trimmed(row) || (specification_.volume && !specification_.volume->box);
   }
   bool is_in_box(const Vec3& p, double room) const;
-  /// Returns whether a body may remove parts of the surface.
   bool may_be_cut(Index row) const;
   bool is_whole(Index row) const;
   std::vector<Triangle> faces_of(Index row) const;
@@ -119,11 +118,11 @@ class TopologyChecker {
     return {a, b, b};
   }
   struct Places {
-    /// Numbers of places: sampled; and of those farther than allowed from where the mesh's surfaces meet.
+    /// Numbers of sampled points of intersection curves, and of those too far from where the surfaces meet in the mesh.
     std::size_t looked_at = 0, farther = 0;
   };
   /// A point at which triangle s of surface i and triangle t of surface j pass through each other, and the direction of
-  /// the curve there.
+  /// the intersection curve there.
   struct Passage {
     Index i, j, s, t;
     Vec3 place, along;
@@ -137,8 +136,8 @@ class TopologyChecker {
   Allowed allowed_;
   std::vector<SurfacePair> pairs_;
   std::map<Edge, std::vector<Index>> edges_;  ///< of all candidates
-  std::vector<InputBorder> borders_;          ///< borders of the input's surfaces
-  std::vector<FollowedSurface> followed_;     ///< the input's surfaces, prepared when curves are checked
+  std::vector<InputBorder> borders_;
+  std::vector<FollowedSurface> followed_;
 };
 
 bool TopologyChecker::is_in_box(const Vec3& p, double room) const {
@@ -185,14 +184,14 @@ void TopologyChecker::check_presence(CheckResult& result) {
   missing.report(result, "surfaces that lie in the box have no face in the mesh: " + names);
 }
 
-/// Returns whether place p of the input's border may have been merged with another part of the border, or with another
-/// patch of the fault.
+/// Returns whether the mesher may have merged the point p of a border edge with another part of the border, or with
+/// another patch of the fault.
 bool TopologyChecker::may_be_joined(Index row, Index edge, const Vec3& p) const {
   const bool is_fault = specification_.surfaces[row].kind == SurfaceKind::fault;
   return borders_[row].faces_border(edge, p) || (is_fault && borders_[row].faces_other_piece(edge, p));
 }
 
-/// Returns whether parts of its border may have been merged with each other.
+/// Returns whether the mesher may have merged parts of the surface's border with each other.
 bool TopologyChecker::is_cracked(Index row) const {
   const InputBorder& border = borders_[row];
   for (Index e = 0; e < border.edges().size(); ++e) {
@@ -205,8 +204,8 @@ bool TopologyChecker::is_cracked(Index row) const {
   return false;
 }
 
-/// Checks that surfaces which nothing clips have the topology of their input. Where its border faces itself, parts may
-/// have been merged, which changes the topology.
+/// Checks that surfaces which nothing clips have the topology of their input. Surfaces are left out if parts of their
+/// border are so close that they may have been merged, which changes the topology.
 void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   FaultCollector changed("surfaces_changed");
   std::string how;
@@ -214,7 +213,7 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
   for (Index row = 0; row < specification_.surfaces.size(); ++row) {
     if (!is_whole(row) || pairs_[row].faces.empty() || is_cracked(row)) continue;
     const Topology input = topology_of(welded(specification_.surfaces[row])), now = topology_of(faces_of(row));
-    if (!input.manifold || !now.manifold) continue;  // the surface meets itself and is divided there
+    if (!input.manifold || !now.manifold) continue;  // a surface that meets itself is divided there in the mesh
     ++n_checked;
     if (input == now) continue;
     changed.add(row, specification_.surfaces[row].points[specification_.surfaces[row].triangles[0][0]]);
@@ -228,7 +227,7 @@ void TopologyChecker::check_whole_surfaces(CheckResult& result) {
       "characteristic were held against the input's");
 }
 
-/// A surface may end at the box, at a body that cuts it, and, if rules trim it, at any other surface.
+/// Returns whether a surface may end at the mesh edge e: at the box, a cutting body or, if rules trim it, any surface.
 bool TopologyChecker::is_excused(const Edge& e, Index row) const {
   for (const Index f : edges_.at(e))
     for (const std::int32_t id : checked_.set_of(f)) {
@@ -242,7 +241,7 @@ bool TopologyChecker::is_excused(const Edge& e, Index row) const {
   return false;
 }
 
-/// Returns whether a body that cuts the surface passes through the place, where rules may have removed the body's wall.
+/// Returns whether a body that cuts the surface passes through p. Rules may have removed the body's own wall there.
 bool TopologyChecker::was_cut_at(Index row, const Vec3& p) const {
   return checked_.is_cut_kind(row) &&
          std::any_of(checked_.bodies().begin(), checked_.bodies().end(), [&](const Body& body) {
@@ -258,8 +257,7 @@ std::vector<Corners> TopologyChecker::free_edges(Index row, bool but_excused) co
   return free;
 }
 
-/// Returns the triangles that rules made to continue a surface: any part of them may be absent, so that the surface may
-/// end anywhere there.
+/// Returns the triangles that rules made to continue a surface. They may be absent, so the surface may end on them.
 std::vector<Corners> TopologyChecker::continuation_of(Index row) const {
   std::vector<Corners> made;
   if (row >= specification_.trims.size() || !specification_.trims[row].continuation) return made;
@@ -305,7 +303,7 @@ void TopologyChecker::check_borders(CheckResult& result) {
         "sampled, both ways");
 }
 
-/// Returns the mesh edges at which both surfaces meet, and the faces that belong to both.
+/// Returns the mesh edges at which both surfaces meet, and the mesh faces that belong to both.
 TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
   std::vector<Corners> shared;
   for (const auto& [e, at] : edges_) {
@@ -319,9 +317,9 @@ TriangleSet TopologyChecker::meeting_of(Index i, Index j) const {
   return TriangleSet(std::move(shared));
 }
 
-/// Returns whether the input surfaces pass through each other there, each deeper than the allowed distance, and the
-/// surfaces of the mesh meet nowhere nearby. Both may have been moved: where they are closer to each other than the
-/// allowed distance, their curve may be anywhere in between.
+/// Returns whether an intersection of two input surfaces is missing in the mesh: the surfaces pass through each other
+/// at the given point, each deeper than the allowed distance, but do not meet nearby in the mesh. Both may have been
+/// moved: where they are closer than the allowed distance, their curve may be anywhere in between.
 bool TopologyChecker::is_lost(const Passage& passage, const TriangleSet& meeting) const {
   const Vec3 &place = passage.place, &along = passage.along;
   bool is_met = false;
@@ -333,9 +331,9 @@ bool TopologyChecker::is_lost(const Passage& passage, const TriangleSet& meeting
   return passes(passage.i, passage.s, passage.j) && passes(passage.j, passage.t, passage.i) && !is_met;
 }
 
-/// Checks that where input triangles of surfaces i and j pass through each other, both surfaces meet in the mesh
-/// nearby. This is not required if they pass through by less than the allowed distance, or if they only touch: horizons
-/// that end on both sides of a fault touch at a point, up to rounding.
+/// Checks that surfaces i and j meet in the mesh near every point where their input triangles pass through each other.
+/// This is not required if they pass through by less than the allowed distance, or if they only touch: horizons that
+/// end on both sides of a fault touch at a point, up to rounding.
 void TopologyChecker::check_crossings(Index i, Index j, FaultCollector& off, Places& places) {
   const FollowedSurface &a = followed_[i], &b = followed_[j];
   const TriangleSet meeting = meeting_of(i, j);
@@ -348,7 +346,8 @@ void TopologyChecker::check_crossings(Index i, Index j, FaultCollector& off, Pla
       const auto crossing = crossing_of(s, b.triangles()[row]);
       if (!crossing) return;
       const auto& [from, to] = *crossing;
-      if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;  // a single point, up to rounding
+      // The two triangles meet in a single point, up to rounding.
+      if (dot(to - from, to - from) <= allowed_.rounding * allowed_.rounding) return;
       for (const double at : between) {
         const Vec3 p = from + at * (to - from);
         ++places.looked_at;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks volumes of regions whose boundary moved, declared in check/within/within_tolerance.hpp.
+// Checks volumes of regions whose boundary moved within a tolerance, declared in check/within/within_tolerance.hpp.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,8 +19,7 @@ double face_area(const Corners& c) {
   return 0.5 * std::sqrt(dot(n, n));
 }
 
-/// Returns for each region the area, in floating point, of its faces that can have moved, which excludes those only on
-/// box sides.
+/// Returns for each region the area of its boundary faces that can have moved, without those only on box sides.
 std::map<std::int32_t, double> movable_areas(const CheckedFaces& checked) {
   std::map<std::int32_t, double> areas;
   const FacesFile& faces = *checked.faces();
@@ -33,7 +32,7 @@ std::map<std::int32_t, double> movable_areas(const CheckedFaces& checked) {
   return areas;
 }
 
-/// Returns the volume of the closed, oriented surface, summed exactly; nothing if an edge does not cancel.
+/// Returns the exactly summed volume of the closed surface; nothing if it is open or inconsistently oriented.
 std::optional<double> enclosed_volume(const TriangulatedSurface& s) {
   std::map<std::array<std::array<double, 3>, 2>, int> edges;
   const auto key = [&](VertexIndex v) { return std::array{s.points[v].x, s.points[v].y, s.points[v].z}; };
@@ -59,7 +58,7 @@ class VolumesWithin {
   void check_bodies(CheckResult& result);
 
  private:
-  /// Returns the volumes in `report` by region name; empty if it has none.
+  /// Returns the volumes of regions that the report gives, by name; empty if it has none.
   std::map<std::string, double> told_volumes(const nlohmann::json& report) const;
   bool is_open_or_crosses_itself(const Body& body) const;
 
@@ -117,7 +116,7 @@ void VolumesWithin::check_regions(const nlohmann::json& report, CheckResult& res
   if (wrong.count() == 0) result.checks_done.emplace_back(text);
 }
 
-/// Returns for each region the centroid of its largest tetrahedron, a place well inside it.
+/// Returns for each region the centroid of its largest tetrahedron, a point well inside the region.
 std::map<std::int32_t, Vec3> inner_places(const CheckedMesh& mesh) {
   std::map<std::int32_t, std::pair<double, Index>> largest;
   for (Index t = 0; t < mesh.cells.size(); ++t) {
@@ -136,8 +135,8 @@ bool lies_in(const Vec3& p, const Body& body) {
   return winding && *winding != 0;
 }
 
-/// Returns whether the number of the body's faces at an edge is not two: the box cuts the body, or it crosses itself
-/// and encloses parts of space twice. A body without faces lies outside, or is reported missing by other checks.
+/// Returns whether an edge of the body has another number of faces than two. Then the box cuts the body, or the body
+/// crosses itself and encloses parts of space twice. A body without faces is left to other checks.
 bool VolumesWithin::is_open_or_crosses_itself(const Body& body) const {
   std::map<std::array<VertexIndex, 2>, int> uses;
   const auto row = static_cast<Index>(body.surface - checked_.specification().surfaces.data());

@@ -13,15 +13,15 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Decides which faces may represent a surface if faces have no names.
+/// Decides which mesh faces may represent a surface if the files give no names to faces.
 class UnnamedFaces {
  public:
   explicit UnnamedFaces(const CheckedMesh& mesh) : mesh_(mesh) {
     for (const Triangle& t : mesh.file.triangles) listed_.push_back(sorted(t));
     std::sort(listed_.begin(), listed_.end());
   }
-  /// Returns whether the face bounds the mesh, separates two regions, or is a triangle of the file: a fault within one
-  /// unit cannot be recognised otherwise.
+  /// Returns whether a mesh face may belong to a surface: it bounds the mesh, separates two regions, or is a triangle
+  /// of the file. A fault within one unit cannot be recognised otherwise.
   bool may_be_surface(const FacePair& face) const {
     if (is_boundary(face) || std::binary_search(listed_.begin(), listed_.end(), face.key)) return true;
     const std::vector<std::int32_t>& region = mesh_.file.region;
@@ -33,8 +33,8 @@ class UnnamedFaces {
   std::vector<Triangle> listed_;
 };
 
-/// Returns whether a face without names is on one of the volume's own sides, up to rounding. If no unit ends inside,
-/// nothing else bounds the mesh.
+/// Returns whether a mesh face without names is on one of the volume's own sides, up to rounding. If no unit ends
+/// inside, only these sides bound the mesh.
 bool is_side_of_volume(const CheckedFaces& checked, Index f, double rounding) {
   const Specification& specification = checked.specification();
   if (!specification.volume || !is_boundary(checked.mesh().faces[f])) return false;
@@ -48,8 +48,8 @@ bool is_side_of_volume(const CheckedFaces& checked, Index f, double rounding) {
   return false;
 }
 
-/// Formats the result: "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart; largest distance
-/// sampled 0.34".
+/// Formats a measured deviation as in "proven within 0.5 for 99.8 % of the area, the rest sampled at most 0.1 apart;
+/// largest distance sampled 0.34".
 std::string words(const Deviation& d, double tolerance) {
   char text[240];
   const double share = d.area > 0 ? 100 * std::min(1.0, d.proven / (d.area - d.beyond)) : 100;
@@ -75,7 +75,7 @@ class SurfacesWithin {
  private:
   void check_faces(const SurfacePair& pair);
   void check_input(const SurfacePair& pair);
-  /// Measures the part of the triangle inside the box.
+  /// Measures the part of the triangle inside the box; returns a point beyond the tolerance, if there is one.
   std::optional<Vec3> check_in_box(const DeviationChecker& checker, const PlaneTriangle& triangle, Deviation& sum);
 
   const CheckedFaces& checked_;
@@ -174,8 +174,8 @@ void SurfacesWithin::report(CheckResult& result) {
                                words(input_, allowed_.both()));
 }
 
-/// Checks that faces of horizons and faults reach into a body that cuts by at most the allowed distance, measured at
-/// their centroids.
+/// Checks that mesh faces of horizons and faults reach into a body that cuts by at most the allowed distance, measured
+/// at the centroids of the faces.
 void check_bodies_within(const CheckedFaces& checked, const Allowed& allowed, const std::vector<Triangle>& candidates,
                          CheckResult& result) {
   FaultCollector inside("faces_inside_bodies");

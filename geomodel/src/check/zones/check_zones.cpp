@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks fault zones as they are, declared in check/zones/check_zones.hpp.
+// Checks the elements of fault zones in the mesh, declared in check/zones/check_zones.hpp.
 #include "check/zones/check_zones.hpp"
 
 #include <algorithm>
@@ -16,13 +16,14 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Largest deviation of the thickness at a face, and of the ratio of volume to area.
+/// Largest factor by which a fault zone's thickness at one face may deviate, and largest relative deviation of the
+/// whole zone's volume divided by area.
 constexpr double most_by_face = 2, most_in_all = 0.125;
 
-/// Measurements of a zone.
+/// Measurements of one fault zone of the mesh.
 struct Seen {
-  std::set<VertexIndex> minus, plus;  ///< nodes of the zone's walls
-  CompensatedSum volume, due;  ///< required volume: area of the minus wall, closed, times thickness; less at ends
+  std::set<VertexIndex> minus, plus;  ///< nodes of the fault zone's two walls
+  CompensatedSum volume, due;  ///< actual and required volume (area of the minus wall times thickness, less at ends)
   std::map<VertexIndex, std::set<VertexIndex>> edges;  ///< of its elements
 };
 
@@ -99,8 +100,7 @@ class ZoneChecker {
     seen_text_ += text;
     if (!(std::abs(ratio - 1) <= most_in_all)) wrong_.add(z, mesh_.point(*seen_[z].minus.begin()));
   }
-  /// Counts steps along edges from the minus wall to each node of the plus wall, without passing through ends of the
-  /// zone.
+  /// Counts the edges on the shortest path from the minus wall to each plus node, which must not pass through the ends.
   void check_layers(std::size_t z) {
     const Seen& seen = seen_[z];
     std::map<VertexIndex, unsigned> steps;

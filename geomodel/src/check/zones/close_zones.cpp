@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Returns a mesh without its fault zones, declared in check/zones/check_zones.hpp.
+// Returns a mesh with its fault zones closed, declared in check/zones/check_zones.hpp.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -41,7 +41,7 @@ class ZoneCloser {
       const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
       const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
       if (is_new && !used[v]) {
-        at.erase(entry);  // an entry that belongs only to a zone
+        at.erase(entry);  // the point belongs only to a zone, so its entry is removed
         continue;
       }
       row_[v] = entry->second;
@@ -151,7 +151,7 @@ class ZoneCloser {
     for (const std::string& member : members) joined += (joined.empty() ? "" : "*") + member;
     return joined;
   }
-  /// Returns whether both walls of a zone belong to the curve, because they meet there.
+  /// Returns whether the curve's name contains both walls of a fault zone, because they meet along it.
   bool walls_meet(const std::string& name) const {
     std::map<std::string, std::set<Wall>> walls;
     std::string::size_type from = 0;
@@ -163,8 +163,8 @@ class ZoneCloser {
       from = to + 1;
     }
   }
-  /// Returns edges of the closed faces that have two faces of the same surfaces. They belong to no curve, except where
-  /// walls of a zone met, as they do beside a triangle with all corners on the fault's border.
+  /// Returns the mesh edges of the closed face set that have two faces of the same surfaces. They belong to no curve.
+  /// Only where two walls of a zone met there is a curve, as beside a triangle with all corners on the fault's border.
   std::set<std::array<VertexIndex, 2>> edges_within_sheets() const {
     std::map<std::array<VertexIndex, 2>, std::vector<std::int32_t>> sets;
     const FacesFile& faces = closed_.faces;
@@ -206,7 +206,7 @@ class ZoneCloser {
       if (a == no_vertex || b == no_vertex || a == b) continue;  // in a zone
       const std::string& kind = kind_of[file.edge_curve[e]];
       if (kind == "intersection" && name_of[file.edge_curve[e]].find('*') == std::string::npos)
-        continue;  // the walls meet at an end there
+        continue;  // a curve along which only the two walls of a zone meet, at an end of the zone
       if (met.contains(file.edge_curve[e]) && within.contains({std::min(a, b), std::max(a, b)})) continue;
       edges[{kind_of[file.edge_curve[e]], name_of[file.edge_curve[e]]}].insert({std::min(a, b), std::max(a, b)});
     }
@@ -233,7 +233,7 @@ class ZoneCloser {
   std::vector<std::string> faults_;
   std::map<std::int32_t, std::size_t> zone_ids_;
   ClosedFiles closed_;
-  std::vector<VertexIndex> row_;              // row of each point of the file; no_vertex in zones
+  std::vector<VertexIndex> row_;  // Row of each point of the file in the closed mesh; no_vertex for points of zones.
   std::map<std::int32_t, std::int32_t> now_;  // ids of surfaces
   std::map<std::string, std::int32_t> id_of_fault_;
   std::int32_t next_id_ = 0;

@@ -19,14 +19,14 @@ inline std::vector<std::string> faults_of(const std::vector<FaultZone>& zones) {
   return faults;
 }
 
-/// Returns the row of the zone whose region has this name.
+/// Returns the index of the fault zone whose region has this name.
 inline std::optional<std::size_t> zone_of_region(const std::string& name, const std::vector<FaultZone>& zones) {
   for (std::size_t z = 0; z < zones.size(); ++z)
     if (name == zones[z].fault + ".zone") return z;
   return std::nullopt;
 }
 
-/// Returns the ids of the zones' regions.
+/// Returns the index of the fault zone for each id of a zone's region.
 inline std::map<std::int32_t, std::size_t> zone_ids(const std::map<std::int32_t, std::string>& region_names,
                                                     const std::vector<FaultZone>& zones) {
   std::map<std::int32_t, std::size_t> ids;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes AVS UCD (text), which LaGriT reads and writes: NAME.avs has the tetrahedra with the region as material,
 // NAME.faces.avs the faces with the surface as material and, as node attribute idnode0, the number of the node in
-// NAME.avs. Fractures alone are NAME.avs itself, as dfnWorks has them. Source: "read/avs" of the LaGriT manual, and the
-// reader of meshio. LaGriT uses the extension .inp for such files, which is also that of Abaqus.
+// NAME.avs. If only fractures are written, NAME.avs holds their triangles, as files of dfnWorks do. Source: "read/avs"
+// of the LaGriT manual, and the reader of meshio. LaGriT uses the extension .inp for such files, which is also that of
+// Abaqus.
 #include <map>
 
 #include "formats/codes/each_cell.hpp"
@@ -15,7 +16,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes the numbers of nodes, cells, node attributes, cell attributes and model attributes.
 void write_counts(OutputText& out, std::size_t n_nodes, std::size_t n_cells, int node_attributes) {
   out << n_nodes << " " << n_cells << " " << node_attributes << " 0 0\n";
 }
@@ -32,9 +32,9 @@ void write_tetrahedra(OutputText& out, const SolverMesh& mesh) {
   });
 }
 
-/// `beside_volume` adds the node's number in the file of the tetrahedra as an attribute.
+/// Writes the faces. With `beside_volume`, each node has as an attribute its number in the file of the tetrahedra.
 void write_faces(OutputText& out, const SolverMesh& mesh, bool beside_volume) {
-  std::map<VertexIndex, std::size_t> number_of;  // numbers of nodes of faces, in their order in the mesh
+  std::map<VertexIndex, std::size_t> number_of;  // number of each node of the faces, in the order of the mesh
   for_each_cell(mesh, 2, [&](const CellGroup&, const CellBlock&, std::size_t, auto nodes) {
     for (const VertexIndex v : nodes) number_of[v] = 0;
   });

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a COMSOL mesh (.mphtxt, text): one mesh object, and a selection for each region, surface, curve and named
-// point. Domains are numbered from 1, boundaries, edges and points from 0. Each block of faces between the same two
-// regions is a boundary of its own, as COMSOL requires. Source: "The COMSOL File Formats", Programming Reference Manual
-// 6.0.
+// point. Domains are numbered from 1, boundaries, edges and points from 0. Faces of a surface between different pairs
+// of regions are different boundaries, as COMSOL requires. Source: "The COMSOL File Formats", Programming Reference
+// Manual 6.0.
 #include <map>
 
 #include "formats/codes/each_cell.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* tag_of_mesh = "mesh1";
 
-/// Texts are written after their length.
+/// COMSOL texts are written after their length.
 void write_word(OutputText& out, const std::string& word) { out << word.size() << " " << word; }
 
 class MeshFile {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Loops over the cells of a solver file, label by label.
+/// Loops over the cells of a solver file in the order of their labels.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ void for_each_cell(const SolverMesh& mesh, int dimension, Visit&& visit) {
   }
 }
 
-/// Returns the options changed so that each cell has one number: a face on several surfaces gets a number of its own.
+/// Returns write options that give each cell exactly one number: a face on several surfaces gets a number of its own.
 inline WriteOptions with_one_number(WriteOptions options) {
   if (options.groups == GroupChoice::both) options.groups = GroupChoice::whole;
   return options;

@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr int feflow_tetrahedron = 6;  ///< FEFLOW's number of the element type
+constexpr int feflow_tetrahedron = 6;  ///< FEFLOW's number for tetrahedral elements
 
 /// Writes ascending numbers in FEFLOW's list format: single numbers and ranges `FIRST-LAST`. A continuation line begins
 /// with a tab.
@@ -50,11 +50,11 @@ class ProblemFile {
 
  private:
   void write_header() {
-    // Writes the problem class: saturated flow, steady, 3D (the fourth number), no layers, double precision (8 bytes
-    // twice).
+    // Writes the problem class of a FEFLOW file: saturated flow, steady, 3D (the fourth number), no layers, double
+    // precision (8 bytes twice).
     out_ << "PROBLEM: " << transliterated(mesh_.source->name) << "\nCLASS (v.7.006.14742)\n"
          << "   0    0    0    3    0    0    8    8    0    0\n"
-         // Writes the numbers of nodes and elements, 0 for "each element names its type", then default settings.
+         // Writes FEFLOW's numbers of nodes and elements, 0 for "each element names its type", then default settings.
          << "DIMENS\n " << mesh_.n_nodes() << " " << mesh_.n_solids() << " 0 1 0 0 0 0 0 1 0 0 0 0 0 0 0\nSCALE\n\n";
   }
   void write_elements() {
@@ -65,7 +65,8 @@ class ProblemFile {
       out_ << "\n";
     });
   }
-  /// Groups of regions come first, because readers that give an element one material use the last set that contains it.
+  /// Groups of regions are written before regions, because readers that give an element one material use the last set
+  /// that contains it.
   void write_elemental_sets() {
     SolverNames names(name_limit_plain);
     std::vector<std::size_t> first(mesh_.blocks.size() + 1, 1);

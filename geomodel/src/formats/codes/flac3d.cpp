@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes a FLAC3D grid (.f3grid, text): zones in groups by region, faces in groups by surface. A slot holds one group
-// for each
-// zone or face, so that groups which share faces get slots of their own. Source: "Grid Format (f3grid)" of the FLAC3D
-// 7.0 manual, and the reader of meshio.
+// Writes a FLAC3D grid (.f3grid, text): zones in groups by region, faces in groups by surface. A slot holds at most one
+// group for each zone or face, so groups that share faces get different slots. Source: "Grid Format (f3grid)" of the
+// FLAC3D 7.0 manual, and the reader of meshio.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,7 +16,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes grid points, zones and faces, numbered from 1, and stores the numbers of each block's cells.
 class GridWriter {
  public:
   GridWriter(OutputText& out, const SolverMesh& mesh) : out_(out), mesh_(mesh), first_of_(mesh.blocks.size(), 0) {}
@@ -51,7 +49,7 @@ class GridWriter {
       }
     }
   }
-  /// Returns the first slot in which no cell of the group belongs to a group yet.
+  /// Returns the first FLAC3D slot in which no cell of the group belongs to another group.
   std::size_t free_slot(const CellGroup& group) {
     std::size_t slot = 1;
     const auto is_taken = [&](std::size_t b) { return slots_of_[b].contains(slot); };
@@ -80,7 +78,7 @@ class GridWriter {
 
   OutputText& out_;
   const SolverMesh& mesh_;
-  std::vector<std::size_t> first_of_;  // number of the first cell of each block
+  std::vector<std::size_t> first_of_;  // number of the first cell of each block of cells
   std::map<std::size_t, std::set<std::size_t>> slots_of_;
   std::vector<SidecarGroup> sidecar_;
 };

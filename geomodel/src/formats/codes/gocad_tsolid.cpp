@@ -49,7 +49,7 @@ class SolidFile {
     });
     sidecar_.push_back({"tvolume", 3, label.id, name, label.full_name, label.members});
   }
-  /// Writes a part (TFACE) for each block: its faces lie between the same two regions.
+  /// Writes a surface with one part (TFACE) for each pair of regions between which its faces lie.
   void write_surface(const CellGroup& label, const std::string& name) {
     out_ << "SURFACE " << name << "\n";
     for (const std::size_t b : label.blocks) {
@@ -63,7 +63,8 @@ class SolidFile {
     }
     sidecar_.push_back({"surface", 2, 0, name, label.full_name, label.members});
   }
-  /// Writes the surface that bounds a region; normals point from minus to plus.
+  /// Writes a region with one part of a surface that bounds it, and the side of this part on which the region lies.
+  /// Normals of faces point from the minus to the plus side.
   void write_region(const SidecarGroup& group) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const bool minus = parts_[p]->region_minus == group.id, plus = parts_[p]->region_plus == group.id;
@@ -75,7 +76,7 @@ class SolidFile {
 
   OutputText& out_;
   const SolverMesh& mesh_;
-  std::vector<std::size_t> number_;  // number of each node in the file, from 1; 0 if it is not written yet
+  std::vector<std::size_t> number_;  // number of each node in the file, from 1; 0 if the node has not been written yet
   std::size_t n_written_ = 0;
   std::vector<const CellBlock*> parts_;
   std::vector<SidecarGroup> sidecar_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes Medit files, for remeshers such as mmg and refine: NAME.mesh (text, version 2) with NAME.sol, or NAME.meshb
-// (binary, version 3) with NAME.solb. References are region, surface and curve ids; names are in the JSON beside it.
-// The solution is a size at each node, the mean length of its edges, so that a remesher keeps the sizes that the mesh
-// has. Source: "The Gamma Mesh Format" (libMeshb 7), and the reader of meshio.
+// (binary, version 3) with NAME.solb. References are region, surface and curve ids; names are in a JSON file beside the
+// mesh. The solution is a size at each node, the mean length of its edges, so that a remesher keeps the sizes that the
+// mesh has. Source: "The Gamma Mesh Format" (libMeshb 7), and the reader of meshio.
 #include <cmath>
 
 #include "formats/codes/each_cell.hpp"
@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Keywords by dimension, with their numbers in libMeshb.
+/// Medit's keywords by dimension, with their numbers in libMeshb.
 struct Keyword {
   const char* name;
   std::int32_t code;
@@ -24,7 +24,7 @@ struct Keyword {
 constexpr Keyword vertices{"Vertices", 4}, corners{"Corners", 13}, sol_at_vertices{"SolAtVertices", 62};
 constexpr std::array<Keyword, 4> cells_of_dimension{{{"", 0}, {"Edges", 5}, {"Triangles", 6}, {"Tetrahedra", 8}}};
 
-/// The text form: numbers of a row separated by blanks.
+/// The text form of a Medit file: the numbers of a row are separated by blanks.
 class TextForm {
  public:
   explicit TextForm(OutputText& out) : out_(out) { out_ << "MeshVersionFormatted 2\nDimension 3\n"; }
@@ -49,7 +49,7 @@ class TextForm {
   bool is_first_ = true;
 };
 
-/// The binary form of version 3: doubles, 32-bit numbers, and 64-bit positions of the next keyword.
+/// The binary form of a Medit file, version 3: doubles, 32-bit numbers, and 64-bit positions of the next keyword.
 class BinaryForm {
  public:
   explicit BinaryForm(OutputText& out) : out_(out) {
@@ -72,7 +72,7 @@ class BinaryForm {
   }
 
  private:
-  /// Size of a keyword's code, the position of the next keyword, and a count.
+  /// Number of bytes before the data of a keyword: its code, the position of the next keyword, and a count.
   static constexpr std::size_t head_bytes = 2 * sizeof(std::int32_t) + sizeof(std::int64_t);
   OutputText& out_;
   std::size_t at_ = 0;
@@ -80,7 +80,7 @@ class BinaryForm {
 
 std::int32_t number_of(VertexIndex v) { return static_cast<std::int32_t>(v + 1); }
 
-/// References of nodes are ids of named points, which are marked as corners because remeshers keep corners.
+/// Writes nodes. Their references are ids of named points, which are marked as corners because remeshers keep corners.
 template <class Form>
 void write_nodes(Form& form, const SolverMesh& mesh) {
   std::vector<std::int32_t> reference(mesh.n_nodes(), 0);
@@ -120,7 +120,7 @@ void write_mesh(OutputText& out, const SolverMesh& mesh) {
   form.finish();
 }
 
-/// Returns the mean length of the edges at each node; an edge is counted once for each tetrahedron that has it.
+/// Returns the mean length of the edges at each node. An edge counts once for each tetrahedron that has it.
 std::vector<double> mean_lengths(const ModelMesh& mesh) {
   std::vector<double> sum(mesh.points.size(), 0);
   std::vector<std::size_t> n(mesh.points.size(), 0);

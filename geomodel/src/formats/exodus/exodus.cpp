@@ -25,7 +25,7 @@ namespace {
 /// An Exodus file that is being written. Every failure of the library is reported as a failure to write the file.
 class ExodusWriter {
  public:
-  /// `part` is null for a mesh in one file.
+  /// Opens an Exodus file for writing. `part` is null if the whole mesh is written to one file.
   ExodusWriter(const std::filesystem::path& temporary, const std::filesystem::path& file, const SolverMesh& mesh,
                const ExodusPart* part = nullptr)
       : temporary_(temporary), file_(file), mesh_(mesh), part_(part) {}
@@ -53,7 +53,7 @@ class ExodusWriter {
   struct Set {
     std::int32_t id;
     std::string name;
-    std::vector<int> entries, sides;  ///< nodes; or elements and their sides
+    std::vector<int> entries, sides;  ///< rows of nodes; or rows of elements with the numbers of their sides
   };
 
   std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
@@ -61,7 +61,8 @@ class ExodusWriter {
     sidecar_.push_back({type, group.dimension, group.id, name, group.full_name, group.members});
     return name;
   }
-  /// A side set contains the sides of the elements that the faces' normals point away from, so each face occurs once.
+  /// Collects node sets and side sets. A side set has each face once, as a side of the element from which the normal
+  /// points away.
   void collect_sets() {
     SolverNames side_names(name_limit_exodus), node_names(name_limit_exodus);
     for (const CellGroup& group : mesh_.groups) {
@@ -76,8 +77,8 @@ class ExodusWriter {
     for (const NodeSet& set : mesh_.source->node_sets)
       add_node_set(node_names, {set.id, 0, set.name, {}, {set.id}}, set.nodes);
   }
-  /// In a mesh of parts, a face belongs to the element that its normal points away from, and therefore to one file
-  /// only.
+  /// Adds the faces of a block to a side set. In a mesh of parts, a face belongs to the element that its normal points
+  /// away from, and therefore to one file only.
   void add_sides(std::size_t b, Set& sides) const {
     const CellBlock& block = mesh_.blocks[b];
     for (std::size_t c = 0; c < block.sides.size(); ++c) {
@@ -105,7 +106,7 @@ class ExodusWriter {
     }
   }
 
-  /// Dimensions of length zero are not written, because netCDF would treat them as the unlimited dimension.
+  /// Adds a dimension to the file unless its length is zero, because netCDF would treat it as the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t n) {
     if (n > 0) out_.add_dimension(name, n);
   }
@@ -129,7 +130,7 @@ class ExodusWriter {
       add_dimension("num_nod_ns" + std::to_string(s + 1), node_sets_[s].entries.size());
   }
 
-  /// Writes status 1, which means that there are entries, and the ids as the first property.
+  /// Writes the status and ids of blocks and sets. Status 1 means that they have entries; ids are the first property.
   void add_ids() {
     out_.add_doubles("time_whole", {"time_step"}, [this] { return std::vector<double>(has_time_ ? 1 : 0, 0.0); });
     std::vector<int> status, ids;
@@ -187,7 +188,7 @@ class ExodusWriter {
     add_list_of_names("coor", "num_dim", {"x", "y", "z"});
   }
 
-  /// The type is TETRA, which all readers know (one does not know TETRA4).
+  /// Returns the name of an element type. For tetrahedra it is TETRA, which all readers know; one does not know TETRA4.
   const char* type_of(const CellBlock& block) const {
     return block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA";
   }
@@ -201,7 +202,7 @@ class ExodusWriter {
       out_.add_attribute("elem_type", type_of(block));
     }
   }
-  /// Writes some cells at a time, because a copy of all would be as large as the block.
+  /// Writes the nodes of some cells at a time, because a copy of all would be as large as the block.
   static bool put_nodes_of_cells(const CellBlock& block, const NetcdfWriter::Put& put) {
     constexpr std::size_t cells_at_once = 1 << 16;
     std::vector<int> nodes;
@@ -256,7 +257,7 @@ std::filesystem::path file_of_part(const std::filesystem::path& whole, std::int3
   return whole.string() + "." + all + "." + std::string(all.size() - own.size(), '0') + own;
 }
 
-/// The JSON with names is written together with the first part.
+/// Writes a mesh in parts. The JSON file with names is written together with the first part.
 std::vector<std::filesystem::path> write_parts(const SolverMesh& mesh, const MeshParts& parts,
                                                const std::filesystem::path& file) {
   WrittenFiles written;

@@ -8,8 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Adds the arrays to a file whose blocks were added before; elements that are not tetrahedra have NaN. The mesh must
-/// exist until the file is written. Returns the names.
+/// Adds cell and point arrays to an Exodus file that has its element blocks already. Elements that are not tetrahedra
+/// have NaN. The mesh must exist until the file is written. Returns the names of the arrays.
 std::vector<std::string> add_exodus_fields(NetcdfWriter& file, const SolverMesh& mesh);
 
 }  // namespace geomesh::geomodel

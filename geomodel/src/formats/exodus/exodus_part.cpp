@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 namespace {
 
 bool is_solid(const CellBlock& block) { return dimension_of(block.shape) == 3; }
-/// Nodes and faces that the part shares with one other part.
+/// Nodes and faces that one part of a mesh shares with one other part.
 struct Shared {
   std::vector<int> nodes, elements, sides;
 };
@@ -33,7 +33,7 @@ class NemesisWriter {
   }
 
  private:
-  /// Numbers the elements in the order of the part's blocks.
+  /// Numbers the elements of a part in the order of its blocks.
   void number_elements() {
     for (const CellBlock& block : all_.part.mesh.blocks)
       if (is_solid(block)) rows_.insert(rows_.end(), block.rows.begin(), block.rows.end());
@@ -52,7 +52,7 @@ class NemesisWriter {
     file_.add_dimension("num_nodes_global", all_.parts.n_nodes_of_whole());
     file_.add_dimension("num_elems_global", all_.parts.n_cells_of_whole());
     file_.add_dimension("num_el_blk_global", ids.size());
-    file_.add_ints("nem_ftype", "", {0});  // one file for each processor
+    file_.add_ints("nem_ftype", "", {0});  // type 0 of Nemesis: one file for each processor
     file_.add_ints("el_blk_ids_global", "num_el_blk_global", ids);
     file_.add_ints("el_blk_cnt_global", "num_el_blk_global", sizes);
     for (const auto& [kind, entry, n] : {std::tuple{"ns", "node", sets.nodes}, {"ss", "side", sets.sides}}) {
@@ -74,7 +74,7 @@ class NemesisWriter {
   void add_list(const std::string& name, const std::string& dimension, std::vector<int> list) {
     if (!list.empty()) file_.add_ints(name, dimension, std::move(list));
   }
-  /// Adds inner and border nodes and elements; there are no external nodes in the sense of Nemesis.
+  /// Adds the lists of inner and border nodes and elements of a part; it has no external nodes in Nemesis' sense.
   void add_loads() {
     for (const auto& [name, list] : {std::pair{"num_int_elem", &inner_elements_},
                                      {"num_bor_elem", &border_elements_},
@@ -102,7 +102,7 @@ class NemesisWriter {
   }
   void share_faces() {
     const std::vector<BorderFace> faces = all_.parts.border_faces(part_.number);
-    std::map<std::size_t, int> element_of;  // elements at the border, by row
+    std::map<std::size_t, int> element_of;  // element number of each tetrahedron at the border of the part, by its row
     for (const BorderFace& face : faces) element_of[face.cell] = 0;
     for (std::size_t e = 0; e < rows_.size(); ++e) {
       const auto found = element_of.find(rows_[e]);
@@ -115,7 +115,7 @@ class NemesisWriter {
       with.sides.push_back(exodus_side_opposite[face.opposite]);
     }
   }
-  /// Concatenated lists, one for each part with which this one shares nodes or faces, and their ends.
+  /// Lists of shared nodes or faces, concatenated over the parts with which they are shared, and the end of each list.
   struct Lists {
     std::vector<int> parts, ends, first, second, other;
     void add(int part, const std::vector<int>& own, const std::vector<int>& sides) {
@@ -154,7 +154,7 @@ class NemesisWriter {
   NetcdfWriter& file_;
   const ExodusPart& all_;
   const MeshPart& part_;
-  std::vector<std::size_t> rows_;  // rows of the part's elements
+  std::vector<std::size_t> rows_;  // rows in the mesh of the part's elements
   std::vector<int> inner_nodes_, border_nodes_, inner_elements_, border_elements_;
   std::map<int, Shared> shared_;  // by other part
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes a netCDF file that is defined completely before its numbers are written, because the library would move
-/// existing data for each later definition.
+/// Writes a netCDF file that is defined completely before its numbers are written, because the netCDF library would
+/// move existing data for each later definition.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@
 
 namespace geomesh::geomodel {
 
-/// Classic format with 64-bit offsets, which every netCDF reader supports: a variable may have 4 GiB, the file any
-/// size. Numbers have 32 bits, or are doubles.
+/// Writer of netCDF files in the classic format with 64-bit offsets, which every netCDF reader supports. A variable may
+/// have 4 GiB, and the file any size. Numbers are 32-bit integers or doubles.
 class NetcdfWriter {
  public:
-  /// Writes entries [first, first + n) of a variable, counted along its first dimension; returns false on failure.
+  /// Writes entries [first, first + n) of a variable, counted along its first dimension. Returns false on failure.
   using Put = std::function<bool(std::size_t first, std::size_t n, const void* data)>;
 
-  /// `size` 0 means the unlimited dimension.
+  /// Adds a dimension of a certain length; 0 means the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t size) { dimensions_.emplace_back(name, size); }
   void add_ints(const std::string& name, const std::string& dimension, std::vector<int> values);
-  /// `write` provides the numbers piece by piece.
+  /// Adds a variable of integers, which `write` provides piece by piece.
   void add_ints(const std::string& name, std::vector<std::string> dimensions, std::function<bool(const Put&)> write);
   void add_doubles(const std::string& name, std::vector<std::string> dimensions,
                    std::function<std::vector<double>()> values);
-  /// Adds rows of a fixed length, padded with zeros.
+  /// Adds a variable of texts, stored in rows of a fixed length that are padded with zeros.
   void add_texts(const std::string& name, const std::string& dimension, std::vector<std::string> texts);
   /// Adds an attribute to the last variable that was added.
   void add_attribute(const std::string& name, const std::string& value);
@@ -59,7 +59,7 @@ class NetcdfWriter {
   std::vector<std::pair<std::string, float>> floats_;
 };
 
-/// Number of bytes for each name in an Exodus file, including the zero byte at its end.
+/// Number of bytes reserved for each name in an Exodus file, including the zero byte at its end.
 inline constexpr std::size_t exodus_name_room = 256;
 
 }  // namespace geomesh::geomodel

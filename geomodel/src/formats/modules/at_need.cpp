@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The formats whose libraries depend on dozens of others: modules (modules/module.hpp) write and read them when they
-// are needed.
+// Formats whose libraries depend on dozens of other libraries. Modules (modules/module.hpp), which are loaded only when
+// needed, write and read them.
 #include "formats/format_list.hpp"
 #include "formats/given_part.hpp"
 #include "formats/modules/format_module.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes MED for Code_Aster and SALOME with libmedc (built only if it is available). A family is a block, with the
-// groups that the block belongs to; node families are combinations of node groups. Source: the documentation of MED
-// 4.1. A MED tetrahedron has the opposite orientation to VTK's.
+// Writes MED for Code_Aster and SALOME with libmedc (built only if it is available). Each block of cells is a family,
+// with the groups to which the block belongs; node families are combinations of node groups. Source: the documentation
+// of MED 4.1. A MED tetrahedron has the opposite orientation to VTK's.
 #include <med.h>
 
 #include <algorithm>
@@ -20,14 +20,13 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns the position of a MED node in VTK's order.
+/// Returns the position in VTK's order of node `i` of a MED element.
 std::size_t vtk_node(CellShape shape, std::size_t i) {
   constexpr std::array<std::size_t, 10> tetrahedron{0, 2, 1, 3, 6, 5, 4, 7, 9, 8};
   constexpr std::array<std::size_t, 6> prism{0, 2, 1, 3, 5, 4};
   return shape == CellShape::tetrahedron ? tetrahedron[i] : shape == CellShape::prism ? prism[i] : i;
 }
 
-/// Returns the element type by shape, for first and second order.
 med_geometry_type geometry_of(const SolverMesh& mesh, CellShape shape) {
   constexpr std::array<std::array<med_geometry_type, 2>, 5> types{{{MED_POINT1, MED_POINT1},
                                                                    {MED_SEG2, MED_SEG3},
@@ -91,9 +90,10 @@ class MedWriter {
     return name;
   }
 
-  /// Collects the families of nodes; each is a combination of groups of nodes.
+  /// Collects the MED families of nodes: one for each combination of groups to which a node belongs.
   void collect_node_families() {
-    std::map<VertexIndex, std::vector<std::size_t>> sets_of;  // nodes in no group are not included
+    // For each node, the groups to which it belongs; nodes in no group are not included.
+    std::map<VertexIndex, std::vector<std::size_t>> sets_of;
     SolverNames give(name_limit_med);
     const auto add = [&](const CellGroup& group, const std::vector<VertexIndex>& nodes) {
       for (const VertexIndex v : nodes) sets_of[v].push_back(node_groups_.size());
@@ -108,7 +108,7 @@ class MedWriter {
       family_of_node_[node] =
           node_families_.try_emplace(sets, static_cast<med_int>(node_families_.size())).first->second;
   }
-  /// Returns the number of bytes of all numbers, plus what HDF5 adds at most for each family and each of its groups.
+  /// Returns the number of bytes of all numbers in the file, plus the most that HDF5 adds for each family and group.
   std::size_t most_bytes() const {
     constexpr std::size_t of_file = 1 << 16, of_family = 1 << 12, of_group = 512;
     std::size_t bytes = of_file + mesh_.n_nodes() * (3 * sizeof(med_float) + sizeof(med_int));
@@ -119,8 +119,8 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes rows of `width` numbers, some at a time, because a copy of all would be as large as the mesh. `add(row,
-  /// list)` appends the numbers of a row, `put(filter, list)` writes them.
+  /// Writes rows of `width` numbers, a limited number at a time, because a copy of all would be as large as the mesh.
+  /// `add(row, list)` appends the numbers of a row, `put(filter, list)` writes them.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;
@@ -138,7 +138,7 @@ class MedWriter {
       require(status);
     }
   }
-  /// Writes the family of each entity, which `family(row)` returns.
+  /// Writes the family number of each node or cell, which `family(row)` returns.
   template <class F>
   void put_families(med_entity_type entity, med_geometry_type type, std::size_t n, F&& family) {
     put_rows<med_int>(
@@ -165,15 +165,14 @@ class MedWriter {
     put_families(MED_NODE, MED_NONE, mesh_.n_nodes(), [&](std::size_t v) { return family_of_node_[v]; });
   }
 
-  /// Writes cells shape by shape; the family of a block has the number -1 - block.
+  /// Writes the cells, sorted by shape. The family of block b has the number -1 - b.
   void put_cells() {
     std::vector<std::vector<std::string>> groups_of(mesh_.blocks.size());
     SolverNames give(name_limit_med);
     for (const auto* groups : {&mesh_.groups, &mesh_.region_groups})
       for (const CellGroup& group : *groups) {
         const std::string name = give_name("cell group", group, give);
-        if (groups == &mesh_.region_groups)
-          sidecar_.back().members.clear();  // no region is the union of groups of regions
+        if (groups == &mesh_.region_groups) sidecar_.back().members.clear();
         for (const std::size_t b : group.blocks) groups_of[b].push_back(name);
       }
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b)
@@ -183,7 +182,8 @@ class MedWriter {
       put_cells_of(shape);
   }
   void put_cells_of(CellShape shape) {
-    std::vector<std::size_t> blocks, ends;  // ends of the cells of each block
+    // cell blocks with the requested shape, and where the cells of each block end
+    std::vector<std::size_t> blocks, ends;
     for (std::size_t b = 0; b < mesh_.blocks.size(); ++b) {
       if (mesh_.blocks[b].shape != shape || mesh_.blocks[b].n_cells() == 0) continue;
       blocks.push_back(b);
@@ -215,7 +215,7 @@ class MedWriter {
   std::string name_;
   med_idt id_ = -1;
   std::vector<std::string> node_groups_;
-  // Families by their groups, which are rows of node_groups_.
+  // MED numbers of the families of nodes, by the groups to which their nodes belong.
   std::map<std::vector<std::size_t>, med_int> node_families_;
   std::vector<med_int> family_of_node_;
   std::vector<SidecarGroup> sidecar_;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a mesh for SeisSol in its PUML layout (built only if HDF5 is available): NAME.puml.h5, and NAME.puml.xdmf for
-// ParaView. The group of a tetrahedron is its region's id. Each of its faces has a condition: 1 free surface (zmax, and
-// other boundaries that face upwards, such as a topography), 5 absorbing (all other boundaries), 3 the first fault, 65
-// and on further faults, 0 none. Source: "Mesh Input Formats" and "Fault tagging" of the SeisSol documentation.
+// ParaView. The group of a tetrahedron is its region's id. Each face of a tetrahedron has a boundary condition: 1 free
+// surface (zmax, and other boundaries that face upwards, such as a topography), 5 absorbing (all other boundaries), 3
+// the first fault, 65 and on further faults, 0 none. Source: "Mesh Input Formats" and "Fault tagging" of the SeisSol
+// documentation.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -32,11 +33,10 @@ class Conditions {
     mark_faces();
   }
   const std::vector<std::int32_t>& of_cells() const { return of_cell_; }
-  /// Returns the conditions of faults, by id of the surface.
   const std::map<std::int32_t, std::int32_t>& of_faults() const { return of_fault_; }
 
  private:
-  /// Numbers the faults that have faces, in the order of the project.
+  /// Numbers the faults that have faces in the mesh, in the order of the project.
   void number_faults() {
     std::set<std::int32_t> used;
     for (const auto& face : mesh_.faces) {
@@ -59,7 +59,7 @@ class Conditions {
     bits = (bits & ~(0xFFu << shift)) | static_cast<std::uint32_t>(condition) << shift;
     of_cell_[tetrahedron] = static_cast<std::int32_t>(bits);
   }
-  /// Boundaries that belong to no named surface are absorbing too.
+  /// Marks boundary faces that belong to no named surface; they are absorbing too.
   void mark_outside() {
     const std::vector<Neighbours> across = tetrahedra_across(mesh_.tetrahedra);
     for (std::size_t t = 0; t < across.size(); ++t)
@@ -88,7 +88,7 @@ class Conditions {
     for (const NamedSurface& surface : mesh_.surfaces)
       if (surface.kind == SurfaceKind::box && std::find(members.begin(), members.end(), surface.id) != members.end())
         return surface.name == "zmax";
-    const auto& [a, b, c] = face.vertices;  // the normal points outwards
+    const auto& [a, b, c] = face.vertices;  // the normal of a boundary face points outwards
     return cross(mesh_.points[b] - mesh_.points[a], mesh_.points[c] - mesh_.points[a]).z > 0;
   }
 

@@ -24,7 +24,7 @@ hid_t type_of(const VtkArray& array) {
   return type == "UInt64" ? H5T_NATIVE_UINT64 : H5T_NATIVE_INT32;
 }
 
-/// HDF5 would treat a slash as a separator of groups.
+/// Replaces slashes in the name of an array, because HDF5 treats a slash as a separator of groups.
 std::string set_name(std::string name) {
   std::replace(name.begin(), name.end(), '/', '_');
   return name;
@@ -55,7 +55,7 @@ class GridFile {
     const auto count = static_cast<std::int64_t>(n);
     h5_.put(std::string("VTKHDF/") + name, H5T_NATIVE_INT64, &count, 1, 1);
   }
-  /// `before` contains values that precede the array's own.
+  /// Writes an array to the file. The numbers in `before` precede its values.
   void put(const std::string& name, const VtkArray& array, hid_t type, const std::vector<std::int64_t>& before) {
     const auto width = static_cast<std::size_t>(array.components);
     h5_.put_pieces(name, type, array.n_values / width + before.size(), width, [&](const auto& give) {
@@ -70,7 +70,7 @@ class GridFile {
       }
     });
   }
-  /// There is one more offset than there are cells: the first is 0.
+  /// Writes the cells. Their offsets begin with 0, so there is one more offset than there are cells.
   void put_cells(const VtkSection& section) {
     for (const VtkArray& array : section.arrays) {
       if (array.name == "connectivity") put("VTKHDF/Connectivity", array, H5T_NATIVE_INT64, {});
@@ -83,7 +83,7 @@ class GridFile {
     h5_.group(group);
     for (const VtkArray& array : section.arrays) put(group + "/" + set_name(array.name), array, type_of(array), {});
   }
-  /// Values of fields with the same name are concatenated.
+  /// Writes the field data. Values of fields with the same name are concatenated.
   void put_fields() {
     h5_.group("VTKHDF/FieldData");
     std::map<std::string, std::vector<std::int32_t>> values;
@@ -101,7 +101,7 @@ class GridFile {
   const VtkDocument& document_;
 };
 
-/// Returns the number of bytes of all arrays (indices as 64-bit numbers), and the number of arrays.
+/// Returns the number of bytes of all arrays (with indices as 64-bit numbers), and the number of arrays.
 std::pair<std::size_t, std::size_t> payload_of(const VtkDocument& document) {
   std::size_t bytes = 0, n = document.fields.size() + 1;
   for (const VtkSection& section : document.sections)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes XDMF 3 with HDF5, for dolfinx, FEniCS, meshio and ParaView (built only if HDF5 is available): NAME.xdmf has
-// the cells with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points.
-// Numbers are in an .h5 of the same name. Each file has one grid, because meshio reads only one.
+// the cells with their region, NAME.facets.xdmf and NAME.edges.xdmf the tagged faces and edges on the same points. The
+// numbers of each .xdmf file are in an .h5 file of the same name. A file has one grid, because meshio reads only one.
 #include <algorithm>
 #include <array>
 
@@ -19,16 +19,15 @@ namespace {
 
 constexpr std::size_t tags_at_once = 1 << 16;
 
-/// Cells of one dimension with the number of their label.
 struct TaggedCells {
   const char* topology;
-  const char* name;  ///< name of the grid and of the attribute
+  const char* name;  ///< name of the XDMF grid and of its attribute
   std::size_t width, n;
   std::vector<std::pair<const CellBlock*, std::int32_t>> blocks;  ///< with the number
 };
 
-/// Returns the mesh's cells of this dimension. The mesh itself consists of triangles if fractures are written alone.
-/// Midpoints of edges keep their order, since XDMF has that of VTK.
+/// Returns the cells of one dimension with their XDMF type. If only fractures are written, triangles are the cells of
+/// highest dimension. Midpoints keep their order, because XDMF has the same order as VTK.
 TaggedCells cells_of(const SolverMesh& mesh, int dimension) {
   const bool second = mesh.second_order();
   const std::array names{"region", "facet_tags", "edge_tags"};
@@ -106,7 +105,7 @@ void write_h5(const SolverMesh& mesh, const TaggedCells& cells, const std::files
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   WriteOptions one_tag = options;
-  if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // a cell has one number
+  if (one_tag.groups == GroupChoice::both) one_tag.groups = GroupChoice::whole;  // an XDMF cell has only one number
   const SolverMesh mesh = make_solver_mesh(model, one_tag);
   std::vector<TaggedCells> all;
   for (const int dimension : {3, 2, 1}) {

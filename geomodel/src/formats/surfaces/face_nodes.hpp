@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The nodes of faces of a mesh, for files that contain only surfaces.
+/// Nodes of the faces of a mesh, for files that contain only surfaces.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@
 namespace geomesh::geomodel {
 
 struct FaceNodes {
-  std::vector<VertexIndex> rows;         ///< rows in the mesh, ascending
-  std::vector<std::uint32_t> number_of;  ///< for each row in the mesh: position in `rows`; undefined for other nodes
+  std::vector<VertexIndex> rows;  ///< rows in the mesh of the nodes of faces, ascending
+  /// For each point of the mesh, its position in `rows`; undefined for points that are not in it.
+  std::vector<std::uint32_t> number_of;
 };
 
-/// Returns the nodes of the faces of some blocks. O(nodes of the mesh).
+/// Returns the nodes of the faces of some blocks of cells. O(nodes of the mesh).
 inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_t>& blocks) {
   std::vector<bool> used(mesh.n_nodes(), false);
   for (const std::size_t b : blocks)
@@ -30,7 +31,6 @@ inline FaceNodes face_nodes(const SolverMesh& mesh, const std::vector<std::size_
   return nodes;
 }
 
-/// Nodes of all faces.
 inline FaceNodes face_nodes(const SolverMesh& mesh) {
   std::vector<std::size_t> blocks;
   for (std::size_t b = 0; b < mesh.blocks.size(); ++b)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the surfaces as glTF 2.0 (binary, .glb), for viewers, presentations and headsets: a node for each surface,
-// with a part for each pair of regions. Parts of the boundary have the colour of the region behind them. glTF has y
-// upwards and single precision, so the root node rotates the model, and coordinates are relative to its centre, which
-// is stored in `extras` of the scene. Source: Khronos, "glTF 2.0 Specification".
+// Writes the surfaces as glTF 2.0 (binary, .glb), for viewers, presentations and headsets: a glTF node for each
+// surface, divided into parts by the regions on both sides. Parts on the boundary of the mesh have the colour of the
+// region behind them. glTF has y upwards and single precision, so the root node rotates the model, and coordinates are
+// relative to the centre of the model, which is stored in `extras` of the scene. Source: Khronos, "glTF 2.0
+// Specification".
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -19,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Constants of glTF, which are those of OpenGL.
+// Constants of glTF, which have the values of OpenGL.
 constexpr int float_type = 5126, unsigned_type = 5125, vertex_buffer = 34962, index_buffer = 34963;
 
 class Scene {
@@ -34,7 +35,7 @@ class Scene {
 
   void write(OutputText& out) const {
     std::string json = json_.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-    json.append((4 - json.size() % 4) % 4, ' ');  // the length of chunks is a multiple of four bytes
+    json.append((4 - json.size() % 4) % 4, ' ');  // glTF chunks have a length that is a multiple of four bytes
     constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
     constexpr std::size_t header = 12, chunk_header = 8;
     const std::size_t binary = position_bytes() + 4 * indices_.size();
@@ -52,7 +53,7 @@ class Scene {
   float coordinate(VertexIndex v, std::size_t k) const { return static_cast<float>(mesh_.node(v)[k] - centre_[k]); }
   std::size_t position_bytes() const { return 3 * sizeof(float) * nodes_.rows.size(); }
 
-  /// Adds regions first, by id, then surfaces in the order of their labels.
+  /// Adds the materials: regions by id, then surfaces in the order of their labels.
   void add_materials() {
     Palette units(Palette::Of::units);
     for (const Region& region : mesh_.source->regions) add_material(region.name, units.colour_of(region.name));
@@ -99,7 +100,7 @@ class Scene {
       if (label.dimension == 2) add_surface(label, names.give(label.full_name));
   }
   void add_surface(const CellGroup& label, const std::string& name) {
-    std::size_t own = SIZE_MAX;  // material of inner parts
+    std::size_t own = SIZE_MAX;  // material of the surface's parts inside the mesh
     ordered_json parts = ordered_json::array();
     for (const std::size_t b : label.blocks) {
       const CellBlock& block = mesh_.blocks[b];
@@ -119,7 +120,7 @@ class Scene {
   void finish() {
     json_["asset"] = {{"version", "2.0"}, {"generator", "geomesh"}};
     ordered_json& root = json_["nodes"][0];
-    root["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};  // rotates z upwards to y upwards
+    root["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};  // rotation from z upwards to y upwards
     for (std::size_t i = 1; i < json_["nodes"].size(); ++i) root["children"].push_back(i);
     json_["scenes"] = ordered_json::array(
         {{{"name", mesh_.source->name},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes GOCAD TSurf (.ts, text), for SKUA, Petrel and Leapfrog: one object for each whole surface, with its name. A
-// face on two surfaces is in both. A part (TFACE) consists of faces between the same two regions. Source: "GOCAD ASCII
+// Writes GOCAD TSurf (.ts, text), for SKUA, Petrel and Leapfrog: one object with its name for each surface. A face that
+// lies on two surfaces is in both objects. Faces between the same two regions form a part (TFACE). Source: "GOCAD ASCII
 // File Format" (GOCAD 2.5).
 #include "formats/format_list.hpp"
 #include "formats/surfaces/face_nodes.hpp"
@@ -13,7 +13,6 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns GOCAD's term for a kind of surface; empty if it has none.
 const char* feature_of(SurfaceKind kind) {
   if (kind == SurfaceKind::horizon) return "top";
   if (kind == SurfaceKind::fault) return "fault";

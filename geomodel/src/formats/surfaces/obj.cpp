@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the surfaces as Wavefront OBJ: one object for each, with colours in NAME.mtl. Source: "Object Files (.obj)",
-// Wavefront Advanced Visualizer, appendix B.
+// Writes the surfaces as Wavefront OBJ: one object for each surface, with colours in NAME.mtl. Source: "Object Files
+// (.obj)", Wavefront Advanced Visualizer, appendix B.
 #include "formats/format_list.hpp"
 #include "formats/surfaces/face_nodes.hpp"
 #include "geomesh/geomodel/palette.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the surfaces as STL (text): one solid for each, with its name. Text is used because the binary form has
+// Writes the surfaces as STL (text): one solid with its name for each surface. Text is used because the binary form has
 // neither names nor doubles. Source: "StereoLithography Interface Specification", 3D Systems, 1989.
 #include <cmath>
 

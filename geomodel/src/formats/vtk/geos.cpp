@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes meshes for GEOS: NAME.vtm with the block `main` (NAME.geos.vtu: tetrahedra, and surfaces as triangles, cell
-// array `attribute`) and one block per split fault (NAME.geos.FAULT.vtu: its faces once, with the point array
-// `collocated_nodes`: the rows of the main block's points at each place, -1 where there are fewer). NAME.geos.xml lists
-// blocks and surfaces. Source: the documentation of GEOS 1.0, "VTKMesh", and of its tool mesh_doctor.
+// array `attribute`) and one block per split fault (NAME.geos.FAULT.vtu). The latter has each face of the fault once;
+// its point array `collocated_nodes` lists the rows of the main block's points at the same place, padded with -1.
+// NAME.geos.xml lists blocks and surfaces. Source: the documentation of GEOS 1.0, "VTKMesh", and of its tool
+// mesh_doctor.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -22,11 +23,12 @@ namespace {
 using Place = std::tuple<double, double, double>;
 Place place_of(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Faces of a fault, each once, by the rows of their places; for each place all nodes of the mesh there.
+/// The faces of a split fault, each one once. `corners` are positions in `nodes`, which lists for each place all nodes
+/// of the mesh there.
 struct Fracture {
   std::vector<std::vector<VertexIndex>> nodes;
   std::vector<std::int64_t> corners;
-  std::vector<std::size_t> faces;  ///< rows of the mesh's faces on the minus side
+  std::vector<std::size_t> faces;  ///< rows of the mesh faces on the minus side of the fault
   std::size_t most_nodes = 1;
 };
 
@@ -39,7 +41,8 @@ Fracture fracture_of(const ModelMesh& mesh, std::int32_t minus_side,
     if (std::find(set.begin(), set.end(), minus_side) == set.end()) continue;
     const Triangle& v = mesh.faces[f].vertices;
     const auto is_doubled = [&](VertexIndex a) { return nodes_at.at(place_of(mesh.points[a])).size() > 1; };
-    if (std::none_of(v.begin(), v.end(), is_doubled)) continue;  // between tips nothing opens
+    // The face has only nodes on the fault tip and does not open.
+    if (std::none_of(v.begin(), v.end(), is_doubled)) continue;
     fracture.faces.push_back(f);
     for (const VertexIndex a : v) {
       const auto [entry, is_new] =
@@ -109,7 +112,7 @@ std::string index_of(const std::vector<Block>& blocks) {
   return text + "</vtkMultiBlockDataSet>\n</VTKFile>\n";
 }
 
-/// Returns the part of a GEOS input that names the mesh, since every block must be in a region.
+/// Returns a part of a GEOS input file that names the mesh and its regions. Every block must be in a region.
 std::string snippet(const ModelMesh& mesh, const std::vector<Block>& blocks, const std::string& file) {
   TextBuffer text;
   text << "<?xml version=\"1.0\"?>\n<Problem>\n  <Mesh>\n    <VTKMesh name=\"mesh\" file=\"" << xml_text(file)
@@ -125,7 +128,7 @@ std::string snippet(const ModelMesh& mesh, const std::vector<Block>& blocks, con
          << xml_text(blocks[b].name) << "\" defaultAperture=\"1e-4\" materialList=\"{ }\"/>\n";
   text << "  </ElementRegions>\n  <!-- Sets of nodes of surfaces, by the number in `attribute`:\n";
   for (const NamedSurface& surface : mesh.surfaces) {
-    std::string name = surface.name;  // "--" is not allowed in a comment
+    std::string name = surface.name;  // "--" is not allowed in an XML comment
     for (std::size_t at = 0; (at = name.find("--", at)) != std::string::npos;) name.replace(at, 2, "-_");
     text << "       " << surface.id << " " << name << "\n";
   }

@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// VTK's marks DUPLICATEPOINT and DUPLICATECELL.
+/// Value with which VTK marks points and cells that another part owns (DUPLICATEPOINT, DUPLICATECELL).
 constexpr std::uint8_t owned_elsewhere = 1;
 
 void add_part_arrays(const MeshParts& parts, const VtuLayout& layout, VtkDocument& document) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes NAME.faces.vtp and NAME.curves.vtp: constrained faces; curves and marked points.
+// Writes NAME.faces.vtp with the constrained faces, and NAME.curves.vtp with curves and named points.
 #include "formats/vtk/vtp.hpp"
 
 #include "writers/vtk_names.hpp"
@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The points used by a set of cells, in the order of the mesh, with their rows there as point array `mesh_point`.
+/// The points used by a set of cells, in the order of the mesh. The array `mesh_point` has their rows in the mesh.
 class PointSubset {
  public:
   explicit PointSubset(const ModelMesh& mesh) : mesh_(&mesh), row_(mesh.points.size(), no_vertex) {}
@@ -37,7 +37,7 @@ class PointSubset {
   std::vector<VertexIndex> row_, rows_;
 };
 
-/// Adds `n` cells with `nodes` nodes each.
+/// Makes a VTK section of `n` cells with `nodes` nodes each; `node` returns their nodes.
 template <class F>
 VtkSection cells(const char* tag, std::size_t n, std::size_t nodes, F node) {
   return {

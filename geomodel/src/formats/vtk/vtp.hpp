@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes NAME.faces.vtp and NAME.curves.vtp beside NAME.vtu: constrained faces; curves and marked points.
+/// Writes the constrained faces to NAME.faces.vtp, and curves and named points to NAME.curves.vtp.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes NAME.vtu: tetrahedra of named regions; with a single grid also faces, curves and points; in parts NAME.pvtu.
-// If fractures are written alone, they are the cells of the single grid.
+// Writes NAME.vtu: tetrahedra of named regions; also faces, curves and points if a single grid is requested; a mesh in
+// parts is written to NAME.pvtu. If only fractures are written, they are the cells of the single grid.
 #include "formats/format_list.hpp"
 #include "formats/given_part.hpp"
 #include "formats/vtk/pvtu.hpp"
@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns names and ids as in the cell arrays `region`, `surface` and `curve`.
+/// Returns the names and ids of regions, surfaces and curves as in the cell arrays `region`, `surface` and `curve`.
 std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   std::vector<SidecarGroup> groups;
   const auto add = [&](int dimension, std::int32_t id, const std::string& name) {
@@ -28,7 +28,6 @@ std::vector<SidecarGroup> groups_of(const ModelMesh& mesh) {
   return groups;
 }
 
-/// Writes faces, curves and names, which all parts share.
 void write_beside(const ModelMesh& mesh, const WriteOptions& options, const std::filesystem::path& stem,
                   const std::filesystem::path& file, WrittenFiles& written) {
   if (!options.single_grid) {

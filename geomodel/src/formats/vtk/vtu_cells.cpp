@@ -5,7 +5,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Order of a VTK wedge's nodes: the normal of its first face points outwards, that of a prism in the mesh inwards.
+/// Order of the nodes of a VTK wedge. The normal of its first face points outwards, that of a prism in the mesh
+/// inwards.
 constexpr std::array<std::size_t, 6> vtk_wedge{0, 2, 1, 3, 5, 4};
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Cells and nodes of a VTU file, for a whole mesh or a part: tetrahedra, prisms, and with a single grid also faces,
+/// Cells and nodes of a VTU file, for a whole mesh or one part: tetrahedra, prisms, and in a single grid also faces,
 /// edges of curves and named points.
 #pragma once
 
@@ -19,26 +19,29 @@ inline constexpr std::size_t n_vtu_cell_kinds = 5;
 
 class VtuLayout {
  public:
-  /// `part` is null for the whole mesh; a part contains only tetrahedra. Both must outlive this object.
+  /// Lays out the cells of a mesh or of one part, which has only tetrahedra. For the whole mesh `part` is null. Mesh
+  /// and part must outlive this object.
   VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
 
   std::size_t n_nodes() const { return n_nodes_; }
-  /// Returns the row of a node in the mesh: points, then midpoints.
+  /// Returns the row in the mesh of a node of the file. Midpoints follow the points.
   std::size_t node_row(std::size_t i) const { return part_ ? part_->nodes[i] : i; }
   const MeshPart* part() const { return part_; }
 
   std::size_t n_cells() const { return first_cell_.back(); }
   std::size_t n_entries() const { return first_entry_.back(); }
-  /// Calls `f(kind, row of that kind in the mesh)` for a cell.
+  /// Calls `f(kind, row)` for a cell of the file: its kind, and its row among the cells of that kind in the mesh.
   template <class F>
   auto visit(std::size_t cell, F&& f) const {
     const std::size_t k = find(first_cell_, cell), row = cell - first_cell_[k];
     return f(static_cast<VtuCells>(k), part_ ? part_->cells[row] : row);
   }
   std::uint8_t type(std::size_t cell) const;
-  std::int64_t end_of(std::size_t cell) const;  ///< VTK's offset, which is the end of the cell's nodes
-  VertexIndex node(std::size_t entry) const;    ///< number of the node in the file
-  std::int32_t id(std::size_t cell) const;      ///< id of the region, layer, surface, curve or point
+  std::int64_t end_of(std::size_t cell) const;  ///< VTK offset of a cell, which is the end of its nodes
+  /// number in the file of the node at a position in the list of all cells' nodes
+  VertexIndex node(std::size_t entry) const;
+  /// Id of the region, cohesive layer, surface, curve or point to which a cell belongs.
+  std::int32_t id(std::size_t cell) const;
 
  private:
   using Firsts = std::array<std::size_t, n_vtu_cell_kinds + 1>;

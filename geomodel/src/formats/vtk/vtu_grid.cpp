@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Value of the point array `kind` for midpoint nodes.
+/// Value of the point array `kind` at midpoint nodes.
 constexpr std::uint8_t kind_of_midpoint = 5;
 
 VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
@@ -20,7 +20,7 @@ VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
   return {"Points", "", {vtk_array<double>("Points", 3 * layout.n_nodes(), coordinate, 3)}};
 }
 
-/// Uses 32-bit numbers if they suffice, which halves the bytes to compress.
+/// Makes the section of cells. Numbers have 32 bits if these suffice, which halves the bytes to compress.
 VtkSection cells_section(const VtuLayout& layout) {
   VtkSection section{"Cells", "", {}};
   const auto node = [&layout](std::size_t i) { return layout.node(i); };
@@ -36,10 +36,10 @@ VtkSection cells_section(const VtuLayout& layout) {
   return section;
 }
 
-/// OpenGeoSys counts materials from 0; elsewhere 0 means none.
+/// Returns the number that is subtracted from ids: OpenGeoSys counts materials from 0; in other files 0 means none.
 std::int32_t first_id(const WriteOptions& options) { return options.region_array == "MaterialIDs" ? 1 : 0; }
 
-/// Values for tetrahedra only; other cells have NaN.
+/// Makes a cell array that has values for tetrahedra; other cells have NaN.
 template <class F>
 VtkArray tetrahedron_values(std::string name, const VtuLayout& layout, F value) {
   return vtk_array<double>(std::move(name), layout.n_cells(), [&layout, value](std::size_t cell) {
@@ -49,7 +49,7 @@ VtkArray tetrahedron_values(std::string name, const VtuLayout& layout, F value) 
   });
 }
 
-/// Values for faces only; other cells have `otherwise`.
+/// Makes a cell array that has values for faces; other cells have the value `otherwise`.
 VtkArray face_values(std::string name, const ModelMesh& mesh, const VtuLayout& layout,
                      std::int32_t ModelMesh::Face::*member, std::int32_t otherwise) {
   return vtk_array<std::int32_t>(std::move(name), layout.n_cells(),
@@ -81,7 +81,7 @@ VtkSection cell_data(const ModelMesh& mesh, const WriteOptions& options, const V
   return section;
 }
 
-/// Returns names with the nodes that belong to them: surfaces, curves, points, other sets.
+/// Returns the names of surfaces, curves, points and other sets, each with flags for the nodes that belong to it.
 std::vector<std::pair<std::string, std::vector<bool>>> named_nodes(const ModelMesh& mesh) {
   std::vector<std::pair<std::string, std::vector<bool>>> sets;
   const auto add = [&](const std::string& name) -> std::vector<bool>& {

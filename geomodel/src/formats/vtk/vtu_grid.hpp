@@ -8,7 +8,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns sections in the order point data, cell data, points, cells. All arguments must exist until it is written.
+/// Describes a VTU file: its sections are point data, cell data, points and cells, in this order. All arguments must
+/// exist until the file is written.
 VtkDocument vtu_document(const ModelMesh& mesh, const WriteOptions& options, const VtuLayout& layout);
 
 }  // namespace geomesh::geomodel

@@ -11,12 +11,13 @@
 
 namespace geomesh::geomodel {
 
-/// Calls the function only for places inside the box: places outside are moved to its border first.
+/// A scalar field defined by a function, which is called only inside the box: other places are moved to its border
+/// first.
 class FunctionField final : public ScalarField {
  public:
   FunctionField(std::shared_ptr<FieldFunction> function, const Box3& box, std::string surface);
-  /// Throws Error{invalid_input} with the place if the function returns a value that is not finite, and passes on what
-  /// the function throws.
+  /// Writes the field's value at each place. Throws Error{invalid_input} with the place if the function returns a value
+  /// that is not finite, and passes on what the function throws.
   void values(std::span<const Vec3> places, std::span<double> out) const override;
 
  private:

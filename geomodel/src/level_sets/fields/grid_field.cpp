@@ -92,8 +92,8 @@ GridField::Level GridField::coarser(const Level& fine) {
   return level;
 }
 
-/// Reads the level at which the box overlaps at most three blocks along each axis, so that a box much larger than a
-/// cell is answered coarsely, but in constant time.
+/// Returns bounds of the field in a box from the coarseness level at which the box overlaps at most three blocks along
+/// each axis. Bounds for a box much larger than a cell are therefore coarse, but take constant time.
 Range GridField::value_range(const Box3& box) const {
   const Cells cells = cells_of(box);
   std::size_t level = 0;
@@ -108,7 +108,8 @@ Range GridField::value_range(const Box3& box) const {
   return range;
 }
 
-/// Evaluates the corners of the box's intersection with each cell.
+/// Returns bounds of the field minus a linear function in a box, by evaluating the corners of the box's intersection
+/// with each grid cell.
 Range GridField::residual_range(const Box3& box, const LinearFunction& linear) const {
   const Cells cells = cells_of(box);
   Range range = nothing;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A scalar field given at the nodes of a regular grid and trilinear in each cell. Beyond the grid, the cells at the
-/// border are extrapolated.
+/// A scalar field whose values are given at the nodes of a regular grid, and which is trilinear in each cell. Beyond
+/// the grid, the cells at the border are extrapolated.
 ///
-/// Bounds are exact up to rounding: in one cell the field is linear in each coordinate alone, and remains so when a
-/// linear function is subtracted. Such a function takes its extremes over a box at the corners of the box.
+/// Its bounds are exact up to rounding: a trilinear function minus a linear one is linear in each coordinate alone, and
+/// therefore takes its extremes over a box at the corners of the box.
 #pragma once
 
 #include <array>
@@ -18,11 +18,11 @@ namespace geomesh::geomodel {
 class GridField final : public ScalarField {
  public:
   struct Lattice {
-    std::array<std::size_t, 3> n{};  ///< number of nodes along x, y and z, at least two each
-    Vec3 origin, spacing;            ///< position of the first node, and positive spacings
+    std::array<std::size_t, 3> n{};  ///< number of grid nodes along x, y and z, at least two each
+    Vec3 origin, spacing;            ///< position of the first grid node, and positive spacings
     std::vector<double> nodes;       ///< x runs fastest
   };
-  /// Precondition: sizes agree and all values are finite.
+  /// Makes a field from a grid. Precondition: the number of values is that of the nodes, and all values are finite.
   explicit GridField(Lattice lattice);
 
   Box3 domain() const;
@@ -33,12 +33,12 @@ class GridField final : public ScalarField {
   Range residual_range(const Box3& box, const LinearFunction& linear) const override;
 
  private:
-  /// Least and greatest values of blocks of 2^k cells along each axis, for each k from 0.
+  /// Least and greatest values of the field in blocks of 2^k cells along each axis, for one k; levels count k from 0.
   struct Level {
     std::array<std::size_t, 3> n{};
     std::vector<Range> blocks;
   };
-  using Cells = std::array<std::array<std::size_t, 2>, 3>;  ///< first and last cell along each axis
+  using Cells = std::array<std::array<std::size_t, 2>, 3>;  ///< first and last cell of the grid along each axis
 
   double node(std::size_t i, std::size_t j, std::size_t k) const {
     return lattice_.nodes[i + lattice_.n[0] * (j + lattice_.n[1] * k)];

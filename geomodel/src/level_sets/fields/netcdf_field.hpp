@@ -11,22 +11,22 @@
 
 namespace geomesh::geomodel {
 
-/// A variable with three dimensions.
+/// A variable of a netCDF or HDF5 file with three dimensions.
 struct NetcdfField {
-  std::string name;  ///< name of the variable; empty if none was chosen
-  /// Coordinates along x, y and z as in the file, ascending and evenly spaced.
+  std::string name;  ///< name of the variable; empty if none was found
+  /// Coordinates along x, y and z as in the file; they must be ascending and evenly spaced.
   std::array<std::vector<double>, 3> axes;
-  std::vector<double> values;      ///< values with x varying fastest; NaN: no value
-  std::vector<std::string> names;  ///< names of all variables with three dimensions
+  std::vector<double> values;      ///< values of the variable with x varying fastest; NaN where there is no value
+  std::vector<std::string> names;  ///< names of all variables of the file with three dimensions
 };
 
 struct NetcdfFieldModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Reads the three-dimensional variable with that name, with or without its groups; without a name, the only one.
-  /// Throws Error{invalid_input} if the file is damaged, or if an axis has no coordinates or uneven steps.
+  /// Reads the three-dimensional variable of this name (with or without its groups); if the name is empty, the only
+  /// one. Throws Error{invalid_input} if the file is damaged, or if an axis has no coordinates or uneven steps.
   NetcdfField (*read)(const std::filesystem::path& file, const std::string& name);
 };
-/// Name of the module's function: const NetcdfFieldModule* geomesh_netcdf_fields().
+/// Name of the function that the module exports: const NetcdfFieldModule* geomesh_netcdf_fields().
 constexpr const char* netcdf_fields_function = "geomesh_netcdf_fields";
 
 }  // namespace geomesh::geomodel

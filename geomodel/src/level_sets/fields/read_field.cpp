@@ -11,7 +11,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the array that the entry names; without a name, the only array of scalars. Null if there is none.
+/// Returns the array of a VTK file that the project names; if it names none, the only scalar array. Null if there is
+/// none.
 const VtkColumn* array_of(const VtkTable& data, const std::string& name) {
   const VtkColumn* found = nullptr;
   for (const VtkColumn& column : data.columns) {
@@ -36,13 +37,13 @@ std::string names_of(const VtkTable& data) {
   file.fail("has no array \"" + spec.array + "\" of one number each; it holds " + names);
 }
 
-/// Returns the lattice of an image's points, which are stored row by row along x, then y, then z.
+/// Returns the grid of the points of a VTK image, which are stored row by row along x, then y, then z.
 GridField::Lattice lattice_of(const InputFile& file, const std::vector<Vec3>& points) {
   GridField::Lattice lattice;
   if (points.empty()) return lattice;
   const Vec3 first = points.front(), last = points.back();
   std::size_t step = 1;
-  for (std::size_t a = 0; a < 3; ++a) {  // the row ends where the coordinate equals that of the first point again
+  for (std::size_t a = 0; a < 3; ++a) {  // a row ends where its coordinate is again that of the first point
     std::size_t n = 1;
     while (n * step < points.size() && points[n * step][a] != first[a]) ++n;
     lattice.n[a] = n;
@@ -60,7 +61,7 @@ GridField::Lattice lattice_of(const InputFile& file, const std::vector<Vec3>& po
   return lattice;
 }
 
-/// Values of cells belong to the centres of the cells, which become the nodes of the lattice.
+/// Reads an image from a .vti file. If values belong to cells, the centres of the cells become the nodes of the grid.
 GridField::Lattice read_vti(const InputFile& file, const LevelSetSpec& spec) {
   const VtkData image = read_vtk_xml_data(file);
   if (image.kind != VtkData::Kind::image) file.fail("holds no grid (ImageData), which was expected of a .vti");

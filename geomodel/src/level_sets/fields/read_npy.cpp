@@ -20,7 +20,7 @@ struct NpyHeader {
   std::size_t begin = 0;  ///< of the data
 };
 
-/// Returns the text after the key in the header, which is a Python literal.
+/// Returns the text after a key in the header of a NumPy file, which is a Python literal.
 std::string_view behind(const InputFile& file, std::string_view header, std::string_view key) {
   const std::size_t at = header.find(key);
   if (at == std::string_view::npos) file.fail("its header has no " + std::string(key) + ": it is damaged");

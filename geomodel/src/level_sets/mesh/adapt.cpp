@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::array<std::array<std::size_t, 2>, 6> edges_of_cell{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// The quadratic function that interpolates the field at the corners and edge midpoints of one cell.
+/// The quadratic function that interpolates the scalar field at the corners and edge midpoints of one cell.
 struct Quadratic {
   std::array<Vec3, 4> corners;
   std::array<double, 4> values;
-  std::array<double, 6> bend;  ///< value at the midpoint of an edge minus the mean of the values at its ends
+  std::array<double, 6> bend;  ///< for each edge: value at the midpoint minus the mean of the values at the ends
 
   Quadratic(const BackgroundMesh& mesh, const BackgroundMesh::Cell& cell) : corners(mesh.corners(cell)) {
     for (std::size_t i = 0; i < 4; ++i) values[i] = mesh.value(cell.v[i]);
@@ -32,7 +32,7 @@ struct Quadratic {
     return {*low, *high};
   }
 
-  /// Range of the coefficients in Bernstein form, whose convex hull contains the function.
+  /// Returns the range of the function's Bernstein coefficients, which contains all its values in the cell.
   Range range() const {
     Range range = corner_range();
     for (std::size_t e = 0; e < 6; ++e) {
@@ -49,9 +49,9 @@ struct Quadratic {
     return greatest;
   }
 
-  /// Returns the least slope along `direction` over the cell: the slope of a quadratic function is linear, so it is
-  /// least at a corner. At corner i the slope is that of the linear function whose value at corner j is raised by 4
-  /// bend(i, j).
+  /// Returns the least slope of the quadratic function along `direction` over the cell: the slope of a quadratic
+  /// function is linear, so it is least at a corner. At corner i the slope is that of the linear function whose value
+  /// at corner j is raised by 4 bend(i, j).
   double least_slope(const Vec3& direction) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t at = 0; at < 4; ++at) {
@@ -91,7 +91,7 @@ class Adapter {
     return first != values_.end() && *first <= range.high;
   }
 
-  /// Large cells of a field with bounds are excluded without samples.
+  /// Returns true if bounds of the field prove, without samples, that no isosurface passes through a cell.
   bool passes_no_isosurface(const BackgroundMesh::Cell& cell) const {
     return field_.has_bounds() && !any_value_in(field_.value_range(bounds(mesh_.corners(cell))));
   }

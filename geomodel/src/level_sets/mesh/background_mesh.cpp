@@ -83,7 +83,6 @@ VertexIndex BackgroundMesh::midpoint(VertexIndex a, VertexIndex b) {
   return it->second;
 }
 
-/// Evaluates all new points in one call of the field.
 void BackgroundMesh::evaluate() {
   values_.resize(points_.size());
   if (n_evaluated_ == points_.size()) return;
@@ -128,7 +127,8 @@ bool BackgroundMesh::has_bisected_edge(const Cell& cell) const {
   });
 }
 
-/// Only a cell with both ends of an edge that was bisected in the last sweep can be non-conforming.
+/// Bisects cells until the mesh is conforming. Only cells with both ends of an edge that was bisected in the last sweep
+/// are examined, because no others can be non-conforming.
 void BackgroundMesh::conform() {
   while (!fresh_cuts_.empty()) {
     is_near_cut_.assign(points_.size(), 0);
@@ -138,7 +138,7 @@ void BackgroundMesh::conform() {
     for (std::size_t c = 0, n = cells_.size(); c < n; ++c) {
       if (!has_bisected_edge(cells_[c])) continue;
       bisect_cell(c);
-      // Children may still contain a bisected edge: they are examined in the next sweep.
+      // The two new cells may still contain a bisected edge, so they are examined in the next sweep.
       for (const auto& [i, j] : edges_of_cell) fresh_cuts_.push_back({cells_[c].v[i], cells_[c].v[j]});
       for (const auto& [i, j] : edges_of_cell) fresh_cuts_.push_back({cells_.back().v[i], cells_.back().v[j]});
       is_near_cut_.resize(points_.size(), 0);

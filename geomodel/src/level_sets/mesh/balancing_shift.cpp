@@ -9,11 +9,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of the difference between the value at a vertex and the nearest isovalue by which the field may be shifted.
-/// Any share below 1 keeps the vertex on its side.
+/// Share of the difference between the value at a vertex and the nearest isovalue by which the field may be shifted
+/// there. With any share below 1 the vertex remains on its side of the isosurface.
 constexpr double most_of_difference = 0.5;
 
-/// Weights of the corners for the three quadrature points of a triangle, whose mean is exact for quadratic functions.
+/// Barycentric coordinates of the three quadrature points of a triangle, whose mean is exact for quadratic functions.
 constexpr double most = 2.0 / 3, least = 1.0 / 6;
 constexpr std::array<std::array<double, 3>, 3> samples{
     {{most, least, least}, {least, most, least}, {least, least, most}}};
@@ -26,7 +26,8 @@ double nearest_difference(const std::vector<double>& values, double at) {
   return nearest;
 }
 
-/// Sums over the triangles in the cells around a vertex.
+/// Sums over the isosurface triangles in the cells around a vertex: of areas, and of area times (isovalue - mean field
+/// value).
 struct Mean {
   double sum = 0, area = 0;
 };

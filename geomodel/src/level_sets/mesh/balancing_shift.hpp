@@ -9,10 +9,10 @@
 
 namespace geomesh::geomodel {
 
-/// Returns, by vertex of the mesh, what to subtract from the field: the isovalue minus the mean of the field's values
-/// over the triangles in the cells around the vertex. `surfaces` are those of the unshifted field, one for each of
-/// `values` (ascending). All surfaces share one shift, so that they keep their order. At no vertex does the shifted
-/// field cross an isovalue, so that the surfaces keep their topology.
+/// Returns for each vertex of the mesh the number to subtract from the field: the mean, over the triangles in the cells
+/// around the vertex, of the isovalue minus the field's value. `surfaces` are the isosurfaces of the field as it is,
+/// one for each of `values` (ascending). All isosurfaces share one shift, so that they keep their order. At no vertex
+/// does the shifted field change its side of an isovalue, so that the isosurfaces keep their topology.
 std::vector<double> balancing_shift(const BackgroundMesh& mesh, const ScalarField& field,
                                     const std::vector<Isosurface>& surfaces, const std::vector<double>& values);
 

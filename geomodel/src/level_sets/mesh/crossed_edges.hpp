@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The edges of a background mesh that isosurfaces cross, with the crossing points.
+/// The edges of a background mesh that isosurfaces cross, with the points where they do.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// The vertices of a background mesh, some of which may have been moved onto isosurfaces, and the values there: those
-/// of the field minus `shift`, a function that is linear in cells.
+/// The vertices of a background mesh after some of them were moved onto isosurfaces, with their values. Values are
+/// those of the field minus `shift`, a function that is linear in each cell.
 struct MovedVertices {
   MovedVertices(const BackgroundMesh& mesh, std::vector<double> shift);
 
@@ -24,17 +24,18 @@ struct MovedVertices {
 class CrossedEdges {
  public:
   struct Edge {
-    VertexIndex below, above;  ///< ends of the edge; the field at `below` is less than at `above`
+    VertexIndex below, above;  ///< ends of the edge; the field is less at `below` than at `above`
   };
-  /// Roots of `known` are reused for edges with no moved end; null if none are known. If `field` is null, the field is
-  /// linear between the vertices.
+  /// Finds all crossed edges and their roots. Roots of `known` are reused for edges whose ends were not moved; `known`
+  /// may be null. If `field` is null, the field is linear between the vertices.
   CrossedEdges(const BackgroundMesh& mesh, const MovedVertices& vertices, const ScalarField* field,
                const std::vector<double>& values, const CrossedEdges* known);
 
   const std::vector<Edge>& edges() const { return edges_; }
-  /// Returns the row of the edge between two vertices. Precondition: an isovalue is crossed there.
+  /// Returns the row of the edge between two vertices. Precondition: an isosurface crosses the edge.
   std::size_t row(VertexIndex a, VertexIndex b) const;
-  /// Returns true if the isovalue lies above the value at the lower end and not above that at the upper end.
+  /// Returns whether an isosurface crosses an edge: its value is above the value at the lower end, and not above that
+  /// at the upper end.
   static bool crosses(const Edge& edge, double value, const MovedVertices& vertices) {
     return vertices.values[edge.below] < value && value <= vertices.values[edge.above];
   }
@@ -45,12 +46,12 @@ class CrossedEdges {
   void solve(std::size_t row_of_value, const MovedVertices& vertices, const ScalarField* field,
              const std::vector<double>& values, const CrossedEdges* known);
   bool is_known(const Edge& edge, const MovedVertices& vertices) const;
-  /// Returns the bracket in which the root of the isovalue lies, above that of the previous isovalue.
+  /// Returns the part of an edge in which the root of an isovalue lies, above that of the previous isovalue.
   Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
                   const std::vector<double>& values) const;
 
   std::vector<Edge> edges_;               ///< by their ends
-  std::vector<std::vector<Vec3>> roots_;  ///< for each isovalue and edge; undefined where the edge is not crossed
+  std::vector<std::vector<Vec3>> roots_;  ///< root for each isovalue and edge; undefined for edges that are not crossed
 };
 
 }  // namespace geomesh::geomodel

@@ -9,18 +9,18 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of the segment, and of the field's values, below which the root is as exact as rounding allows.
+/// Share of a segment's length, and of the field's values, below which a root is as exact as rounding allows.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
 /// Number of secant steps after which the interval is halved instead; it then needs at most 53 more steps.
 constexpr int most_secant_steps = 12;
 constexpr int most_steps = most_secant_steps + 54;
 
-/// The interval [low, high] of fractions of the segment in which the sign changes; f is the field minus the isovalue.
+/// Interval [low, high], in fractions of a segment, in which the sign of f, the field minus the isovalue, changes.
 struct Search {
   std::size_t row;
   double low = 0, high = 1, f_low, f_high;
-  double least_f;      ///< values closer to zero than this are due to rounding
-  int last_moved = 0;  ///< which end moved last: -1 for low, 1 for high
+  double least_f;      ///< values of f closer to zero are due to rounding
+  int last_moved = 0;  ///< end of the interval that moved last: -1 for low, 1 for high
   bool is_exact = false;
 
   bool is_done() const { return is_exact || high - low <= rounding; }
@@ -48,8 +48,8 @@ struct Search {
   }
 };
 
-/// Coordinates that are equal at both ends are kept without rounding, so that a root on a side of the box lies exactly
-/// on that side.
+/// Returns a point of a segment. Coordinates that are equal at both ends are kept without rounding, so that a root on a
+/// side of the box lies exactly on that side.
 Vec3 place_at(const Bracket& bracket, double t) {
   Vec3 p;
   for (std::size_t a = 0; a < 3; ++a) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the points on segments at which a field has a given value, up to rounding and for all segments together.
+/// Finds the points on segments at which a field has a given value, up to rounding, for all segments together.
 #pragma once
 
 #include <vector>
@@ -18,12 +18,12 @@ struct Bracket {
   double shift_below = 0, shift_above = 0;
 };
 
-/// Finds a root in each bracket by the Illinois method (a secant that halves the value of an end that was kept twice),
-/// then by bisection. If the field jumps across the value, the place of the jump is found. Each step evaluates the
-/// field at all segments in one call.
+/// Finds the root on each segment by the Illinois method (a secant method that halves the value of an end that was kept
+/// twice), then by bisection. If the field jumps across the value, the place of the jump is found. Each step evaluates
+/// the field on all segments in one call.
 std::vector<Vec3> find_roots(const ScalarField& field, std::vector<Bracket> brackets);
 
-/// Returns the root in each bracket of the linear function between its ends.
+/// Returns the root on each segment of the linear function between its ends.
 std::vector<Vec3> linear_roots(const std::vector<Bracket>& brackets);
 
 }  // namespace geomesh::geomodel

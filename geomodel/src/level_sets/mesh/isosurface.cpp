@@ -12,8 +12,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The corners of a cell sorted so that those below the isovalue come first. With one or three below, the order has
-/// positive volume. With two, both pairs are ascending, so that the quadrangles of all isovalues are divided by the
+/// The corners of a cell, sorted so that those below the isovalue come first. If one or three are below, the order has
+/// positive volume. If two are, each pair is ascending, so that the quadrangles of all isovalues are divided by the
 /// same rule.
 struct SortedCell {
   std::array<VertexIndex, 4> v;
@@ -59,7 +59,6 @@ class Marcher {
   }
 
  private:
-  /// Returns the vertex on the edge from a corner below the isovalue to one above.
   VertexIndex vertex(VertexIndex below, VertexIndex above) {
     const bool is_corner = vertices_.values[above] == value_;
     const std::size_t edge = is_corner ? 0 : edges_.row(below, above);
@@ -101,8 +100,7 @@ class Marcher {
     }
   }
 
-  /// Two triangles with the same corners enclose no volume: the field only touches the isovalue there, and both are
-  /// removed.
+  /// Removes pairs of triangles with the same corners. They enclose no volume, as the field only touches the isovalue.
   void drop_duplicates() {
     std::vector<std::pair<Triangle, std::size_t>> sorted;
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {

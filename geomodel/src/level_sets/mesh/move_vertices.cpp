@@ -8,9 +8,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of an edge within which a root attracts the vertex. Labelle and Shewchuk use 0.25 on their lattice.
+/// Share of an edge's length within which a root attracts the vertex at its end, as for Labelle and Shewchuk's lattice.
 constexpr double reach = 0.25;
-/// Least share of its volume that every cell keeps, so that none is inverted.
+/// Least share of its volume that every cell keeps when vertices are moved, so that none is inverted.
 constexpr double least_volume_share = 0.1;
 
 struct Target {
@@ -28,7 +28,7 @@ void offer(Target& target, double edge2, const Target& root) {
   if (root.distance2 <= reach * reach * edge2 && root.distance2 < target.distance2) target = root;
 }
 
-/// Calls visit(vertex, other end, root, isovalue) for both ends of each edge at each of its roots.
+/// Calls visit(vertex, other end, root, isovalue) for both ends of each edge, at each root on the edge.
 template <class Visit>
 void for_each_root(const CrossedEdges& edges, const std::vector<double>& values, const MovedVertices& vertices,
                    Visit&& visit) {
@@ -52,7 +52,7 @@ std::vector<Target> find_targets(const BackgroundMesh& mesh, const CrossedEdges&
     const double shift = vertices.shift[from] + share * (vertices.shift[to] - vertices.shift[from]);
     offer(targets[from], edge2, {distance2, root, value, shift});
   });
-  // A vertex between two sheets of one isosurface is not moved, because on one of them it would connect both.
+  // A vertex between two parts of one isosurface is not moved, because moving it to one part would connect both.
   for_each_root(edges, values, vertices, [&](VertexIndex from, VertexIndex, const Vec3& root, double value) {
     Target& target = targets[from];
     if (value != target.value || !std::isfinite(target.distance2)) return;
@@ -67,7 +67,8 @@ void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const 
                    MovedVertices& vertices) {
   const std::vector<Target> targets = find_targets(mesh, edges, values, vertices);
   const auto has_target = [&](VertexIndex v) { return std::isfinite(targets[v].distance2); };
-  std::vector<std::size_t> begin(mesh.n_points() + 1, 0);  // cells around each vertex that has a target
+  // First entry of the cells around each vertex that will be moved.
+  std::vector<std::size_t> begin(mesh.n_points() + 1, 0);
   for (const BackgroundMesh::Cell& cell : mesh.cells())
     for (const VertexIndex v : cell.v) begin[v + 1] += has_target(v);
   for (std::size_t v = 0; v < mesh.n_points(); ++v) begin[v + 1] += begin[v];

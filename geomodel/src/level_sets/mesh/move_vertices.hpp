@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Moves vertices of the background mesh onto isosurfaces that pass very close.
+/// Moves vertices of the background mesh onto isosurfaces that pass very close to them.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace geomesh::geomodel {
 
-/// Moves each vertex that has a root within a quarter of one of its edges to the nearest such root, and gives it that
-/// value. A vertex is not moved if a cell would lose nine tenths of its volume, or if it would leave a side of the box.
+/// Moves each vertex that has a root within a quarter of one of its edges to the nearest such root, with the isovalue
+/// there. A vertex is not moved if a cell would lose nine tenths of its volume, or if the vertex would leave a side of
+/// the box.
 void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const std::vector<double>& values,
                    MovedVertices& vertices);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_readers/netcdf/hdf5_groups.hpp"
 
-#define H5_USE_110_API  // addresses of objects instead of tokens, in every version
+#define H5_USE_110_API  // objects have addresses instead of tokens, in every version of HDF5
 #include <hdf5.h>
 
 #include <fstream>
@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr std::size_t deepest =
-    16;  // depth of nested groups, which suffices for data sets; the library's own calls nest as deep
+    16;  // Largest depth of nested groups, which suffices for data sets. HDF5's own calls are nested as deep.
 
 class Walk {
  public:
@@ -22,7 +22,7 @@ class Walk {
   Hdf5Groups found;
 
  private:
-  /// Visits one link of a group. Returns 1 to end the walk if the file is refused.
+  /// Visits one link of an HDF5 group. Returns 1 to end the walk if the file is refused.
   static herr_t visit_link(hid_t group, const char* name, const H5L_info_t*, void* walk) {
     return static_cast<Walk*>(walk)->visit(group, name) ? 0 : 1;
   }
@@ -55,8 +55,9 @@ class Walk {
     if (above_.size() > deepest)
       return refuse("its group " + here + " lies more than " + std::to_string(deepest) +
                     " groups deep: copy the arrays into a file with fewer groups");
-    // The library reads a group again along each link that leads to it, so nested double links multiply. A link and its
-    // group take more bytes than this in the file if each group has one link.
+    // Fewest bytes of a link and its group in a file in which each group has one link. A file with more links than this
+    // allows is refused, because the library reads a group again along each link that leads to it, so that nested
+    // double links multiply.
     constexpr std::uintmax_t least_bytes = 64;
     if (++n_visits_ > bytes_ / least_bytes)
       return refuse("its groups are linked to each other so often that reading them would not end, at " + here +
@@ -75,10 +76,11 @@ class Walk {
     found.fault = why;
     return false;
   }
-  /// Returns the path of the group that is being read: "", or with a slash at its end.
+  /// Returns the path of the group that is being read, with a slash at its end; "" for the root.
   std::string path() const { return above_.size() < 2 ? "" : above_.back().first + "/"; }
 
-  std::vector<std::pair<std::string, haddr_t>> above_;  ///< groups from the root to the one that is being read
+  /// Names and addresses of the groups from the root to the one that is being read.
+  std::vector<std::pair<std::string, haddr_t>> above_;
   std::uintmax_t bytes_, n_visits_ = 0;
 };
 
@@ -92,7 +94,8 @@ Hdf5Groups check_hdf5_groups(const std::filesystem::path& path) {
   H5E_auto2_t print = nullptr;
   void* to = nullptr;
   H5Eget_auto2(H5E_DEFAULT, &print, &to);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the netCDF library reports files that cannot be opened
+  // HDF5 prints no errors; the netCDF library reports files that cannot be opened
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   Hdf5Groups found;
   if (const hid_t file = H5Fopen(path.string().c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); file >= 0) {
     found = Walk(file, std::filesystem::file_size(path)).found;

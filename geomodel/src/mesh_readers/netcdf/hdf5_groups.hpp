@@ -11,11 +11,12 @@
 namespace geomesh::geomodel {
 
 struct Hdf5Groups {
-  std::string fault;                ///< why the file must not be opened, and what to do; empty if it may be opened
-  std::set<std::string> unwritten;  ///< paths of arrays without any value in the file, as "group/array"
+  std::string fault;  ///< reason why the file must not be opened, and what the user can do; empty if it may be opened
+  std::set<std::string> unwritten;  ///< paths, as "group/array", of arrays that have no value in the file
 };
 
-/// Reads each group once, identified by its address in the file. For a file of another kind, both results are empty.
+/// Checks the groups of an HDF5 file, reading each one once, identified by its address in the file. For a file of
+/// another kind, both results are empty.
 Hdf5Groups check_hdf5_groups(const std::filesystem::path& file);
 
 }  // namespace geomesh::geomodel

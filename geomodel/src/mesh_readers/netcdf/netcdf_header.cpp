@@ -14,7 +14,7 @@ struct MissingRecords {
   std::uint64_t counted, there;
 };
 
-/// Bytes of a value by the number of its type, from 1.
+/// Number of bytes of a netCDF value by the number of its type, from 1.
 constexpr std::array<std::uint64_t, 12> bytes_of_type{0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
 constexpr std::uint64_t dimensions = 10, variables = 11, attributes = 12;  // tags of lists
 
@@ -40,7 +40,7 @@ class Header {
   }
 
  private:
-  /// The part of a record that belongs to one variable.
+  /// The part of each netCDF record that belongs to one variable.
   struct PartOfRecord {
     std::uint64_t begin, bytes;
   };
@@ -69,7 +69,7 @@ class Header {
     }
   }
 
-  /// Checks that all records lie in the file. Their number is unknown in a file that was written as a stream.
+  /// Checks that all records lie in the file. The number of records is unknown in a file that was written as a stream.
   void check_records() const {
     const std::uint64_t unknown = width_ == 8 ? ~std::uint64_t{0} : 0xFFFFFFFF;
     if (n_records_ == 0 || n_records_ == unknown || parts_.empty()) return;
@@ -82,7 +82,7 @@ class Header {
     }
   }
 
-  /// Checks that values end within the file, since the library reads zeros beyond its end.
+  /// Checks that the values of a variable end within the file, because the netCDF library reads zeros beyond its end.
   void check_extent(std::uint64_t begin, std::uint64_t bytes) const {
     if (bytes > 0 && (begin > bytes_ || bytes > bytes_ - begin)) throw Damaged{};
   }
@@ -102,13 +102,13 @@ class Header {
     take(bytes);
     file_.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
   }
-  /// Reads a count of items, each of which takes at least so many bytes in the rest of the file.
+  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
   std::uint64_t count(std::uint64_t least_bytes) {
     const std::uint64_t n = number(width_);
     if (n > left_ / least_bytes) throw Damaged{};
     return n;
   }
-  /// Reads the length of a list, which is absent or has the tag.
+  /// Reads the beginning of a list in the header and returns its length. The list has this tag, or is absent.
   std::uint64_t begin_list(std::uint64_t tag, std::uint64_t least_bytes) {
     const std::uint64_t found = number(4), n = count(least_bytes);
     if (found != tag && (found != 0 || n != 0)) throw Damaged{};
@@ -126,10 +126,10 @@ class Header {
   }
 
   std::ifstream& file_;
-  std::uint64_t bytes_, left_;  // bytes of the file, and of the part that follows
+  std::uint64_t bytes_, left_;  // number of bytes of the file, and of the part that was not read yet
   unsigned width_, width_of_offset_;
   std::uint64_t n_records_ = 0;
-  std::vector<std::uint64_t> lengths_;  // lengths of the dimensions; 0 for the one along the records
+  std::vector<std::uint64_t> lengths_;  // lengths of the dimensions; 0 for the unlimited one
   std::vector<PartOfRecord> parts_;
 };
 
@@ -140,7 +140,7 @@ std::string netcdf_header_fault(const std::filesystem::path& path) {
   std::array<char, 4> magic{};
   if (!file.read(magic.data(), magic.size()) || magic[0] != 'C' || magic[1] != 'D' || magic[2] != 'F') return "";
   const auto version = static_cast<unsigned>(magic[3]);
-  if (version != 1 && version != 2 && version != 5) return "";  // the library refuses it
+  if (version != 1 && version != 2 && version != 5) return "";  // the netCDF library refuses other versions
   try {
     Header(file, std::filesystem::file_size(path), version).check();
   } catch (const Damaged&) {

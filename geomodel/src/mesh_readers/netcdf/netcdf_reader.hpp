@@ -11,11 +11,12 @@
 
 namespace geomesh::geomodel {
 
-/// All functions throw Error{invalid_input} if the file is damaged. Memory is bounded by what the file can contain.
+/// Reader of a netCDF file. All functions throw Error{invalid_input} if the file is damaged. Memory is bounded by what
+/// the file can contain.
 class NetcdfReader {
  public:
-  /// Opens a file in the classic format, with 64-bit offsets or numbers, or in netCDF-4. Throws Error{usage} if it
-  /// cannot be opened.
+  /// Opens a netCDF file: classic, with 64-bit offsets or data, or netCDF-4. Throws Error{usage} if it cannot be
+  /// opened.
   explicit NetcdfReader(const std::filesystem::path& path);
   ~NetcdfReader();
   NetcdfReader(const NetcdfReader&) = delete;
@@ -23,15 +24,15 @@ class NetcdfReader {
 
   [[noreturn]] void refuse(const std::string& why) const;
   bool has(const std::string& variable) const;
-  /// Returns 0 if there is no such dimension.
+  /// Returns the length of a dimension; 0 if there is no such dimension.
   std::size_t dimension(const std::string& name) const;
   bool is_single_precision(const std::string& variable) const;
-  /// Returns exactly n numbers; for a variable with time steps, those of the first.
+  /// Returns the n numbers of a variable; if it has time steps, those of the first.
   std::vector<double> doubles(const std::string& variable, std::size_t n) const;
   std::vector<std::int64_t> integers(const std::string& variable, std::size_t n) const;
-  /// Returns one text per row; as many empty ones if there is no such variable.
+  /// Returns the n texts of a variable, one for each row; n empty texts if there is no such variable.
   std::vector<std::string> texts(const std::string& variable, std::size_t n) const;
-  /// Returns an empty text if there is no such attribute.
+  /// Returns an attribute of a variable; an empty text if there is no such attribute.
   std::string attribute(const std::string& variable, const std::string& name) const;
 
  private:

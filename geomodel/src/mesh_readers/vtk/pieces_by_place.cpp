@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::map<std::string, std::vector<double>>;
 
-/// Returns empty arrays with the names that all pieces have.
+/// Returns the names of the arrays that all pieces of a mesh have.
 Values common_names(const std::vector<MeshFile>& pieces, Values MeshFile::*values) {
   Values names;
   for (const auto& [name, ignored] : pieces.front().*values) {
@@ -69,7 +69,7 @@ class PlaceMerger {
     return rows_[v] = entry->second;
   }
 
-  /// Returns the bits of the coordinates, to compare numbers of any kind; both zeros have the same bits.
+  /// Returns the bits of a point's coordinates, by which any numbers can be compared; both zeros have the same bits.
   static std::array<std::uint64_t, 3> bits_of(const Vec3& p) {
     return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0),
             std::bit_cast<std::uint64_t>(p.z + 0.0)};
@@ -77,7 +77,7 @@ class PlaceMerger {
 
   MeshFile mesh_;
   bool has_regions_ = false;
-  std::vector<VertexIndex> rows_;  // row of each point of the piece
+  std::vector<VertexIndex> rows_;  // row in the mesh of each point of the piece
   std::map<std::array<std::uint64_t, 3>, VertexIndex> row_at_;
 };
 

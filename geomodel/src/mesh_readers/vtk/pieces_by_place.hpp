@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Combines pieces of a mesh in parts without global numbers, as ParaView and other tools write them.
+/// Combines the pieces of a mesh that have no global numbers, as ParaView and other tools write them.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,7 @@
 namespace geomesh::geomodel::checking {
 
 /// Concatenates the tetrahedra of the pieces, without those that are ghosts (cell array `vtkGhostType`). Points with
-/// equal coordinates, to the last bit, are merged. Arrays that not all pieces have are left out, as are midpoints. O(n
-/// log n).
+/// exactly equal coordinates are merged. Midpoints and arrays that not all pieces have are left out. O(n log n).
 MeshFile merged_by_place(std::vector<MeshFile> pieces);
 
 }  // namespace geomesh::geomodel::checking

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads a mesh in parts (.pvtu): its pieces are combined by their global numbers, or by the coordinates of their points
-// if no piece has such numbers; ghosts are left out.
+// if no piece has such numbers; copies of other pieces' cells (ghosts) are left out.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -15,7 +15,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Largest size in bytes of a file that names pieces.
+/// Largest size in bytes of a .pvtu file, which names the pieces of a mesh.
 constexpr std::size_t most_bytes = std::size_t{1} << 26;
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
@@ -63,7 +63,6 @@ struct Piece {
   MeshFile mesh;
 };
 
-/// Returns true if the tetrahedron is a copy of another piece's.
 bool is_ghost(const MeshFile& piece, std::size_t t) {
   const auto ghosts = piece.cell_values.find("vtkGhostType");
   return ghosts != piece.cell_values.end() && ghosts->second[t] != 0;
@@ -71,7 +70,8 @@ bool is_ghost(const MeshFile& piece, std::size_t t) {
 
 class PieceMerger {
  public:
-  /// Numbers count the contents of the pieces without gaps, so none of them can require more memory than the files do.
+  /// Global numbers must count the contents of the pieces without gaps, so they cannot require more memory than the
+  /// files.
   PieceMerger(const std::filesystem::path& path, const std::vector<Piece>& pieces) : path_(path) {
     std::size_t n_cells = 0;
     for (const Piece& piece : pieces) {
@@ -159,7 +159,7 @@ class PieceMerger {
   }
 
   const std::filesystem::path& path_;
-  std::size_t most_points_ = 0;  // points of all pieces, with shared ones counted several times
+  std::size_t most_points_ = 0;  // number of points of all pieces, with shared ones counted several times
   MeshFile mesh_;
   std::vector<bool> is_known_;  // by point
 };

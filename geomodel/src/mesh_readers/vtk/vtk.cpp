@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads VTK's files of meshes, declared in mesh_readers/mesh_files.hpp.
+// Reads meshes from VTK files, declared in mesh_readers/mesh_files.hpp.
 #include <array>
 #include <cmath>
 
@@ -26,7 +26,6 @@ bool is_solid(std::uint8_t type) {
 
 bool is_value(const VtkColumn& column) { return !column.is_text() && !column.name.empty() && column.n_components == 1; }
 
-/// Reads scalar cell arrays, for the tetrahedra only.
 void take_cell_values(const VtkData& grid, MeshFile& mesh) {
   for (const VtkColumn& column : grid.cell_data.columns) {
     if (!is_value(column) || mesh.region_array == column.name) continue;
@@ -35,7 +34,6 @@ void take_cell_values(const VtkData& grid, MeshFile& mesh) {
   }
 }
 
-/// Reads scalar point arrays.
 void take_point_values(const VtkData& grid, MeshFile& mesh) {
   for (const VtkColumn& column : grid.point_data.columns) {
     if (!is_value(column)) continue;
@@ -55,12 +53,12 @@ void take_groups(const VtkTable& field, MeshFile& mesh, const std::filesystem::p
   for (std::size_t i = 0; i < names.size() && i < lists.size(); ++i) mesh.region_groups[names[i]] = lists[i];
 }
 
-/// Numbers of those cells that are kept although they are not solids.
+/// Numbers of the cells that are kept although they are not solids: triangles and edges.
 struct LowerCells {
   std::vector<std::size_t> triangles, edges;
 };
 
-/// Reads triangles, edges and prisms in addition to the tetrahedra.
+/// Reads one cell that is not a tetrahedron: a triangle, an edge or a prism.
 void take_other(const VtkData& grid, std::size_t cell, MeshFile& mesh, LowerCells& lower) {
   const std::uint8_t type = grid.cells.types[cell];
   const auto p = grid.cells.of(cell);
@@ -106,7 +104,7 @@ void take_ids(const VtkData& grid, const LowerCells& lower, MeshFile& mesh) {
     break;
   }
   if (mesh.region_array == "MaterialIDs" && !names_of(grid.field_data, "region").empty())
-    for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts from 0, the names from 1
+    for (std::int32_t& id : mesh.region) ++id;  // OpenGeoSys counts regions from 0, the names in the file from 1
 }
 
 void take_point_data(const VtkData& grid, MeshFile& mesh) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads faces and curves in VTK's files, declared in mesh_readers/mesh_files.hpp: from separate files, or from a single
-// grid for all cells.
+// Reads faces and curves in VTK's files, declared in mesh_readers/mesh_files.hpp: they are in separate files, or in a
+// single grid for all cells.
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -12,7 +12,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// Cells of one file, by their kind.
+/// Rows of the cells in a VTK file, by the kind of cell.
 struct CellRows {
   std::vector<std::size_t> vertices, lines, faces;
 };
@@ -27,7 +27,8 @@ CellRows rows_by_kind(const VtkCells& cells) {
   return rows;
 }
 
-/// Reads `curve:NAME` with `curve_kinds` in the same order, then `point:NAME`.
+/// Reads the names of curves (field arrays `curve:NAME`, with `curve_kinds` in the same order), then those of points
+/// (`point:NAME`).
 void take_curve_names(const VtkTable& field, CurvesFile& curves) {
   constexpr const char* kinds[] = {"intersection", "border", "fault_tip", "well", "curve"};
   const std::map<std::int32_t, std::string> names = names_of(field, "curve"), points = names_of(field, "point");
@@ -107,10 +108,11 @@ CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
   return curves;
 }
 
-/// Extracts the cells of one dimension from a grid, with the grid's points and names, in the form of a separate file.
+/// Extracts the cells of one dimension from a single grid. The result has the points and names of the grid and the form
+/// of a separate file.
 class PartOfGrid {
  public:
-  /// `renamed` is the grid's array of ids, which the separate file calls `id_name`.
+  /// Begins the extraction from a grid. The grid's array of ids is named `renamed`, and `id_name` in a separate file.
   PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
     data_.kind = VtkData::Kind::poly;
@@ -121,7 +123,7 @@ class PartOfGrid {
     data_.point_data.put(column_of("mesh_point", rows));
   }
 
-  /// Adds the cells of either type, by their corners; midpoint nodes are left out.
+  /// Adds the cells of two VTK types (first and second order) by their corners; midpoint nodes are left out.
   void take(std::array<std::uint8_t, 2> types, std::size_t n_corners) {
     for (std::size_t cell = 0; cell < grid_.cells.size(); ++cell) {
       if (std::find(types.begin(), types.end(), grid_.cells.types[cell]) == types.end()) continue;
@@ -137,7 +139,8 @@ class PartOfGrid {
     for (const VtkColumn& column : grid_.cell_data.columns) {
       if (column.is_text() || column.name.empty()) continue;
       const bool is_id = column.name == renamed_;
-      const int first = is_id && renamed_ == "MaterialIDs" ? 1 : 0;  // OpenGeoSys counts from 0, the names from 1
+      // OpenGeoSys counts regions from 0, the names in the file from 1
+      const int first = is_id && renamed_ == "MaterialIDs" ? 1 : 0;
       const std::vector<std::int32_t> all = integers_of(column);
       std::vector<std::int32_t> values;
       for (const std::size_t cell : taken_) values.push_back(all[cell] + first);

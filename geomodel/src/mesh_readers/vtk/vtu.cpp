@@ -3,21 +3,22 @@
 // NAME.curves.vtp.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "mesh_readers/mesh_files.hpp"
 #include "mesh_readers/mesh_readers.hpp"
+#include "mesh_readers/vtk/vtk_arrays.hpp"
 
 namespace geomesh::geomodel {
 namespace {
 
-/// Names of arrays that are not properties: those of a single grid for all cells, and of parts.
+/// Names of arrays that are not properties: those of a single grid for all cells, and those of parts of a mesh.
 constexpr std::array<std::string_view, 8> arrays_of_cells{"surface_set",  "patch",           "region_minus",
                                                           "region_plus",  "source_triangle", "GlobalCellIds",
                                                           "vtkGhostType", "partition"};
 constexpr std::array<std::string_view, 4> arrays_of_points{"kind", "input_vertex", "GlobalPointIds", "vtkGhostType"};
 
-/// Adds sets of cells grouped by id.
 void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
                     const std::map<std::int32_t, std::string>& names, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
@@ -34,7 +35,6 @@ void add_sets_by_id(const std::vector<std::int32_t>& ids, int dimension,
   }
 }
 
-/// A face of several surfaces is in the set of each.
 void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& row, RawMesh& mesh) {
   std::map<std::int32_t, RawSet> sets;
   for (const auto& [id, name] : file.surface_names) sets[id] = {name, id, 2, {}};
@@ -56,17 +56,22 @@ void add_faces(const checking::FacesFile& file, const std::vector<VertexIndex>& 
   }
 }
 
-/// Returns the rows of a file's points in the mesh, by coordinates; the file's own numbers if it has them.
-std::vector<VertexIndex> rows_of(const std::vector<Vec3>& points, const std::vector<std::int32_t>& numbers,
-                                 const RawMesh& mesh) {
-  std::vector<VertexIndex> rows;
+/// Returns the index in the mesh of each point of a file beside it. Returns nothing if the file has no such indices, as
+/// files of other programs do. Throws Error{invalid_input} if a point is another one than that of the mesh.
+std::optional<std::vector<VertexIndex>> indices_in_mesh(const std::vector<Vec3>& points,
+                                                        const std::vector<std::int32_t>& numbers, const RawMesh& mesh,
+                                                        const std::filesystem::path& file) {
+  if (numbers.size() != points.size()) return std::nullopt;
+  std::vector<VertexIndex> indices;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool known = i < numbers.size() && numbers[i] >= 0 &&
-                       static_cast<std::size_t>(numbers[i]) < mesh.points.size() &&
-                       mesh.points[static_cast<std::size_t>(numbers[i])] == points[i];
-    rows.push_back(known ? static_cast<VertexIndex>(numbers[i]) : no_vertex);
+    const auto at = static_cast<std::size_t>(numbers[i]);
+    if (numbers[i] < 0 || at >= mesh.points.size() || mesh.points[at] != points[i])
+      checking::refuse(file, "its point " + std::to_string(i) +
+                                 " is not a point of the mesh beside it, so the files are not of one run; write them "
+                                 "anew, or move this file away to read the mesh without it");
+    indices.push_back(static_cast<VertexIndex>(at));
   }
-  return rows;
+  return indices;
 }
 
 }  // namespace
@@ -98,8 +103,7 @@ RawMesh read_vtu_mesh(const std::filesystem::path& path) {
   const std::filesystem::path stem = path.parent_path() / path.stem();
   if (const std::filesystem::path faces = stem.string() + ".faces.vtp"; std::filesystem::exists(faces)) {
     const checking::FacesFile set = checking::read_faces_file(faces);
-    const std::vector<VertexIndex> rows = rows_of(set.points, set.mesh_point, mesh);
-    if (std::find(rows.begin(), rows.end(), no_vertex) == rows.end()) add_faces(set, rows, mesh);
+    if (const auto indices = indices_in_mesh(set.points, set.mesh_point, mesh, faces)) add_faces(set, *indices, mesh);
   } else {
     for (const auto& triangle : file.triangles)
       mesh.cells[2].corners.insert(mesh.cells[2].corners.end(), triangle.begin(), triangle.end());
@@ -110,14 +114,13 @@ RawMesh read_vtu_mesh(const std::filesystem::path& path) {
   }
   if (const std::filesystem::path curves = stem.string() + ".curves.vtp"; std::filesystem::exists(curves)) {
     const checking::CurvesFile set = checking::read_curves_file(curves);
-    const std::vector<VertexIndex> rows = rows_of(set.points, set.mesh_point, mesh);
-    if (std::find(rows.begin(), rows.end(), no_vertex) == rows.end()) {
+    if (const auto indices = indices_in_mesh(set.points, set.mesh_point, mesh, curves)) {
       for (const auto& edge : set.edges)
-        for (const VertexIndex v : edge) mesh.cells[1].corners.push_back(rows[v]);
+        for (const VertexIndex v : edge) mesh.cells[1].corners.push_back((*indices)[v]);
       std::map<std::int32_t, std::string> names;
       for (const auto& curve : set.curves) names[curve.id] = curve.name;
       add_sets_by_id(set.edge_curve, 1, names, mesh);
-      for (const VertexIndex v : set.vertices) mesh.cells[0].corners.push_back(rows[v]);
+      for (const VertexIndex v : set.vertices) mesh.cells[0].corners.push_back((*indices)[v]);
       add_sets_by_id(set.vertex_curve, 0, names, mesh);
     }
   }

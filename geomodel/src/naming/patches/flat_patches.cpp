@@ -15,7 +15,7 @@ bool runs_from(const Triangle& t, VertexIndex a, VertexIndex b) {
   return false;
 }
 
-/// Returns whether all points of the facets agree exactly in one coordinate.
+/// Returns whether all corners of the facets agree exactly in one coordinate.
 bool is_axis_aligned(const PolygonSoup& soup, const std::vector<Index>& facets) {
   const Vec3& first = soup.points[soup.facets[facets.front()][0]];
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -27,9 +27,8 @@ bool is_axis_aligned(const PolygonSoup& soup, const std::vector<Index>& facets) 
   return false;
 }
 
-/// The border of a patch, collected from its edges.
 struct Border {
-  std::map<VertexIndex, VertexIndex> next;  ///< next vertex along the border, with the patch on the left
+  std::map<VertexIndex, VertexIndex> next;  ///< next vertex along the border, with the patch on its left
   bool simple = true;                       ///< whether no point occurs twice and all facets have the same orientation
   std::vector<std::pair<VertexIndex, VertexIndex>> segments;
 };
@@ -46,7 +45,7 @@ void add_edge(const PolygonSoup& soup, const std::vector<EdgeUse>& in_patch, boo
   }
 }
 
-/// Returns the loops of the border, the one with the least point (x, y, z) first: in a plane this is the outer loop.
+/// Returns the loops of a patch's border. The first one has the least point (x, y, z): in a plane, the outer loop.
 std::vector<std::vector<VertexIndex>> trace_loops(const PolygonSoup& soup, const Border& border) {
   std::vector<std::vector<VertexIndex>> loops;
   std::set<VertexIndex> seen;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Represents patches on sides of the box as polygons with holes.
+/// Represents patches of facets on sides of the box as polygons with holes.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// One patch of soup facets as one polygon with the same orientation.
+/// A polygon that replaces all soup facets of a patch and has the same orientation.
 struct FlatPatch {
   std::vector<Index> facets;                    ///< ascending
   std::vector<std::vector<VertexIndex>> loops;  ///< outer, holes
@@ -21,8 +21,9 @@ struct FlatPatch {
   std::vector<VertexIndex> points;  ///< points inside the patch that are on no segment
 };
 
-/// Returns patches (by number) whose facets belong to one side of the box only and have the same orientation. All their
-/// points have exactly the same x, y or z, and their border passes no point twice. `uses` as from sorted_edge_uses.
+/// Returns, by patch number, the patches that can be represented as polygons: their facets belong to one side of the
+/// box only and have the same orientation, all their points have exactly the same x, y or z, and their border passes no
+/// point twice. `uses` comes from sorted_edge_uses.
 std::map<Index, FlatPatch> flat_box_patches(const PolygonSoup& soup, const std::vector<TriangulatedSurface>& surfaces,
                                             const SurfaceSets& sets, const std::vector<Index>& patch,
                                             const std::vector<EdgeUse>& uses);

@@ -23,7 +23,6 @@ std::string joined_names(const std::vector<Index>& rows, const std::vector<Trian
   return joined;
 }
 
-/// Returns the surfaces of the faces at an edge, as ascending rows.
 std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& model) {
   std::vector<Index> rows;
   for (const EdgeUse& use : edge)
@@ -34,8 +33,7 @@ std::vector<Index> surfaces_at(std::span<const EdgeUse> edge, const ModelMesh& m
   return rows;
 }
 
-/// Collects the edges of curves by what determines the name: the surfaces at the edge, and whether only one face is
-/// there.
+/// Groups edges into curves by what determines the name: the surfaces at the edge, and whether it has only one face.
 class CurveTable {
  public:
   explicit CurveTable(const std::vector<TriangulatedSurface>& surfaces) : surfaces_(surfaces) {}
@@ -61,7 +59,7 @@ class CurveTable {
   }
 
  private:
-  using Curves = std::map<std::pair<std::string, std::string>, Index>;  // row of each curve by its kind and name
+  using Curves = std::map<std::pair<std::string, std::string>, Index>;
   struct Edge {
     VertexIndex a, b;
     Curves::const_iterator curve;

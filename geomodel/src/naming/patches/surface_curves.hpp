@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines on which curve an edge lies, by the surfaces that meet there.
+/// Determines the curve on which an edge lies from the surfaces that meet at the edge.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the curve of an edge at which `n_facets` facets of `rows` (ascending rows of `surfaces`) meet and which is
-/// not inside a patch (docs/output-files.md).
+/// Returns the curve to which an edge belongs that is not inside a patch (docs/output-files.md). `rows` are the
+/// ascending indices in `surfaces` of the surfaces whose `n_facets` facets meet at the edge.
 SoupCurve curve_of(const std::vector<Index>& rows, std::size_t n_facets,
                    const std::vector<TriangulatedSurface>& surfaces);
 
@@ -21,14 +21,14 @@ struct MeshCurves {
     Index curve;       ///< row of `curves`
   };
   std::vector<SoupCurve> curves;
-  std::vector<Edge> edges;  ///< one entry for each curve on which an edge lies
+  std::vector<Edge> edges;  ///< An edge that is on several curves has one entry for each of them.
 };
 
-/// Determines curves of surfaces and patches from the faces at each edge, and fills the faces' patches. They may differ
-/// from those of the complex (ModelPlc): refinement may give a fault the edge on which a horizon ends, within rounding
-/// of it. Curves are ordered by kind, then name, edges by their ends, patches by their first face. Precondition: faces
-/// and surface sets are filled, with ids of surfaces that are consecutive in the order of `surfaces`. O(n log n) for n
-/// faces.
+/// Determines patches and curves of surfaces from the faces at each edge of the mesh, and sets the patch number of each
+/// face. The curves may differ from those of the complex (ModelPlc): refinement may give a fault the edge on which a
+/// horizon ends, within rounding of it. Curves are ordered by kind, then name, edges by their ends, patches by their
+/// first face. Precondition: faces and surface sets are filled, with ids of surfaces that are consecutive in the order
+/// of `surfaces`. O(n log n) for n faces.
 MeshCurves tell_curves_and_patches(const std::vector<TriangulatedSurface>& surfaces, ModelMesh& model);
 
 }  // namespace geomesh::geomodel

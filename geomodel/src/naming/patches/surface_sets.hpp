@@ -9,7 +9,7 @@
 
 namespace geomesh::geomodel {
 
-/// The distinct sets of surfaces of facets, in the order of their first facet; each is ascending.
+/// The distinct sets of surfaces to which facets belong, in the order of their first facet; each set is ascending.
 struct SurfaceSets {
   std::vector<std::vector<Index>> sets;
   std::vector<Index> of_facet;  ///< row in `sets`

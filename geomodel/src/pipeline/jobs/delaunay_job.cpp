@@ -17,7 +17,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Equal points become one vertex; a warning lists the first few rows, the report all of them.
+/// Warns of equal input points, which become one vertex. The warning lists the first few, the report all of them.
 void report_equal_points(const std::vector<VertexIndex>& representative, Journal& journal) {
   std::size_t n = 0;
   std::string rows;
@@ -30,7 +30,7 @@ void report_equal_points(const std::vector<VertexIndex>& representative, Journal
                  (n > 5 ? ", ..." : "") + ")");
 }
 
-/// Returns each point that was merged, with the one that it equals, as rows of the input.
+/// Returns the pairs (merged point, equal earlier point) as indices of the input points.
 nlohmann::ordered_json merged_points(const std::vector<VertexIndex>& representative) {
   auto pairs = nlohmann::ordered_json::array();
   for (VertexIndex v = 0; v < representative.size(); ++v)
@@ -38,7 +38,7 @@ nlohmann::ordered_json merged_points(const std::vector<VertexIndex>& representat
   return pairs;
 }
 
-/// Returns the same oriented tetrahedron with its smallest vertex first and the smallest of the others second.
+/// Returns the same oriented tetrahedron with its smallest vertex first and its second smallest vertex second.
 Tetrahedron canonical(const Tetrahedron& t) {
   constexpr std::array<std::array<std::uint8_t, 4>, 4> to_front{
       {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
@@ -55,7 +55,7 @@ double volume_of(const ModelMesh& mesh) {
   return volume.value();
 }
 
-/// Adds the boundary as the only surface, with normals outward.
+/// Adds the boundary of the triangulation as the only surface of the mesh, with outward normals.
 void add_hull(ModelMesh& mesh, std::vector<Triangle> hull) {
   constexpr std::int32_t region = 1, surface = 2;
   for (Triangle& t : hull) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -69,8 +69,8 @@ void add_hull(ModelMesh& mesh, std::vector<Triangle> hull) {
   mesh.surfaces.push_back({surface, hull_name, SurfaceKind::surface, area.value()});
 }
 
-/// Returns the finite cells as one region `hull`, with points renumbered without gaps. The order of the cells is
-/// canonical, so that files are the same for all algorithms.
+/// Returns the finite cells of a Delaunay tetrahedralization as one region `hull`, with points renumbered without gaps.
+/// The order of the cells is canonical, so that files are the same for all algorithms.
 ModelMesh to_model_mesh(const std::vector<Vec3>& points, const DelaunayTetrahedralization& delaunay) {
   ModelMesh mesh;
   std::vector<VertexIndex> new_index(points.size(), no_vertex);

@@ -16,7 +16,7 @@ namespace {
 
 bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == ';' || c == '\r'; }
 
-/// Parses the first three numbers of a line; further columns are allowed.
+/// Parses the first three numbers of a line of a point file; further columns are allowed.
 std::optional<Vec3> parse_point(std::string_view line) {
   Vec3 p;
   const char* at = line.data();
@@ -44,7 +44,7 @@ std::string read_whole(const std::filesystem::path& path) {
   return std::move(text).str();
 }
 
-/// Returns true if one of the first two lines that are neither blank nor comment is a point.
+/// Returns true if one of the first two lines of the text that are neither blank nor a comment is a point.
 bool looks_like_points(std::string_view text) {
   int seen = 0;
   while (!text.empty() && seen < 2) {

@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// Throws Error{usage} if the file cannot be opened, Error{invalid_input} with file and line if a line does not have
-/// three numbers.
+/// Reads points from a text or surface file. Throws Error{usage} if the file cannot be opened, Error{invalid_input}
+/// with file and line if a line does not have three numbers.
 std::vector<Vec3> read_points(const std::filesystem::path& path);
 
 }  // namespace geomesh::geomodel

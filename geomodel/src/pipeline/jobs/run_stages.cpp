@@ -19,14 +19,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The records of a run so far: the run may end early, and the report then contains what is known.
+/// The records of the stages that a run has completed. The run may end early; its report then describes these records.
 struct RecordsSoFar {
   std::optional<Inputs> inputs;
   std::optional<Built> built;
   std::optional<Arranged> arranged;
 };
 
-/// Fault zones, with the groups and attributes that name them. They are opened after the mesh is made.
+/// The fault zones of a project, with the groups and attributes that name them. They are opened after the mesh is made.
 struct Zones {
   std::vector<FaultZone> zones;
   NamingRules rules;
@@ -51,7 +51,7 @@ Report begin_report(const RecordsSoFar& records) {
   return report;
 }
 
-/// Sizes may be derived from a number of elements: the description gives the size that was used.
+/// Returns the description of the inputs with the size that was used, which may be derived from a number of elements.
 std::string described_with_size(const Inputs& inputs, const RefinementSettings& used) {
   const double size = used.size.base.global;
   if (!(size > 0) || size == inputs.refinement.size.base.global) return inputs.description;
@@ -61,11 +61,11 @@ std::string described_with_size(const Inputs& inputs, const RefinementSettings& 
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// Shares of the stage `verify` that are done after the mesh was named and verified, and after its shapes were
-/// measured. They only affect the displayed progress.
+/// Progress of the stage `verify` after the mesh was named and verified, and after its shapes were measured. These
+/// shares only affect the displayed progress.
 constexpr double verified_share = 0.65, measured_share = 0.9;
 
-/// Stage verify: returns the named mesh, and measures it for the report.
+/// Runs the stage verify: returns the named mesh, and measures it for the report.
 ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& zones, const WriteOptions& options,
                  Report& report, Journal& journal) {
   const StageScope stage(journal.context(), "verify");
@@ -96,7 +96,6 @@ ModelMesh verify(const ModelRecords& model, const Meshed& meshed, const Zones& z
   return mesh;
 }
 
-/// Runs the stages from delaunay to write.
 JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const OutputPlan& plan,
                          StageRecorder& recorder, Journal& journal) {
   const Inputs& inputs = *records.inputs;
@@ -125,7 +124,7 @@ JobResult mesh_and_write(const RecordsSoFar& records, const Zones& zones, const 
   return result;
 }
 
-/// Returns the surfaces and triangles to which the facets of a core error belong.
+/// Returns the surfaces and triangles to which the facets named by an error of the core belong.
 ModelItems items_of(const Error& error, const Arranged& arranged) {
   ModelItems items;
   for (const Index f : error.context().facets) {
@@ -136,8 +135,8 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   return items;
 }
 
-/// Throws the error again in terms of surfaces and triangles of the model. With `--stop-after recover` the place of the
-/// failure is written for viewing; otherwise the message explains how to get it.
+/// Throws the error again in terms of surfaces and triangles of the model. With `--stop-after recover` the surroundings
+/// of the failure are written to files for viewing; otherwise the message explains how to get these files.
 [[noreturn]] void fail_in_terms_of_model(const Error& error, const Arranged& arranged, const OutputPlan& plan,
                                          const std::string& stop_after) {
   std::string message = error.what();
@@ -146,7 +145,7 @@ ModelItems items_of(const Error& error, const Arranged& arranged) {
   if (const std::string names = surfaces_of_facets(facets, arranged); !names.empty())
     message += " (surfaces: " + names + ")";
   if (!error.context().excerpt || plan.stem.empty()) {
-    // There is no place to view, or no folder in which to write it.
+    // There are no surroundings of the failure to view, or no folder for the files.
   } else if (stop_after == "recover") {
     make_output_folder(plan);
     message += ". The tetrahedra and constraints about the place are in";

@@ -10,19 +10,19 @@
 
 namespace geomesh::geomodel {
 
-/// Runs `read`, then the stages from build to write. If there is a stage to stop after, it ends there with the report;
-/// after `intersect` it also writes the soup and its problematic spots for viewing. No mesh is written if verification
-/// finds a fault (InternalError) or an error is thrown.
+/// Runs `read`, then the stages from build to write. If a stage to stop after was requested, the run ends there with
+/// the report; after `intersect` it also writes the polygon soup and its problematic spots for viewing. No mesh is
+/// written if verification finds a fault (InternalError) or an error is thrown.
 JobResult run_stages(const OutputPlan& plan, StageRecorder& recorder, const std::function<Inputs(Journal&)>& read);
 
-/// A mesh that was named and verified, but not written. `refined.mesh` has the tetrahedra of `mesh`, in the same order.
-/// `description` describes the inputs, with the size that was used.
+/// A mesh that was named and verified, but is not yet written to files. `refined.mesh` has the tetrahedra of `mesh`, in
+/// the same order. `description` describes the inputs, with the target size that was used.
 struct VerifiedModel {
   RefineResult refined;
   ModelMesh mesh;
   std::string description;
 };
-/// Runs the stages from delaunay to verify for a model without scaling of z. Throws as run_stages.
+/// Runs the stages from delaunay to verify for a model without scaling of z. Throws the same errors as run_stages.
 VerifiedModel mesh_and_verify(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal);
 
 }  // namespace geomesh::geomodel

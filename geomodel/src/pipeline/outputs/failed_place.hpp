@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes what `--stop-after recover` leaves for viewing if recovery fails.
+/// Writes the surroundings of a failed recovery for viewing (`--stop-after recover`).
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,10 @@
 
 namespace geomesh::geomodel {
 
-/// Writes STEM.failed.vtu (the tetrahedra about the place) and STEM.failed.vtp (the constraints there: facets, with
-/// cell array `surface`, which the field array `surface:NAME` holds, -1 for segments; segments as lines; the vertices
-/// of the items in trouble as points). Cell array `what`: 0 trouble, 1 segment, 2 facet. Returns what was written.
+/// Writes the surroundings of a failed recovery. STEM.failed.vtu has the tetrahedra. STEM.failed.vtp has the
+/// constraints: facets, segments as lines, and the vertices of the facets and segments in trouble as points. Its cell
+/// array `surface` has the id that the field array `surface:NAME` gives to a surface, -1 for segments; its cell array
+/// `what` is 0 for items in trouble, 1 for segments, 2 for facets. Returns the written files.
 std::vector<std::filesystem::path> write_failed_place(const MeshExcerpt& place, const ModelPlc& model,
                                                       const PolygonSoup& soup,
                                                       const std::vector<TriangulatedSurface>& surfaces,

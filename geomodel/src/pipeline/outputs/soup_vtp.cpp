@@ -17,7 +17,7 @@ std::filesystem::path write(const VtkDocument& document, const std::filesystem::
   return file;
 }
 
-/// Returns `value(origin)` for all origins.
+/// Returns `value(origin)` for the origins of all facets of the polygon soup, as a list.
 template <class F>
 VtkField field_of_origins(const char* name, const PolygonSoup& soup, F value) {
   VtkField field{name, {}};
@@ -53,7 +53,7 @@ std::filesystem::path write_soup(const PolygonSoup& soup, const std::vector<Tria
   return write(document, file);
 }
 
-/// An edge on several curves is written once for each of them.
+/// Writes the edges of curves as lines. An edge on several curves is written once for each of them.
 std::filesystem::path write_curves(const ModelPlc& model, const std::filesystem::path& file) {
   std::vector<std::vector<VertexIndex>> lines;
   std::vector<Index> curve;

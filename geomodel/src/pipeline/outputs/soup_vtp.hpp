@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes what `--stop-after intersect` leaves for viewing.
+/// Writes the polygon soup after intersection for viewing (`--stop-after intersect`).
 #pragma once
 
 #include <filesystem>
@@ -11,12 +11,13 @@
 
 namespace geomesh::geomodel {
 
-/// Writes STEM.soup.vtp (the facets; cell arrays `surface`, which the field array `surface:NAME` holds,
-/// `source_triangle` and `n_origins`, for the first origin; field data `origin_offsets` by facet into
-/// `origin_surfaces` and `origin_triangles`, for all; point array `kind`: 0 input, 1 intersection, 2 triple point),
-/// STEM.soup.curves.vtp (a line for each edge of a curve; cell array `curve`, which the field array `curve:KIND NAME`
-/// holds) and STEM.spots.vtp (one vertex a spot; cell arrays `what`, `surface_a`, `surface_b`, `count`, `measure`,
-/// `description`). Returns what was written.
+/// Writes three files and returns them. STEM.soup.vtp has the facets of the polygon soup. Its cell arrays describe the
+/// first origin of each facet: `surface` (the id that the field array `surface:NAME` gives), `source_triangle` and
+/// `n_origins`. Its field data list all origins: `origin_offsets` by facet into `origin_surfaces` and
+/// `origin_triangles`. Its point array `kind` is 0 for input points, 1 for intersections, 2 for triple points.
+/// STEM.soup.curves.vtp has a line for each edge of a curve; its cell array `curve` has the id that the field array
+/// `curve:KIND NAME` gives. STEM.spots.vtp has one vertex for each problematic spot, with the cell arrays `what`,
+/// `surface_a`, `surface_b`, `count`, `measure` and `description`.
 std::vector<std::filesystem::path> write_soup_vtp(const ArrangementResult& arrangement, const ModelPlc& plc,
                                                   const std::vector<TriangulatedSurface>& surfaces,
                                                   const std::filesystem::path& stem);

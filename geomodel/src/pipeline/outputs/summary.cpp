@@ -7,7 +7,6 @@
 
 #include "geomesh/geomodel/model_mesh.hpp"
 #include "geomesh/geomodel/words.hpp"
-#include "report/mean_edge.hpp"
 #include "report/words.hpp"
 
 namespace geomesh::geomodel {
@@ -18,7 +17,7 @@ constexpr const char* no_mesh_for_solvers =
 
 constexpr std::size_t most_units_listed = 6;
 
-/// The regions that have the same name before suffixes.
+/// A unit and its regions, which have the same name before suffixes.
 struct Unit {
   std::string name;
   std::vector<const Region*> regions;
@@ -26,7 +25,7 @@ struct Unit {
   double volume = 0;
 };
 
-/// Returns the units in the order of their first regions.
+/// Groups the regions of a mesh into units, in the order of the units' first regions.
 std::vector<Unit> units_of(const ModelMesh& mesh) {
   std::vector<Unit> units;
   for (const Region& region : mesh.regions) {
@@ -40,7 +39,7 @@ std::vector<Unit> units_of(const ModelMesh& mesh) {
   return units;
 }
 
-/// Returns all units if they are few, else the largest ones in the same order.
+/// Returns all units if there are few of them, else the largest ones in the same order.
 std::vector<Unit> units_shown(std::vector<Unit> units) {
   if (units.size() <= most_units_listed) return units;
   std::vector<double> volumes;
@@ -96,10 +95,9 @@ const ToleranceUse* farthest_off_data(const ToleranceLedger& ledger) {
   return farthest;
 }
 
-/// Describes the lengths of edges, and the settings of the mesh that the user did not choose.
-std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
-  const std::string& unit = mesh.unit;
-  std::string text = "edges are " + short_words(mean_edge(mesh)) + " " + unit + " long in the mean";
+/// Describes the lengths of edges, and the mesh settings that the user did not choose.
+std::string steering(const RefinementSettings& r, const Distribution& edge_length, const std::string& unit) {
+  std::string text = "edges are " + short_words(edge_length.mean) + " " + unit + " long in the mean";
   if (r.size.base.global > 0) text += ", of " + short_words(r.size.base.global) + " " + unit + " requested";
   if (r.derive_size) text += " (derived from the model; mesh: {size: L} sets others)";
   if (r.tolerance.follows_sizes())
@@ -111,7 +109,7 @@ std::string steering(const RefinementSettings& r, const ModelMesh& mesh) {
   return text;
 }
 
-/// Formats the shapes: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
+/// Formats the shapes of the elements: "99.9 % of the tetrahedra above 24.85 degrees, 3 below 8 ...".
 std::string shapes(const QualityReport& quality) {
   char text[160];
   std::snprintf(text, sizeof text,
@@ -138,7 +136,7 @@ Summary summarise(const Report& report, const RefinementSettings& refinement) {
     if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);
     return summary;
   }
-  summary.lines.push_back(steering(refinement, mesh));
+  summary.lines.push_back(steering(refinement, report.quality->measured.whole.edge_length, mesh.unit));
   const std::vector<std::string> verdict = to_lines(*report.solver);
   summary.lines.push_back(verdict.front());
   if (!report.model_verdict.empty()) summary.lines.push_back(report.model_verdict);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Summarises a finished run for a person: a few lines for everyone, and further ones on request.
+/// Summarises a finished run for a person: a few lines that are always shown, and details on request.
 #pragma once
 
 #include <string>
@@ -12,12 +12,11 @@
 namespace geomesh::geomodel {
 
 struct Summary {
-  std::vector<std::string> lines;    ///< counts, units with their volumes, the size and tolerance used, and the verdict
-  std::vector<std::string> details;  ///< all regions, shapes of the elements, and what would make solvers fail
+  std::vector<std::string> lines;    ///< number of elements, volumes of units, size and tolerance used, verdict
+  std::vector<std::string> details;  ///< all regions, shapes of elements, properties that would make solvers fail
 };
 
-/// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` contains the requested mesh
-/// settings.
+/// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` has the requested settings.
 Summary summarise(const Report& report, const RefinementSettings& refinement);
 
 }  // namespace geomesh::geomodel

@@ -24,15 +24,15 @@ struct OutputPlan {
   std::optional<std::filesystem::path> report_copy;
 };
 
-/// Called before anything is computed, so that folders that are not writable are found early.
+/// Throws if an output folder is not writable. Called before anything is computed, so that the error appears early.
 void require_writable_outputs(const OutputPlan& plan);
 
 void make_output_folder(const OutputPlan& plan);
 
-/// Stage write: writes the mesh in each format except the page, which is written with the report. Returns the files.
+/// Runs the stage write: writes the mesh in all formats except the HTML page, which is written with the report.
 std::vector<std::filesystem::path> write_mesh(const OutputPlan& plan, const ModelMesh& mesh, const RunContext& context);
 
-/// Writes the page, STEM.report.json and the requested second copy. Completes the report and the result.
+/// Writes the HTML page, STEM.report.json and a requested second copy of the report. Completes report and result.
 void write_reports(const OutputPlan& plan, Report& report, const StageRecorder& recorder, const Journal& journal,
                    JobResult& result);
 

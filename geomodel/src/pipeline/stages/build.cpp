@@ -6,9 +6,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Regions of a settled stack are units, or units in fault blocks. Remnants smaller than a tenth of an element are
-/// merged into a neighbour. A unit in a block that has the volume of an element is not a remnant: with coarse sizes, it
-/// is as thick as others.
+/// Names the regions of a settled stack of horizons by unit, or by unit and fault block. Remnants smaller than a tenth
+/// of an element are merged into a neighbour. A unit that has the volume of about one element in a block is not a
+/// remnant: with coarse sizes, it is as thick as others.
 void name_by_unit_and_block(NamingRules& naming, const SettledStack& stack) {
   constexpr double element = 0.118;  // volume of a regular tetrahedron divided by the cube of its edge
   constexpr double least_share = 0.1;
@@ -19,7 +19,7 @@ void name_by_unit_and_block(NamingRules& naming, const SettledStack& stack) {
   naming.merge_small = true;
 }
 
-/// Surfaces of thin units get a smaller tolerance, and the sizes that the thickness requires.
+/// Gives the surfaces of thin units a smaller tolerance, and the sizes that their thickness requires.
 void ask_of_thin_units(RefinementSettings& r, const SettledStack& stack) {
   if (stack.sizes.empty()) return;
   r.tolerance.limit_share(stack_tolerance_of_size);
@@ -27,7 +27,7 @@ void ask_of_thin_units(RefinementSettings& r, const SettledStack& stack) {
   sources.insert(sources.end(), stack.sizes.begin(), stack.sizes.end());
 }
 
-/// The rules were applied in unscaled lengths.
+/// Multiplies z of the built model by its scale factor. Rules were applied before, in unscaled lengths.
 void scale_z(Built& model) {
   ZScale& scale = model.z_scale;
   if (scale.factor() == 1) return;
@@ -46,7 +46,7 @@ void scale_z(Built& model) {
   }
 }
 
-/// Returns the part of the record that no rule changes: everything but the surfaces.
+/// Returns the part of the stage's record that no rule changes: everything except the surfaces.
 Built with_settings_of(const Inputs& inputs) {
   Built built;
   built.wells = inputs.wells;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `--hull`: adds the convex hull of all surfaces as a surface of its own, so that it is intersected, named and
-/// verified like any other.
+/// Adds the convex hull of all surfaces as a surface of its own (`--hull`), which is meshed like any other.
 #pragma once
 
 #include <vector>
@@ -13,8 +12,9 @@ namespace geomesh::geomodel {
 
 inline constexpr const char* hull_name = "hull";
 
-/// Returns the hull faces of the Delaunay tetrahedralization of all vertices, with normals outward. Exact, because its
-/// vertices are input vertices. Throws as delaunay_tetrahedralization does.
+/// Returns the convex hull of all vertices of the surfaces, taken from their Delaunay tetrahedralization, with outward
+/// normals. It is exact, because its vertices are input vertices. Throws the same errors as
+/// delaunay_tetrahedralization.
 TriangulatedSurface convex_hull_surface(const std::vector<TriangulatedSurface>& surfaces, const RunContext& context);
 
 }  // namespace geomesh::geomodel

@@ -21,7 +21,7 @@ bool looks_geographic(const Box3& extent) {
   return extent.min.x >= -180 && extent.max.x <= 360 && extent.min.y >= -90 && extent.max.y <= 90;
 }
 
-/// Returns advice for a surface that is not near the model: wrong coordinates, unit, or depths instead of heights.
+/// Returns advice for a surface far from the model: coordinates or unit may be wrong, or depths were given as heights.
 const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   if (!model) return "";
   if (looks_geographic(extent) && !looks_geographic(*model))
@@ -35,8 +35,8 @@ const char* advice(const Box3& extent, const std::optional<Box3>& model) {
   return ". Are its coordinates in the same system and unit as those of the box?";
 }
 
-/// Notes the faults that end inside the model, with the length of their tips, whether this is given or follows from a
-/// missing extent. Fractures always end inside.
+/// Notes the faults that end inside the model, with the length of their tips, and whether the project requests this or
+/// it follows from a missing extent. Fractures are left out, because they always end inside.
 void note_tips(const ModelPlc& model, Journal& journal) {
   struct Tip {
     double length = 0, longest = -1;
@@ -63,7 +63,7 @@ void note_tips(const ModelPlc& model, Journal& journal) {
   }
 }
 
-/// Warns of surfaces of which nothing is left: most often their coordinates differ from those of the box.
+/// Warns of surfaces of which no part is left in the model: most often their coordinates do not fit those of the box.
 void warn_of_absent_surfaces(const Inputs& inputs, const Built& built, const PolygonSoup& soup, Journal& journal) {
   std::vector<bool> present(built.surfaces.size(), false);
   for (const PolygonSoup::Origin& origin : soup.origins)
@@ -83,7 +83,7 @@ void warn_of_absent_surfaces(const Inputs& inputs, const Built& built, const Pol
   }
 }
 
-/// Warns of wells that are partly outside the model, unless another warning already gave the cause.
+/// Warns of wells that are partly outside the model, unless another warning already stated the cause.
 void warn_of_clipped_wells(const Inputs& inputs, const std::vector<Spot>& spots, Journal& journal) {
   for (const Spot& spot : spots) {
     if (spot.what != "clipped polyline") continue;
@@ -94,7 +94,7 @@ void warn_of_clipped_wells(const Inputs& inputs, const std::vector<Spot>& spots,
   }
 }
 
-/// Notes crossings, gaps and dangling edges, unless a warning already mentioned them.
+/// Notes crossings, gaps and dangling edges of surfaces, unless a warning already mentioned them.
 void note_findings(const std::vector<Spot>& spots, const std::vector<TriangulatedSurface>& surfaces, Journal& journal) {
   constexpr std::size_t most = 100;
   std::size_t n = 0;
@@ -105,8 +105,8 @@ void note_findings(const std::vector<Spot>& spots, const std::vector<Triangulate
     journal.note("... and " + std::to_string(n - most) + " more findings of this kind: see intersection.spots");
 }
 
-/// Drops findings about continued blocks of a horizon with throw, which cross and overlap each other until they are
-/// divided: they are not errors of the input.
+/// Drops findings about the blocks of a horizon with throw. The blocks were continued and cross and overlap each other
+/// until they are divided, so these findings are not errors of the input.
 void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
   const auto& blocks = built.rows.block_of_triangle;
   const auto& continued = built.rows.part_of_triangle;
@@ -114,15 +114,15 @@ void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
     const Index s = spot.surface_a;
     const bool of_blocks = s == spot.surface_b && ((s < blocks.size() && !blocks[s].empty()) ||
                                                    (s < continued.size() && !continued[s].empty()));
-    // The part of a continuation beyond its wall is cut off later.
+    // Free borders of continued surfaces lie beyond the wall at which these end, and are cut off later.
     const bool of_overshoot = spot.what == "free border" && s < continued.size() && !continued[s].empty();
     if (of_blocks || of_overshoot) std::erase(found.warnings, describe(spot, built.surfaces));
     return of_blocks || of_overshoot;
   });
 }
 
-/// Returns the blocks of horizons with throw, and the extensions of faults that only separate them, which may be
-/// removed later.
+/// Returns the parts of surfaces that may be removed later: blocks of horizons with throw, and extensions of faults
+/// that only separate such blocks.
 std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
   std::vector<std::vector<Index>> parts = built.rows.block_of_triangle;
   for (std::size_t s = 0; s < parts.size() && s < built.rows.part_of_triangle.size(); ++s)
@@ -138,8 +138,8 @@ std::vector<std::vector<Index>> parts_that_may_go(const Built& built) {
   return parts;
 }
 
-/// Returns the walls at which continued surfaces end and which are complete in the arrangement: faults that overshoot
-/// the ones on which they end are cut in the soup, as are the surfaces that end on them.
+/// Returns for each continued surface the walls at which it ends. Only walls that are complete in the arrangement
+/// count: faults that overshoot the ones on which they end are cut in the soup, as are the surfaces that end on them.
 std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   std::vector<std::vector<Index>> walls = rows.continued_to;
   for (std::size_t s = 0; s < walls.size(); ++s) {
@@ -151,7 +151,7 @@ std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   return walls;
 }
 
-/// Drops findings about settled horizons that coincide, because this is intended.
+/// Drops findings about horizons of a settled stack that coincide, because this is intended.
 void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   const auto is_settled = [&](Index s) {
     return s < built.surfaces.size() &&
@@ -165,7 +165,7 @@ void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   });
 }
 
-/// Removes from the soup the parts beyond crossings that rules cut off, and the ends of continuations.
+/// Removes from the polygon soup the parts of surfaces that rules cut off at crossings, and the ends of continuations.
 void trim(const Built& built, Arranged& arranged, Journal& journal) {
   if (!built.rules.trims() && !built.rows.any_continued()) return;
   ArrangementResult& found = arranged.arrangement;
@@ -177,7 +177,7 @@ void trim(const Built& built, Arranged& arranged, Journal& journal) {
   journal.warn_all(std::move(trimmed.warnings));
 }
 
-/// Returns true if every edge (by coordinates of its ends) has an even number of triangles.
+/// Returns true if every edge of the surface has an even number of triangles; equal points count as one.
 bool is_closed(const TriangulatedSurface& surface) {
   const auto less = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::map<Vec3, Index, decltype(less)> ids(less);
@@ -200,7 +200,8 @@ bool is_closed(const TriangulatedSurface& surface) {
   return !edges.empty();
 }
 
-/// A PLC is passed to the engine unchanged; its facets replace soup facets so that results can be named.
+/// Returns the arrangement for a PLC that is meshed unchanged. Its facets replace soup facets, so that results have
+/// names.
 Arranged as_given(const Inputs& inputs, const Built& built) {
   Arranged arranged;
   arranged.surfaces = built.surfaces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures and checks a verified mesh, declared in pipeline/stages/stages.hpp.
+// Measures element shapes and checks solver limits and missing units, declared in pipeline/stages/stages.hpp.
 #include <algorithm>
 
 #include "pipeline/stages/stages.hpp"
@@ -53,9 +53,9 @@ SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigne
   const std::vector<double> velocity = velocity_by_region(mesh);
   MeshForSolver judged{.points = mesh.points, .tetrahedra = mesh.tetrahedra, .threads = threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
-  if (size && size->limits().background) judged.threads = 1;  // the background size is evaluated in one thread only
+  if (size && size->limits().background) judged.threads = 1;  // the background size can only be evaluated in one thread
   if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
-  constexpr double nothing_asked = 0;  // target size in fault zones: any edge is longer
+  constexpr double nothing_asked = 0;  // target size in fault zones, which every edge exceeds
   if (size)
     judged.size = [&](std::size_t t, const Vec3& p, double enough) {
       return t < core.component.size() ? size->at_unless_below(enough, p, core.component[t]) : nothing_asked;
@@ -80,7 +80,7 @@ std::string judge_model(const ModelRecords& model, const ModelMesh& mesh, Journa
   const NamingRules& naming = model.built.naming;
   const std::vector<std::string> column = column_inside(naming);
   const std::vector<MissingUnit> missing = missing_units(column, mesh);
-  std::size_t n_eroded = 0;  // number of the youngest units, which a topography may have removed
+  std::size_t n_eroded = 0;  // number of the youngest missing units, which the topography may have removed
   while (!naming.topography.empty() && n_eroded < missing.size() && missing[n_eroded].name == column[2 * n_eroded])
     ++n_eroded;
   const std::vector<MissingUnit> lost(missing.begin() + static_cast<std::ptrdiff_t>(n_eroded), missing.end());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Stage intersect if surfaces may be off their input by a share of the size: places where they nearly coincide are
-/// merged within a part of it.
+/// Runs the stage intersect and merges surfaces where they nearly coincide, within a part of the tolerance.
 #pragma once
 
 #include <vector>

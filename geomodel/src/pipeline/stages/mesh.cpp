@@ -25,7 +25,7 @@ ConstrainedTetrahedralization tetrahedralize_model(const ModelRecords& model, Jo
   return core;
 }
 
-/// Removes what lies above the topography or below the floor, if the model has them.
+/// Removes the parts of the mesh above the topography or below the floor, if the model has these.
 ConstrainedTetrahedralization cut_at_ends(ConstrainedTetrahedralization core, const ModelRecords& model,
                                           Journal& journal) {
   const std::vector<Index>& lost = core.recovery.facets_not_recovered;
@@ -43,13 +43,12 @@ ConstrainedTetrahedralization cut_at_ends(ConstrainedTetrahedralization core, co
   return core;
 }
 
-/// Refines one mesh according to the settings.
 class Refiner {
  public:
   Refiner(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal)
       : model_(model), sparse_(sparse), journal_(journal) {}
 
-  /// Announces the number of elements first. `naming` is that of the mesh.
+  /// Announces the number of elements, then refines. `naming` has the naming rules of the mesh.
   RefinedToCount refine(ConstrainedTetrahedralization mesh, const NamingRules& naming) const {
     if (model_.arranged.refinement.target_elements > 0)
       return refine_to_count(model_, mesh, options(mesh, naming), journal_);
@@ -78,8 +77,8 @@ class Refiner {
   Journal& journal_;
 };
 
-/// Returns the mesh, refined if requested. In conforming mode the whole mesh is refined, since the Delaunay property
-/// concerns the whole; otherwise only the part that is kept.
+/// Returns the mesh, refined if requested. In conforming mode the whole mesh is refined, because the Delaunay property
+/// concerns the whole; otherwise only the part inside the model's ends is refined.
 Meshed mesh_to_size(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal) {
   const RefinementSettings& settings = model.arranged.refinement;
   const bool conforming = model.inputs.options.recover.mode == MeshMode::conforming;
@@ -99,8 +98,8 @@ Meshed mesh_to_size(const ModelRecords& model, const SparseMeshing& sparse, Jour
   return {std::move(refined.result), std::move(refined.used), std::move(naming), std::move(volumes_of_input)};
 }
 
-/// Returns how far remeshing moved surfaces. This is proven to be within the remaining tolerance, so none is subtracted
-/// for it.
+/// Returns how far remeshing moved surfaces. This is proven to be within the remaining tolerance, so nothing is
+/// subtracted from the tolerance.
 ToleranceUse use_of(const RefineStatistics& statistics) {
   ToleranceUse use{"remeshing"};
   use.moved = std::max(statistics.deviation_result_to_input, statistics.deviation_input_to_result);
@@ -137,7 +136,7 @@ Meshed mesh_model(const ModelRecords& model, const SparseMeshing& sparse, Journa
 Meshed free_split_corners(const ModelRecords& model, Meshed meshed, const std::vector<std::string>& split,
                           unsigned threads) {
   if (split.empty()) return meshed;
-  std::vector<std::string> told_later;  // naming gives its warnings when the mesh is named finally
+  std::vector<std::string> told_later;  // Discarded, because naming repeats its warnings for the final mesh.
   const ModelMesh named = named_mesh(model, meshed, told_later, threads);
   divide_tetrahedra(meshed.refined.mesh, tetrahedra_on_surfaces(named, split));
   return meshed;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the first part of the stage verify, declared in pipeline/stages/stages.hpp.
+// Names the regions, surfaces and curves of a mesh, declared in pipeline/stages/name.hpp.
 #include "pipeline/stages/name.hpp"
 
 #include "pipeline/region_volumes.hpp"
@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the sum of movements by merging, by rounding, and within the tolerance.
+/// Returns the sum of the largest movements of surfaces: by merging, by rounding, and within the tolerance.
 double moved_at_most(const ModelRecords& model, const Meshed& meshed) {
   return meshed.used.tolerance.bound() + model.arranged.arrangement.rounding.largest;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Names the parts of a mesh by the records of its model.
+/// Names the regions, surfaces and curves of a mesh, using the records of its model.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the mesh with its regions, sets and curves, not verified. Appends the warnings of name_model().
+/// Returns the mesh with named regions, surfaces and curves, not verified. Appends the warnings of name_model().
 ModelMesh named_mesh(const ModelRecords& model, const Meshed& meshed, std::vector<std::string>& warnings,
                      unsigned threads);
 

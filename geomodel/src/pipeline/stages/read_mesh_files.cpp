@@ -15,7 +15,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads the facets of a PLC file as one surface, by their first three corners, so that results can be named.
+/// Reads a PLC. The first three corners of each facet make a triangle of one surface, so that results can be named.
 void read_plc(const std::filesystem::path& path, Inputs& model, Journal& journal) {
   const StageScope stage(journal.context(), "read");
   PlcFile file = read_plc_file(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs the stage read of a project, declared in pipeline/stages/stages.hpp.
+// Runs the stage read for a project, declared in pipeline/stages/stages.hpp.
 #include <nlohmann/json.hpp>
 
 #include "common/thread_limit.hpp"
@@ -19,20 +19,20 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Describes the volume in the project's system with elevation up: its bounds, and its corners in the map if it is not
-/// a box along the axes.
+/// Describes the model volume in the project's coordinate system with elevation up: its bounds, and its corners in the
+/// map if it is not a box along the axes.
 nlohmann::ordered_json describe_volume(const ModelVolume& volume, const Vec3& origin) {
   const Vec3 min = volume.bounds.min + origin, max = volume.bounds.max + origin;
   nlohmann::ordered_json box{{"min", {min.x, min.y, min.z}}, {"max", {max.x, max.y, max.z}}};
-  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // zmin and zmax are the last two sides
+  for (std::size_t i = 0; i + 2 < volume.sides.size(); ++i) {  // the last two sides of a volume are zmin and zmax
     const Vec3 corner = volume.sides[i].points[0] + origin;
     box["corners"].push_back({corner.x, corner.y});
   }
   return box;
 }
 
-/// If z is scaled, sizes, shapes and the Delaunay property would refer to the scaled space and not to the one that is
-/// written; such requests are refused.
+/// Refuses requests for sizes, shapes or the Delaunay property if z is scaled, because they would refer to the scaled
+/// space and not to the one that is written.
 void refuse_scaling(const Project& project) {
   if (project.crs.z_scale == 1) return;
   const std::string where = project.file.filename().string() + ": crs.z_scale cannot be combined with ";
@@ -46,8 +46,8 @@ void refuse_scaling(const Project& project) {
                                       "space; leave out one of them");
 }
 
-/// Refuses sizes that are absurd or impossible before hours are spent on them. If a volume is cut at the ground or at a
-/// base, at least a tenth of it is assumed to remain.
+/// Refuses target sizes that are absurd or impossible before hours are spent on them. If the ground or a base cuts the
+/// model volume, at least a tenth of the volume is assumed to remain.
 void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_sizes_in_range(model.refinement, bounds);
   constexpr double least_left = 0.1;
@@ -60,8 +60,7 @@ void refuse_sizes(const Inputs& model, const Box3& bounds) {
   require_countable(estimate_crossings(fractures, bounds), fractures.size(), model.refinement);
 }
 
-/// Takes the share of the tolerance by which the triangulation of a level set differs from its field; the rest is left
-/// to the mesh.
+/// Takes from the tolerance the share by which triangulated level sets differ from their fields.
 void use_tolerance_of_level_sets(const Project& project, RefinementSettings& r) {
   if (has_level_sets(project) && r.tolerance.left() > 0)
     r.tolerance.take({"level sets", level_set_share * r.tolerance.left()});
@@ -80,8 +79,9 @@ void tell_sizes(const Inputs& model, Journal& journal) {
                  " at most, and by half of the gap to the next at most");
 }
 
-/// The tolerance counts from the surfaces as they were made. If one of them is farther from its data than the
-/// tolerance, the user is informed, because "within the tolerance of the input" would be understood as "of the data".
+/// Records how far surfaces are from their data, because the mesh's tolerance counts from the surfaces as they were
+/// made. Warns if a surface is farther from its data than the tolerance; otherwise users would take "within the
+/// tolerance of the input" as "of the data".
 void book_misfits(ToleranceLedger& ledger, std::vector<ToleranceUse> uses, const std::string& unit, Journal& journal) {
   for (ToleranceUse& use : uses) {
     if (ledger.requested() > 0 && *use.moved > ledger.requested()) {
@@ -128,8 +128,8 @@ std::string describe_input(const Project& project, const Inputs& model) {
   return input.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-/// Ends the run before anything is built if inputs are certainly wrong; doubts become warnings, and what may be
-/// intended becomes a note. Returns the inputs that warnings concern.
+/// Ends the run before anything is built if inputs are certainly wrong. Likely errors become warnings, and oddities
+/// that may be intended become notes. Returns the inputs that warnings concern.
 std::vector<std::string> doubt_inputs(const Project& project, const ProjectInputs& inputs, const ModelVolume& made,
                                       Journal& journal) {
   std::vector<std::string> doubted;
@@ -145,7 +145,7 @@ std::vector<std::string> doubt_inputs(const Project& project, const ProjectInput
   return doubted;
 }
 
-/// Completes the rules by the data: which faults displace which horizon, and how far surfaces are continued.
+/// Completes the rules from the data: finds which faults displace which horizon, and how far surfaces are continued.
 void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal) {
   std::vector<std::string> found, doubts;
   inputs.add_throws(model.rules);
@@ -158,7 +158,8 @@ void complete_rules(Inputs& model, const ProjectInputs& inputs, Journal& journal
   ask_continuation(model.rules, model.refinement, model.volume);
 }
 
-/// Makes horizons from points block by block where faults part their points, and replaces how far they are from these.
+/// Makes horizons from points, separately in each fault block if faults separate the points, and replaces the recorded
+/// distances of these horizons from their points.
 void grid_horizons_in_blocks(ProjectInputs& inputs, Inputs& model, Journal& journal) {
   if (inputs.gridded.empty()) return;
   ModelRules rules = model.rules;
@@ -181,7 +182,7 @@ void grid_horizons_in_blocks(ProjectInputs& inputs, Inputs& model, Journal& jour
   }
 }
 
-/// Derives sizes and the tolerance, after the extent of the data is known.
+/// Derives target sizes and the tolerance, once the extent of the data is known.
 void settle_refinement(const Project& project, ProjectInputs& inputs, Inputs& model, Journal& journal) {
   for (PlaceSize& near : model.refinement.size.near) near.place = inputs.frame.point(near.place) + model.origin;
   load_background(model.refinement.size, model.origin);

@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Keeps the smaller size; of equal sizes the one with the larger radius.
+/// Keeps the smaller of two requested sizes; of equal sizes the one with the larger radius.
 void ask(AskedSize& at, const AskedSize& asked) {
   if (!(asked.size > 0)) return;
   if (at.size <= 0 || asked.size < at.size || (asked.size == at.size && asked.radius > at.radius)) at = asked;
@@ -34,7 +34,7 @@ void ask(AskedSize& at, const AskedSize& asked) {
                                     (meant.empty() ? ";" : meant) + " known are " + list + (n > most ? ", ..." : ""));
 }
 
-/// Returns the region of each component. All names in the settings (`words`) must be those of regions or units.
+/// Returns the region of each component. Throws if a name in `words` is neither that of a region nor of a unit.
 std::vector<const Region*> regions_of_components(const NamedRegions& named, const std::set<std::string>& words) {
   std::set<std::string> known;
   for (const Region& r : named.regions) known.insert({r.name, r.unit});
@@ -47,7 +47,7 @@ std::vector<const Region*> regions_of_components(const NamedRegions& named, cons
   return regions;
 }
 
-/// Returns the value that the settings give for the region itself, else for its unit.
+/// Returns the value that the settings give for a region, else the value for its unit.
 template <class Value>
 Value value_of(const Region& r, const std::map<std::string, Value>& values) {
   const auto own = values.find(r.name), unit = values.find(r.unit);
@@ -67,7 +67,7 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
                        SizeOptions& size) {
   const NamedSizes& asked = model.arranged.refinement.size;
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
-  std::vector<std::string> told_later;  // the same warnings are given with the names of the finished mesh
+  std::vector<std::string> told_later;  // discarded, because naming repeats these warnings for the finished mesh
   const Column column = make_column(rules.column, model.arranged.surfaces, told_later);
   const NamingRules naming = with_heights(rules, model.arranged.surfaces, model.built.rows, model.built.rules);
   const NamedRegions named = name_regions(
@@ -85,7 +85,7 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
   if (asked.layers.empty()) size.component_layers.clear();
 }
 
-/// Returns the name by which settings refer to all surfaces of a kind.
+/// Returns the word by which settings refer to all surfaces of a kind, such as `faults`.
 std::string kind_word(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::horizon:
@@ -99,7 +99,7 @@ std::string kind_word(SurfaceKind kind) {
   }
 }
 
-/// Returns the target size on each patch: the smallest of the surfaces to which it belongs.
+/// Returns the target size on each patch: the smallest among those of the surfaces to which the patch belongs.
 std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<Index>& facet_patch) {
   const auto& asked = model.arranged.refinement.size.surfaces;
   std::vector<AskedSize> sizes;
@@ -119,7 +119,7 @@ std::vector<AskedSize> patch_sizes(const ModelRecords& model, const std::vector<
   return sizes;
 }
 
-/// Returns the name by which settings refer to all curves of a kind (NamedCurve::kind).
+/// Returns the word by which settings refer to all curves of a kind (NamedCurve::kind), such as `wells`.
 std::string plural(const std::string& kind) { return kind + "s"; }
 
 std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
@@ -138,7 +138,7 @@ std::vector<AskedSize> segment_sizes(const ModelRecords& model) {
   return sizes;
 }
 
-/// Returns the surfaces to which facets belong, for example "top, fault".
+/// Returns the names of the surfaces to which facets belong, for example "top, fault".
 std::string names_of_facets(const ModelRecords& model, const std::vector<Index>& facets) {
   std::set<std::string> names;
   for (const Index f : facets)
@@ -149,7 +149,7 @@ std::string names_of_facets(const ModelRecords& model, const std::vector<Index>&
   return list;
 }
 
-/// Describes surfaces that could not be proven to be within the tolerance and are kept as given.
+/// Describes surfaces that are kept exactly because they could not be proven to be within the tolerance.
 std::string words_of_kept(const ModelRecords& model, const RefineResult& result) {
   if (result.all_kept) {
     return "no mesh of surfaces within the tolerance could be proven to be one, so that all surfaces are kept exactly: "
@@ -168,7 +168,7 @@ std::string words_of_kept(const ModelRecords& model, const RefineResult& result)
   return {};
 }
 
-/// Replaces the facets named by errors by their surfaces.
+/// Refines the model. If an error names facets, it is thrown again with the names of their surfaces.
 RefineResult refine_naming_surfaces(const ModelRecords& model, ConstrainedTetrahedralization mesh,
                                     const RefineOptions& options, const RunContext& context) {
   try {
@@ -187,7 +187,7 @@ std::vector<VertexIndex> fixed_points(const ModelRecords& model) {
   for (const auto& p : soup.isolated_points) fixed.push_back(p.v);
   const std::vector<bool> polygons = plane_polygons(model.arranged.surfaces, model.built.rules);
   if (std::find(polygons.begin(), polygons.end(), true) == polygons.end()) return fixed;
-  std::vector<bool> is_corner;  // by row in the concatenated points of the surfaces
+  std::vector<bool> is_corner;  // whether each point of the surfaces, concatenated, is the corner of a fracture
   for (std::size_t s = 0; s < polygons.size(); ++s)
     is_corner.resize(is_corner.size() + model.arranged.surfaces[s].points.size(), polygons[s]);
   for (VertexIndex v = 0; v < soup.points.size(); ++v)

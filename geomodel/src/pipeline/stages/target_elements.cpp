@@ -17,12 +17,13 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double near_enough = 1.1;  // factor
-/// Factor on a derived number of elements: above 200,000 elements the first mesh of a model takes too long.
+/// Factor by which the number of elements may exceed the number from which sizes were derived. Above 200,000 elements
+/// the first mesh of a model takes too long.
 constexpr double most_over_target = 2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The number of elements is proportional to the inverse cube of the size, or to a lower power if surfaces determine
-/// it.
+/// Returns the next factor on the sizes. The number of elements is proportional to the inverse cube of the size, or to
+/// a lower power if surfaces determine it.
 double next_factor(double factor, double count, double target) { return factor * std::cbrt(count / target); }
 
 Box3 bounds_of(const Arranged& model) {
@@ -31,7 +32,7 @@ Box3 bounds_of(const Arranged& model) {
   return box;
 }
 
-/// Above this factor, the tolerance that follows the sizes would be refused.
+/// Returns the largest factor on the sizes; the tolerance follows the sizes and would be refused above this factor.
 double greatest_factor(const Arranged& model, const RefineOptions& options) {
   constexpr double most_of_diagonal = 0.05;
   if (options.honour != Honour::tolerance || !(options.tolerance_share > 0)) return infinity;
@@ -40,13 +41,14 @@ double greatest_factor(const Arranged& model, const RefineOptions& options) {
   return std::max(most_of_diagonal * std::sqrt(dot(extent, extent)) / options.tolerance, 1.0);
 }
 
-/// With sizes several times those of an empty volume, the mesh no longer changes, only the tolerance that follows them.
+/// Returns the largest useful factor on the sizes. With sizes several times those of an empty volume, the mesh no
+/// longer changes, only the tolerance that follows them.
 double factor_of_empty_volume(const Arranged& model, const RefineOptions& options, double target) {
   constexpr double most = 7;
   return options.size.global > 0 ? most * derived_size(bounds_of(model), target) / options.size.global : infinity;
 }
 
-/// Factors on the sizes, and on how fast they grow with the distance from small ones.
+/// Factors on the target sizes, and on how fast sizes grow with the distance from small ones.
 struct Scale {
   double size = 1, gradation = 1;
 };
@@ -56,21 +58,20 @@ struct Try {
   double count = 0;  ///< of elements
 };
 
-/// Searches for the scales with which the requested number of elements results.
+/// Searches for the factors on sizes and gradation with which the requested number of elements results.
 class CountSearch {
  public:
-  /// `most` contains the largest scales that are tried.
+  /// `most` contains the largest factors that are tried.
   CountSearch(double target, const Scale& most) : target_(target), most_(most) {}
 
-  /// Returns whether the count is within this factor of the target.
   bool is_near(const Try& t, double factor) const { return t.count <= factor * target_ && t.count * factor >= target_; }
   bool is_nearer(const Try& t, const Try& than) const {
     return std::abs(std::log(t.count / target_)) < std::abs(std::log(than.count / target_));
   }
 
-  /// If a larger size gives hardly fewer elements, most of them are near surfaces that require short edges; sizes are
-  /// then allowed to grow as fast as possible away from these. Between trials with too many and too few elements, the
-  /// scale is interpolated as if their number followed a power law.
+  /// Returns the factors for the next trial. If a larger size gives hardly fewer elements, most of them are near
+  /// surfaces that require short edges; sizes are then allowed to grow as fast as possible away from these. Between
+  /// trials with too many and too few elements, factors are interpolated as in a power law.
   Scale after(const std::vector<Try>& tries) const {
     const Try& now = tries.back();
     const auto [many, few] = nearest_on_both_sides(tries);
@@ -98,8 +99,8 @@ class CountSearch {
     return {many, few};
   }
 
-  /// The number of elements is proportional to the inverse cube of the size, or to a lower power if surfaces determine
-  /// it: the exponent follows from the last two trials.
+  /// Returns the exponent with which the number of elements decreases with the size, from the last two trials. It is
+  /// three in a free volume, and lower if surfaces determine the number.
   static double power_of_size(const std::vector<Try>& tries) {
     constexpr double least = 0.5, of_volume = 3;
     if (tries.size() < 2) return of_volume;
@@ -129,8 +130,8 @@ RefineOptions scaled(const RefineOptions& options, const Scale& scale) {
 
 constexpr unsigned most_tries = 6;
 
-/// Returns the scale with the estimate nearest to the target: 1 if that estimate is within a factor of `near`, else the
-/// first one that is near enough, or the nearest of six.
+/// Returns the factors whose estimated number of elements is nearest to the target: the factor 1 if its estimate is
+/// within a factor of `near`, else the first trial that is near enough, or the nearest of six.
 Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, const CountSearch& search,
                       double near) {
   std::vector<Try> tries;
@@ -148,8 +149,8 @@ Try scale_by_estimate(const ElementEstimator& estimator, const RefineOptions& op
   return best;
 }
 
-/// Returns the scale of sizes alone with which the estimate meets the target; at most `most`, which matters for
-/// surfaces that cross and touch everywhere. Meshing shows whether sizes must also grow faster.
+/// Returns the factor on the sizes alone with which the estimate meets the target, at most `most`. This limit matters
+/// for surfaces that cross and touch everywhere. Only meshing shows whether sizes must also grow faster.
 double size_by_estimate(const ElementEstimator& estimator, const RefineOptions& options, double target, double most) {
   double size = 1;
   for (unsigned n = 0; n < most_tries; ++n) {
@@ -194,14 +195,13 @@ RefinementSettings settings_used(RefinementSettings settings, const RefineOption
 
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double near = 1.4;  // an estimate that is wrong by this factor again is still between 50,000 and 200,000
+  constexpr double near = 1.4;  // estimates wrong by another such factor give 50,000 to 200,000 elements
   const RefinementSettings& settings = model.arranged.refinement;
   const SettledStack& stack = model.built.stack;
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);
   if (!may_derive(settings)) return {options, by_cause(estimator, stack, options), settings};
   const double target = settings.derived_elements;
-  // Surfaces that nearly coincide everywhere require the same number of elements at every size, so increasing the
-  // tolerance would be useless.
+  // Surfaces that nearly coincide everywhere need the same number of elements at every size and tolerance.
   Scale most = greatest_scale(model.arranged, options, target);
   if (!settings.gradation_by_default) most.gradation = 1;
   const bool drops_gaps = gaps_ask_for_too_many(settings, estimator, options, most);

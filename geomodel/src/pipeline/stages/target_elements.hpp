@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sizes derived from a number of elements: all are scaled so that about that many result, and with them the tolerance
-/// if it is a share of them.
+/// Derives target sizes from a number of elements: all sizes are scaled so that about that many elements result, and
+/// with them the tolerance if it is a share of the size.
 #pragma once
 
 #include "geomesh/core/element_estimate.hpp"
@@ -10,43 +10,41 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the options with all target sizes multiplied by `factor`, and the tolerance too if it follows them.
+/// Returns the options with all target sizes multiplied by `factor`, and the tolerance too if it follows the sizes.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
 
-/// Returns the settings with the sizes and the tolerance of these options, so that the reported ones are those that
-/// were used.
+/// Returns the settings with the sizes and tolerance of the options, so that the values used are reported.
 RefinementSettings settings_used(RefinementSettings settings, const RefineOptions& options);
 
-/// Options with the number of elements that they require.
+/// Refinement options with the number of elements that they require.
 struct CountedOptions {
   RefineOptions options;
   ElementEstimate estimate;
   RefinementSettings used;
-  bool gaps_dropped = false;   ///< whether gaps require no sizes, because they would require too many elements
-  double gradation_scale = 1;  ///< factor by which sizes grow faster than usual away from small ones
+  bool gaps_dropped = false;   ///< whether gaps between surfaces are ignored, because they require too many elements
+  double gradation_scale = 1;  ///< factor by which sizes grow faster than usual with the distance from small ones
 };
 
-/// If the size was derived from the model's volume alone, and surfaces or a ground that cuts the volume lead to many
-/// more or fewer elements, sizes are chosen so that the estimate is about settings.derived_elements. If larger sizes
-/// give hardly fewer elements, sizes also grow faster away from small ones, unless the project sets the gradation. Gaps
-/// between surfaces are ignored if the estimate is above twice that number with them and below it without them, unless
-/// the project sets sizes for gaps. Otherwise, and if the project requests any size, the options are returned
-/// unchanged.
+/// Corrects a size that was derived from the model's volume alone. If surfaces, or a ground that cuts the volume, lead
+/// to many more or fewer elements, sizes are chosen so that the estimated number is about settings.derived_elements. If
+/// larger sizes give hardly fewer elements, sizes also grow faster away from small ones, unless the project sets the
+/// gradation. Gaps between surfaces are ignored if the estimate is above twice that number with gaps and below it
+/// without them, unless the project sets sizes for gaps. The options are unchanged if the project requests any size.
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options);
 
-/// Notes before meshing how many elements to expect, and what requires them. `unit` is the unit of length. Throws
-/// Error{cannot_mesh} with the same text if the number exceeds the limit.
+/// Notes before meshing how many elements to expect, and which settings require them. `unit` is the unit of length.
+/// Throws Error{cannot_mesh} with the same text if the number exceeds the limit.
 void announce_count(const CountedOptions& counted, const std::string& unit, Journal& journal);
 
 struct RefinedToCount {
   RefineResult result;
   RefinementSettings used;
 };
-/// Refines with sizes scaled by the estimate, and again by the resulting number of elements. If larger sizes give
-/// hardly fewer elements, sizes grow faster away from small ones. Ends when the number is within a tenth of
-/// settings.target_elements, or after six trials; the nearest is then used, with a warning that the input alone
-/// requires more.
+/// Refines the mesh with sizes scaled so that the estimated number of elements meets settings.target_elements, and
+/// again with sizes corrected by the resulting number. If larger sizes give hardly fewer elements, sizes grow faster
+/// away from small ones. Ends when the number is within a tenth of the target, or after six trials; the nearest result
+/// is then used, with a warning that the input alone requires more.
 RefinedToCount refine_to_count(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                const RefineOptions& options, Journal& journal);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Completes the settings that depend on the model, declared in geomesh/geomodel/refinement.hpp.
+// Completes the mesh settings that depend on the model, declared in geomesh/geomodel/refinement.hpp.
 #include <algorithm>
 #include <cmath>
 
@@ -12,8 +12,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// The factor of estimate_elements: a regular tetrahedron with unit edges has the volume 1 / 8.5, and a mesh of uniform
-/// size has a third more elements.
+/// Number of elements per volume in units of the cubed size, as in estimate_elements: a regular tetrahedron with unit
+/// edges has the volume 1 / 8.5, and a mesh of uniform size has a third more elements.
 constexpr double elements_per_volume = 11.2;
 
 double two_digits(double x) {
@@ -30,7 +30,7 @@ double size_at_depth(const std::vector<NamedSizes::DepthSize>& table, double dep
   return (1 - share) * above->size + share * below->size;
 }
 
-/// Combines sizes by depth with those of a file; the smaller one is used.
+/// Combines target sizes by depth with those of a background file; the smaller one is used.
 void add_depths(NamedSizes& sizes, const Vec3& origin) {
   if (sizes.by_depth.empty()) return;
   sizes.base.background = [table = sizes.by_depth, file = sizes.base.background, zero = origin.z](const Vec3& p) {
@@ -39,7 +39,7 @@ void add_depths(NamedSizes& sizes, const Vec3& origin) {
   };
 }
 
-/// Returns an upper bound: no unit has a larger size.
+/// Returns the largest target size that wavelengths allow in any unit.
 double greatest_wavelength_size(const NamedSizes& sizes, const UnitAttributes& attributes) {
   double greatest = 0;
   for (const auto& [unit, values] : attributes) greatest = std::max(greatest, wavelength_size(sizes, values));

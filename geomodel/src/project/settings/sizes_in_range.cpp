@@ -12,10 +12,11 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Share of the longest edge of the model. A cube with edges a millionth as long has 1e19 elements, which no machine
-/// can hold, and a size in other units than the model's is smaller by a thousand or more.
+/// Least target size as a share of the model's longest edge. A cube with edges a millionth as long has 1e19 elements,
+/// which no machine can hold; a size in another unit than the model is too small by a thousand or more.
 constexpr double least_share = 1e-6;
-constexpr double greatest_tolerance = 0.1;  ///< share of the diagonal, as the engine requires (core/src/remesh/driver)
+/// Largest tolerance as a share of the model's diagonal, as the engine requires (core/src/remesh/driver).
+constexpr double greatest_tolerance = 0.1;
 
 std::string length_words(double length) {
   constexpr double with_separators = 1000;
@@ -41,7 +42,7 @@ class Range {
           " long: no mesh has elements for both. Are all limits of the box in the same unit, with no digit too many?");
   }
 
-  /// A size of 0 means that none is given.
+  /// Refuses a target size outside the plausible range; a size of 0 means that none is given.
   void require_size(const std::string& key, double size) const {
     if (!(size > 0) || (size <= longest_ && size >= least_share * longest_)) return;
     const bool is_long = size > longest_;
@@ -51,11 +52,11 @@ class Range {
            length_words(longest_) + suggested(is_long));
   }
 
-  /// A bound longer than the model has no effect.
+  /// Refuses a size limit that is too short; a limit longer than the model has no effect and is accepted.
   void require_not_short(const std::string& key, double size) const { require_size(key, std::min(size, longest_)); }
 
-  /// With the steepest gradation, sizes grow from the least to the greatest within one edge; with the least, the
-  /// smallest size applies in the whole model.
+  /// Refuses a gradation outside the useful range. With the steepest one, sizes grow from the least to the greatest
+  /// within one edge; with the least, the smallest size applies in the whole model.
   static void require_gradation(double gradation) {
     if (gradation <= 1 / least_share && gradation >= least_share) return;
     refuse("mesh.size.gradation: sizes that grow by " + short_words(gradation) + " for each unit of distance are " +

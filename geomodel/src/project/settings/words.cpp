@@ -8,8 +8,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions, swaps of
-/// neighbours.
+/// Returns the optimal string alignment distance (Damerau 1964), which counts insertions, deletions, substitutions and
+/// swaps of neighbouring letters.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -63,7 +63,7 @@ std::string file_was_meant(const std::filesystem::path& file) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  // A name that differs in extension or case alone is preferred to one that differs in letters.
+  // Among similar names, one that differs only in extension or case is preferred to one that differs in letters.
   const auto lower = [](std::string text) {
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
       return c < 0x80 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c);

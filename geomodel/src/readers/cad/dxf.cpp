@@ -23,7 +23,6 @@ struct Pair {
   std::size_t line = 0;
 };
 
-/// One entity: its name and its pairs of group code and value.
 struct Entity {
   std::string_view name;
   std::size_t line = 0;
@@ -33,7 +32,7 @@ struct Entity {
 class PairReader {
  public:
   explicit PairReader(const InputFile& file) : lines_(file) {}
-  /// Returns false if the file ends between two pairs.
+  /// Reads the next pair of group code and value. Returns false if the file ends between two pairs.
   bool next(Pair& pair) {
     if (!lines_.next()) return false;
     const auto code = to_integer(trim(lines_.line()));
@@ -115,7 +114,7 @@ class DxfReader {
       if (p.code == 8 && !p.value.empty()) return std::string(p.value);
     return "0";
   }
-  /// Returns the point of groups 10 + k, 20 + k, 30 + k; z is 0 if it is not given.
+  /// Returns the point in the DXF groups 10 + k, 20 + k, 30 + k; z is 0 if it is not given.
   Vec3 point(int k) const {
     Vec3 p;
     bool has_x = false, has_y = false;
@@ -257,7 +256,7 @@ class DxfReader {
     }
   }
 
-  /// Converts M rows of N vertices, closed in either direction by flags 1 and 32.
+  /// Converts a polygon mesh of M rows of N vertices to triangles. Flags 1 and 32 close it in the direction of M or N.
   void close_mesh() {
     const auto size = static_cast<std::int64_t>(vertices_.size());
     if (m_ < 2 || n_ < 2 || m_ > size || n_ > size || m_ * n_ != size) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double most_copied = 20e6;  // points and copies
 constexpr std::size_t most_nested = 64;
 
-/// The transformation from a block's coordinates to those of its insertion, for one column and row.
+/// Transforms points of an inserted DXF block to one of its copies, in one column and row.
 class Placing {
  public:
   Placing(const DxfInsert& insert, const Vec3& base, std::int64_t column, std::int64_t row)
@@ -46,7 +46,6 @@ class Inserter {
  public:
   Inserter(const InputFile& file, const std::map<std::string, DxfBlock>& blocks) : file_(file), blocks_(blocks) {}
 
-  /// Returns the content with all inserted blocks.
   DxfContent expand(const DxfContent& content) {
     DxfContent all = content;
     all.inserts.clear();
@@ -71,7 +70,7 @@ class Inserter {
   }
 
  private:
-  /// Counts copies before anything is copied, because a few bytes of a file can request an unlimited number.
+  /// Counts the copies of a block before any is made, because a few bytes of a file can request an unlimited number.
   void count_copies(const DxfContent& inner, const DxfInsert& insert) {
     double n = 1;
     for (const auto& [layer, corners] : inner.corners) n += static_cast<double>(corners.size());
@@ -100,7 +99,7 @@ class Inserter {
 
   const InputFile& file_;
   const std::map<std::string, DxfBlock>& blocks_;
-  std::vector<std::string> open_;  ///< blocks that are being expanded, outermost first
+  std::vector<std::string> open_;  ///< names of the blocks that are being expanded, outermost first
   double n_copied_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The content of a DXF file, and the insertion of blocks by INSERT.
+/// The content of a DXF file, and its expansion: inserted blocks (INSERT) are replaced by copies of their contents.
 #pragma once
 
 #include <map>
@@ -17,28 +17,28 @@ struct DxfInsert {
   std::string block, layer;
   std::size_t line = 0;  ///< of the file
   Vec3 at, scale{1, 1, 1};
-  double rotation = 0;  ///< radians, counter-clockwise about z
+  double rotation = 0;  ///< rotation of the block in radians, counter-clockwise about z
   std::int64_t n_columns = 1, n_rows = 1;
-  double column_step = 0, row_step = 0;  ///< steps, which are rotated with the block
+  double column_step = 0, row_step = 0;  ///< distances between copies of the block, which are rotated with it
 };
 
-/// Content of the section ENTITIES or of one block. Coordinates as in the file.
+/// Content of one block of a DXF file or of its section ENTITIES, with coordinates as in the file.
 struct DxfContent {
-  std::map<std::string, std::vector<Vec3>> corners;              ///< three corners per triangle, by layer
+  std::map<std::string, std::vector<Vec3>> corners;              ///< triangles by layer, with three corners for each
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
-  std::map<std::string, std::size_t> passed_over;                ///< number of ignored entities, by name
+  std::map<std::string, std::size_t> passed_over;                ///< number of ignored entities of each name
   std::vector<DxfInsert> inserts;
 };
 
 struct DxfBlock {
-  Vec3 base;  ///< the point of the block that is placed at DxfInsert::at
+  Vec3 base;  ///< point of the block that is placed at the position of an INSERT
   DxfContent content;
 };
 
-/// Inserts blocks into `content`, including nested ones. Items on layer "0" of a block are moved to the layer of its
-/// INSERT. Blocks that are not in the file are ignored. Throws Error{invalid_input} for a block that contains itself,
-/// or too many copies.
+/// Replaces the insertions in `content` by copies of the inserted blocks, including nested ones. Items on layer "0" of
+/// a block are moved to the layer of its INSERT. Blocks that are not in the file are ignored. Throws
+/// Error{invalid_input} for a block that contains itself, or if there are too many copies.
 void insert_blocks(const InputFile& file, DxfContent& content, const std::map<std::string, DxfBlock>& blocks);
 
 }  // namespace geomesh::geomodel

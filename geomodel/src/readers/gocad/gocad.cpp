@@ -50,7 +50,8 @@ void add_well(const GocadObject& object, const InputFile& file, FileContents& co
   contents.polylines.push_back({name, file.shown(), object.path});
 }
 
-/// The first frame is taken as the file's; differences are reported, since every object was converted by its own frame.
+/// Describes the coordinate frame of the first object as that of the file. Differences among the objects are reported;
+/// each object was converted by its own frame.
 void describe_frame(const std::vector<GocadObject>& objects, FileContents& contents) {
   const auto first = std::find_if(objects.begin(), objects.end(), [](const GocadObject& o) { return o.frame.given; });
   if (first == objects.end()) {
@@ -80,7 +81,7 @@ void describe_frame(const std::vector<GocadObject>& objects, FileContents& conte
   }
 }
 
-/// A file that declares Depth but has negative z usually contains elevations.
+/// Warns if a file declares z as depth but has negative z, because such values are usually elevations.
 void warn_of_negative_depths(const std::vector<GocadObject>& objects, FileContents& contents) {
   std::size_t n_points = 0, n_negative = 0;
   for (const GocadObject& o : objects) {

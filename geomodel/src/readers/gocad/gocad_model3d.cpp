@@ -8,15 +8,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Place in the file at which a face of the model was found.
+/// The triangles of a GOCAD Model3d face, which is a part of a surface in the same file.
 struct FoundFace {
   Index surface;      ///< row in contents.surfaces
   Index first, last;  ///< triangles
-  bool as_stored;     ///< whether the + side's normal is that of the stored triangles
+  bool as_stored;     ///< whether the normals of the stored triangles point to the face's + side
 };
 
-/// Returns +1 if there is a rotation r with key[i] == corner[(i + r) % 3] for all i; -1 for a reversed match; 0 for
-/// none.
+/// Compares two triangles by their corners. Returns +1 if `corner` is a rotation of `key`, -1 if it is a rotation of
+/// the reversed `key`, and 0 for different triangles.
 int compare_triangles(const Vec3 (&key)[3], const Vec3 (&corner)[3]) {
   for (int r = 0; r < 3; ++r) {
     if (!(key[0] == corner[r])) continue;

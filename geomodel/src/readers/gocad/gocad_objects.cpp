@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Parses one object. Each line begins with a keyword; unknown ones (properties, drawing styles) are ignored.
+/// Parses one GOCAD object. Each line begins with a keyword; unknown ones (properties, drawing styles) are ignored.
 class ObjectParser {
  public:
   ObjectParser(LineReader& lines, std::string_view kind) : lines_(lines), ids_(lines.file().size() / 4 + 1024) {
@@ -159,7 +159,7 @@ class ObjectParser {
     object_.points.push_back(object_.frame.to_metres(read_point(lines_, tokens, token)));
   }
 
-  /// Ids may restart in another TFACE or ILINE; a repeated id within one is a contradiction.
+  /// Defines a point id. Ids may restart in another TFACE or ILINE, but a repetition in the same one is an error.
   void define(std::int64_t i, VertexIndex row) {
     const VertexIndex old = ids_.find(i);
     if (old != no_vertex && old >= part_first_point_) lines_.fail("vertex " + std::to_string(i) + " is defined twice");

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Shared by ZMAP+ and CPS-3: values at nodes, column by column from the west, each from the north.
+/// Fills grids of the formats ZMAP+ and CPS-3, whose values are ordered column by column from the west, each column
+/// from the north.
 #pragma once
 
 #include "readers/grids/grid.hpp"
 
 namespace geomesh::geomodel {
 
-/// The position of the next value in such a file.
+/// Writes the values of a grid file with columns from north to south into a grid, one after the other.
 class ColumnMajorFill {
  public:
   explicit ColumnMajorFill(Grid& grid) : grid_(grid) {}
   bool full() const { return n_ == grid_.heights.size(); }
-  /// NaN leaves the node without a value. Precondition: not full.
+  /// Sets the height of the next node. NaN leaves the node without a value. Precondition: not all nodes have been set.
   void add(double value) {
     grid_.at(n_ / grid_.n_rows, grid_.n_rows - 1 - n_ % grid_.n_rows) = value;
     ++n_;
@@ -24,7 +25,8 @@ class ColumnMajorFill {
   std::size_t n_ = 0;
 };
 
-/// Null values are written with fewer digits than a double has: 0.1E+31 as 1.0000000E+30.
+/// Returns whether a value is the null value. Null values are written with fewer digits than a double has: 0.1E+31 as
+/// 1.0000000E+30.
 bool is_null(double value, double null);
 
 }  // namespace geomesh::geomodel

@@ -52,7 +52,8 @@ std::size_t whole_count(const InputFile& file, const std::optional<double>& n, c
   return static_cast<std::size_t>(*n);
 }
 
-/// Returns the first node: the given corner of the cell plus half a cell, or its given centre.
+/// Returns the position of the first node of a raster: the given corner of the first cell plus half a cell, or the
+/// given centre of the cell.
 double first_node(const InputFile& file, const std::optional<double>& corner, const std::optional<double>& centre,
                   double size, const char* key) {
   if (corner.has_value() == centre.has_value())

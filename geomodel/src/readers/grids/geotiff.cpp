@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads GeoTIFF with GDAL, which is in a module (geotiff_plugin.hpp): GDAL's geotransform handles pixel-is-area and
-// pixel-is-point, as well as the no-data tag, scale and offset. The raster is read from memory and its size compared
-// with the file's before anything is allocated.
+// pixel-is-point, as well as the no-data tag, scale and offset. The raster is read from memory. Its size is compared
+// with that of the file before anything is allocated.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ namespace geomesh::geomodel {
 const GeomeshRasterReader& geotiff_plugin() {
   constexpr ModuleName gdal{"geomesh-gdal.so", "geomesh_raster_reader", "GeoTIFF is read by", "geomesh-gdal",
                             "libgdal-dev"};
-  // After an exception the next call tries again.
+  // If loading the module throws an exception, the next call tries again.
   static const void* const table = module_table(gdal, [](const void* t) {
     return static_cast<const GeomeshRasterReader*>(t)->version == geomesh_raster_reader_version;
   });
@@ -27,7 +27,6 @@ const GeomeshRasterReader& geotiff_plugin() {
 
 namespace {
 
-/// A raster of the module, with the file that messages name.
 class Raster {
  public:
   Raster(const InputFile& file, const GeomeshRasterReader& reader)
@@ -58,7 +57,7 @@ class Raster {
   GeomeshRaster* raster_;
 };
 
-/// Throws if a compressed file could not contain the columns and rows.
+/// Throws if a compressed raster file is too short to contain so many columns and rows.
 void check_size(const InputFile& file, const GeomeshRaster& header) {
   constexpr std::size_t most_nodes_a_byte = 2000, most_nodes = 400'000'000;
   if (header.n_columns < 2 || header.n_rows < 2) file.fail("the raster has fewer than two columns or rows");
@@ -90,7 +89,7 @@ SourceFrame described_frame(const GeomeshRaster& header) {
   return frame;
 }
 
-/// Returns heights of band 1 at the cells' centres; rows as in the file.
+/// Returns the heights in band 1 at the centres of the cells, with rows in the order of the file.
 NodeLattice read_nodes(const Raster& raster) {
   const GeomeshRaster& header = raster.header();
   const double* const t = header.transform;

@@ -9,30 +9,30 @@
 
 extern "C" {
 
-/// An open raster, or the reason why it could not be opened. Its texts are valid as long as it exists.
+/// A raster that the module has opened, or the reason why it could not be opened. Its texts exist as long as this
+/// object.
 struct GeomeshRaster {
-  const char* error;  ///< empty if the raster is open
+  const char* error;  ///< reason why the raster could not be opened; empty if it is open
   std::size_t n_columns, n_rows, n_bands;
   int has_transform;
-  /// As GDAL's geotransform: position of (column, row), counted from the corner of the first cell.
+  /// Position of (column, row), counted from the corner of the first cell, as in GDAL's geotransform.
   double transform[6];
   int has_no_data;
   double no_data, scale, offset;  ///< of band 1
-  const char* unit_of_heights;    ///< unit of band 1, as written
-  const char* system;             ///< "epsg:CODE", else the system's name, else empty
+  const char* unit_of_heights;    ///< unit of the heights in band 1, as the file writes it
+  const char* system;             ///< coordinate system of the raster: "epsg:CODE", else its name, else empty
   int is_geographic;
-  double metres_per_unit;  ///< unit of x and y in metres; 1 for degrees
+  double metres_per_unit;  ///< metres per unit of x and y; 1 for degrees
 };
 
-/// The functions of the module.
 struct GeomeshRasterReader {
-  int version;  ///< geomesh_raster_reader_version of the header with which it was built
-  /// Never returns null. `bytes` must outlive the raster.
+  int version;  ///< version of the interface with which the module was built
+  /// Opens a raster from memory. Never returns null. `bytes` must outlive the raster.
   GeomeshRaster* (*open)(const char* bytes, std::size_t size);
-  /// Reads a row of band 1 as written, from the north. Returns null, or the reason why it cannot be read, valid as long
-  /// as the raster exists.
+  /// Reads one row of band 1 as the file has it; rows count from the north. Returns null, or the reason why the row
+  /// cannot be read, as a text that is valid as long as the raster exists.
   const char* (*read_row)(GeomeshRaster* raster, std::size_t row, double* heights);
-  /// Returns the next message of GDAL; null if there are no more.
+  /// Returns the next warning that GDAL issued; null if there are no more.
   const char* (*next_warning)(GeomeshRaster* raster);
   void (*close)(GeomeshRaster* raster);
 };
@@ -42,7 +42,7 @@ namespace geomesh::geomodel {
 
 constexpr int geomesh_raster_reader_version = 1;
 
-/// Loads the module at the first call. Throws Error{usage} that names the package if it is missing.
+/// Loads the module that reads rasters, at the first call. Throws Error{usage} with its package if it is missing.
 const GeomeshRasterReader& geotiff_plugin();
 
 }  // namespace geomesh::geomodel

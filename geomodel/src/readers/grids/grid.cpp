@@ -12,9 +12,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_nodes = std::size_t{1} << 31;  // rows of points are 32-bit numbers
+constexpr std::size_t most_nodes = std::size_t{1} << 31;  // rows of points are stored as 32-bit numbers
 
-/// Returns cosine and sine, exact at quarter turns.
+/// Returns the cosine and sine of an angle, exact at multiples of 90 degrees.
 std::pair<double, double> direction(double degrees) {
   const double turn = std::remainder(degrees, 360.0);
   if (turn == 0) return {1, 0};
@@ -39,7 +39,6 @@ NodeLattice lattice_of(const Grid& grid) {
   return lattice;
 }
 
-/// Appends the triangles of one cell; corners are counter-clockwise in columns and rows.
 void split_cell(const std::vector<Vec3>& nodes, const std::array<std::size_t, 4>& corner, Diagonal diagonal,
                 std::vector<std::array<std::size_t, 3>>& out) {
   std::vector<std::size_t> present;
@@ -141,7 +140,6 @@ TriangulatedSurface triangulate_lattice(const NodeLattice& lattice, Diagonal dia
 
 namespace {
 
-/// Nodes whose heights mean "no value" lose them, and unusual heights are reported.
 void drop_no_data(const InputFile& file, const std::string& name, NodeLattice& lattice, FileContents& contents) {
   std::vector<double> heights;
   heights.reserve(lattice.nodes.size());

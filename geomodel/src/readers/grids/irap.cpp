@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads Irap classic grids (RMS), text and binary: values at nodes, x fastest from (x0, y0), rotated about it. 9999900
-// or more is null. The header of the text form: -996 ny dx dy / xmin xmax ymin ymax / nx rotation x0 y0 / seven zeros.
-// The binary form consists of Fortran records, each between its length in bytes, big-endian. They hold: -996 ny xmin
-// xmax ymin ymax dx dy / nx rotation x0 y0 / seven zeros / values.
+// Reads Irap classic grids (RMS), text and binary: values at nodes, with x varying fastest from the node (x0, y0),
+// about which the grid is rotated. Values of 9999900 or more mean that a node has no height. The header of the text
+// form: -996 ny dx dy / xmin xmax ymin ymax / nx rotation x0 y0 / seven zeros. The binary form consists of Fortran
+// records, each between its length in bytes, big-endian. They hold: -996 ny xmin xmax ymin ymax dx dy / nx rotation x0
+// y0 / seven zeros / values.
 #include <cmath>
 
 #include "readers/formats.hpp"
@@ -20,12 +21,10 @@ std::size_t checked_count(const InputFile& file, std::int64_t n, const char* wha
   return static_cast<std::size_t>(n);
 }
 
-/// Reads Fortran records of a file.
 class Records {
  public:
   explicit Records(const InputFile& file) : file_(file) {}
   bool at_end() const { return at_ == file_.size(); }
-  /// Returns position and length of the next record's bytes.
   std::pair<std::size_t, std::size_t> next(const char* what) {
     const std::size_t left = file_.size() - at_;
     if (left < 8) fail(what, "the file ends");

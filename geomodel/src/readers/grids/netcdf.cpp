@@ -23,8 +23,8 @@ bool is_netcdf_file(const InputFile& file) {
   return head.size() == 4 && head.starts_with("CDF") && head[3] >= 1 && head[3] <= 5;
 }
 
-/// Returns whether heights count downwards. The attribute `positive` decides; without it, the standard or long name, or
-/// the variable's own.
+/// Returns whether the heights of a netCDF grid are depths. The attribute `positive` decides; without it, the
+/// variable's standard name, long name or own name does.
 bool is_depth(const NetcdfGrid& grid) {
   if (!grid.positive.empty()) return grid.positive == "down";
   const std::string own = grid.name.substr(grid.name.rfind('/') + 1);
@@ -37,7 +37,6 @@ bool says_direction(const NetcdfGrid& grid) {
          name.find("elevation") != std::string::npos || name.find("height") != std::string::npos;
 }
 
-/// Returns one grid in metres with elevation up.
 FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   FileContents contents;
   contents.frame.unit = grid.xy_unit;
@@ -60,7 +59,7 @@ FileContents contents_of(const InputFile& file, const NetcdfGrid& grid) {
   return contents;
 }
 
-/// Returns whether the values are lengths or travel times; temperatures and percentages are not.
+/// Returns whether the values of a netCDF variable are lengths or travel times, and not temperatures or percentages.
 bool is_height(const NetcdfGrid& grid) {
   return length_unit_in_metres(grid.z_unit).has_value() || is_time_unit(grid.z_unit);
 }

@@ -15,12 +15,13 @@ namespace geomesh::geomodel {
 
 /// A variable with two dimensions, and the positions of its nodes.
 struct NetcdfGrid {
-  std::string name;             ///< name of the variable with its groups: "group/variable"
-  NodeLattice lattice;          ///< numbers of the file after scale_factor and add_offset are applied; z NaN: no value
-  std::string z_name;           ///< standard_name or long_name, else the variable's own name
-  std::string z_unit, xy_unit;  ///< units as written; empty if the file names none
-  std::string positive;         ///< "up", "down" or empty
-  std::string system;           ///< "epsg:CODE", else the system's name, else empty
+  std::string name;  ///< name of the variable with its groups: "group/variable"
+  /// Numbers of the file after scale_factor and add_offset are applied; z is NaN if a node has no value.
+  NodeLattice lattice;
+  std::string z_name;           ///< standard_name or long_name of the heights, else the variable's own name
+  std::string z_unit, xy_unit;  ///< units of heights and positions as written; empty if the file names none
+  std::string positive;         ///< attribute `positive` of the heights: "up", "down" or empty
+  std::string system;           ///< coordinate system of the grid: "epsg:CODE", else its name, else empty
   bool geographic = false;      ///< whether x and y are longitude and latitude in degrees
   bool cell_centred = false;    ///< GMT's pixel registration
   bool regular = false;         ///< whether spacing along each axis is constant, up to rounding
@@ -28,15 +29,15 @@ struct NetcdfGrid {
 
 struct NetcdfGrids {
   std::vector<NetcdfGrid> grids;
-  std::vector<std::string> others;  ///< variables that are not grids of heights, each with the reason in brackets
+  std::vector<std::string> others;  ///< variables that are not grids of heights, each with the reason in parentheses
 };
 
 struct NetcdfGridModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
-  /// Throws Error{invalid_input} if the file is damaged.
+  /// Reads the grids of a netCDF file. Throws Error{invalid_input} if the file is damaged.
   NetcdfGrids (*read)(const std::filesystem::path& file);
 };
-/// Name of the module's function: const NetcdfGridModule* geomesh_netcdf_grids().
+/// Name of the function that the module exports: const NetcdfGridModule* geomesh_netcdf_grids().
 constexpr const char* netcdf_grids_function = "geomesh_netcdf_grids";
 
 }  // namespace geomesh::geomodel

@@ -22,7 +22,8 @@ void set_limits(const InputFile& file, Grid& grid, double x_low, double x_high, 
   grid.dy = node_spacing(file, "y", y_low, y_high, grid.n_rows);
 }
 
-/// Reads values of type T from byte `at`, row by row from the south; those of `no_data` or more are blank.
+/// Reads the heights of a grid, values of type T from byte `at` on, row by row from the south. Values of `no_data` or
+/// more mean that a node has no height.
 template <class T>
 void read_values(const InputFile& file, std::size_t at, double no_data, Grid& grid) {
   for (std::size_t i = 0; i < grid.heights.size(); ++i) {

@@ -13,9 +13,9 @@ namespace geomesh::geomodel {
 namespace {
 
 struct Layout {
-  std::size_t width = 0;         ///< width of a field; 0: fields are separated by blanks
-  std::size_t first_column = 1;  ///< column of the first field, from 1
-  int decimals = 0;              ///< a value without a decimal point is divided by 10 to this power
+  std::size_t width = 0;         ///< width of a field in characters; 0: fields are separated by blanks
+  std::size_t first_column = 1;  ///< position in the line of the first field, from 1
+  int decimals = 0;              ///< a value without a decimal point is divided by 10 to the power of this number
   std::optional<double> null;
   std::string null_text;
 };
@@ -64,7 +64,7 @@ Layout read_layout(LineReader& lines) {
   return layout;
 }
 
-/// Returns NaN if the token means no value; nothing if it is not a number.
+/// Returns the number in a token of a ZMAP+ file; NaN if the token means no value, and nothing if it is not a number.
 std::optional<double> value_of(std::string_view token, const Layout& layout) {
   if (!layout.null_text.empty() && token == layout.null_text) return std::numeric_limits<double>::quiet_NaN();
   auto value = to_double(token);
@@ -76,7 +76,7 @@ std::optional<double> value_of(std::string_view token, const Layout& layout) {
   return value;
 }
 
-/// Reads values separated by blanks if every token is a number no wider than a field; otherwise returns false.
+/// Reads values that are separated by blanks. Returns false if a token is not a number or is wider than a field.
 bool by_blanks(std::string_view line, const Layout& layout, std::vector<double>& values) {
   Tokens tokens(line);
   for (std::string_view token = tokens.next(); !token.empty(); token = tokens.next()) {

@@ -6,7 +6,7 @@ namespace {
 
 constexpr double clearly = 0.5;
 
-/// Returns the offsets in rows along u, read as if the file's order were along u first or along v first.
+/// Returns the offsets of a grid in rows along u, if the file lists them along u first or along v first.
 std::vector<double> in_rows(const OmfGrid& grid, bool u_first) {
   if (u_first) return grid.offsets;
   std::vector<double> rows(grid.offsets.size());
@@ -16,7 +16,7 @@ std::vector<double> in_rows(const OmfGrid& grid, bool u_first) {
   return rows;
 }
 
-/// Returns the sum of the squared differences between neighbouring nodes.
+/// Returns the sum of the squared height differences between neighbouring nodes of a grid.
 double roughness(const std::vector<double>& rows, std::size_t n_columns) {
   double sum = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -7,7 +7,7 @@ FirstLines first_lines(LineReader& lines) {
   FirstLines found;
   while (found.second.empty() && lines.next()) {
     const std::string_view line = trim(lines.line());
-    if (line.empty() || line.front() == '>') continue;  // begins a line of points
+    if (line.empty() || line.front() == '>') continue;  // a line with > begins a new polyline
     if (line.front() == '#' || line.front() == '!') {
       if (found.first.empty()) found.comment = trim(line.substr(1));
     } else {

@@ -13,13 +13,11 @@ struct FirstLines {
 };
 FirstLines first_lines(LineReader& lines);
 
-/// Returns the fields of a line of data or of a header, without empty ones at the end.
 std::vector<std::string_view> fields_of_line(std::string_view line, const Separation& separation);
 
-/// Returns the names of a header's columns; a unit separated from its name by blanks belongs to it ("Z [m]").
+/// Returns the column names in a header line. A unit behind the name of its column is part of it ("Z [m]").
 std::vector<std::string> header_names(std::string_view line, const Separation& separation);
 
-/// Returns how many fields of the line are numbers.
 std::size_t count_numbers(std::string_view line);
 
 }  // namespace geomesh::geomodel

@@ -41,7 +41,6 @@ std::optional<std::pair<std::size_t, std::size_t>> grid_size(std::string_view va
   return std::pair(static_cast<std::size_t>(*nx), static_cast<std::size_t>(*ny));
 }
 
-/// Skips to the lines of data, which begin after the comments of the header.
 void skip_comments(LineReader& lines) {
   while (lines.next()) {
     const std::string_view line = trim(lines.line());
@@ -84,7 +83,6 @@ EarthVisionHeader earth_vision_header(LineReader lines) {
   return header;
 }
 
-/// Adds nodes by their columns and rows.
 void add_grid(const InputFile& file, const Table& table, std::pair<std::size_t, std::size_t> size,
               FileContents& contents) {
   const auto [n_columns, n_rows] = size;
@@ -158,7 +156,7 @@ FileContents read_petrel_points(const InputFile& file) {
     std::string_view line = trim(lines.line());
     ended = starts_with_ignoring_case(line, "END HEADER");
     if (ended || line.empty() || line.front() == '#') continue;
-    // An attribute is given as TYPE,NAME or TYPE "NAME".
+    // Petrel writes an attribute as TYPE,NAME or TYPE "NAME".
     const std::size_t comma = line.find(','), quote = line.find('"');
     if (comma != std::string_view::npos)
       line = trim(line.substr(comma + 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recognises points that form a lattice, declared in readers/tables/table.hpp.
+// Recognises points of a table that form a regular grid.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,17 +9,16 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Positions of nodes along one axis, which are multiples of one spacing up to the rounding of the file.
+/// Positions of grid nodes along one axis, which are multiples of one spacing up to the rounding of the file.
 struct Axis {
   double first = 0, spacing = 0;
   std::size_t n = 0;
 
-  /// Returns the node near a coordinate.
   std::size_t node(double v) const { return static_cast<std::size_t>(std::llround((v - first) / spacing)); }
 };
 
-/// Largest distance of a node from its position, as a share of the spacing: files round coordinates, some to single
-/// precision.
+/// Largest distance of a point from its grid position, as a share of the spacing: files round coordinates, some to
+/// single precision.
 constexpr double most_off = 0.02;
 
 std::optional<Axis> regular_axis(const std::vector<Vec3>& points, std::size_t k) {
@@ -56,7 +55,7 @@ std::optional<NodeLattice> lattice_of_points(const std::vector<Vec3>& points) {
                                std::numeric_limits<double>::quiet_NaN()});
   for (const Vec3& p : points) {
     Vec3& node = lattice.nodes[y->node(p.y) * x->n + x->node(p.x)];
-    if (!std::isnan(node.z) && node != p) return std::nullopt;  // two points at one node
+    if (!std::isnan(node.z) && node != p) return std::nullopt;  // two points would be at one node of the grid
     node = p;
   }
   return lattice;

@@ -21,7 +21,7 @@ std::string_view without_quotes(std::string_view field) {
   return field;
 }
 
-/// Returns the end of the field that begins at 0; delimiters inside quotes do not end it.
+/// Returns the end of the first field of a line; delimiters inside quotes do not end it.
 std::size_t end_of_field(std::string_view rest, char delimiter) {
   bool quoted = false;
   for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -45,7 +45,7 @@ bool is_y(std::string_view n) {
   return is_latitude(n) || one_of(n, {"y", "northing", "north", "n", "y_coord", "ycoord", "coord_y", "y_utm", "utm_y",
                                       "utmy", "yy", "y_northing", "hochwert", "nordwert", "norte", "y-coordinate"});
 }
-/// Returns the rank, from 1, of a column that divides points into sets; 0: none.
+/// Returns the priority, from 1, of a column name as one that divides points into sets; 0 for other columns.
 std::size_t group_rank(std::string_view n) {
   static constexpr std::string_view words[] = {"formation", "surface", "horizon", "layer",  "unit", "feature_name",
                                                "feature",   "fault",   "name",    "object", "id",   "val"};
@@ -91,8 +91,8 @@ std::vector<std::string_view> Separation::split(std::string_view line) const {
 
 namespace {
 
-/// Returns whether digits are grouped as in "432,500.25" or "1,234,500": groups of three after a first group of one to
-/// three.
+/// Returns whether thousands are grouped by a separator as in "432,500.25" or "1,234,500": groups of three digits after
+/// a first group of one to three.
 bool has_groups_of_thousands(std::string_view text, char group) {
   if (text.starts_with('-') || text.starts_with('+')) text.remove_prefix(1);
   const std::size_t first = text.find(group);
@@ -111,7 +111,7 @@ std::string without(std::string_view text, char c) {
   return copy;
 }
 
-/// Reads a number with a decimal comma, and points or apostrophes between thousands.
+/// Reads a number with a decimal comma, which may have points or apostrophes between thousands.
 std::optional<double> number_with_decimal_comma(std::string_view field) {
   const bool grouped = has_groups_of_thousands(field, '.') &&
                        (field.find(',') != std::string_view::npos || std::count(field.begin(), field.end(), '.') > 1);
@@ -142,7 +142,7 @@ Separation sniff_separation(std::string_view line) {
     if (line.find(delimiter) != std::string_view::npos) {
       const Separation separation{delimiter, false};
       const auto fields = separation.split(line);
-      if (delimiter == '\t' && fields.size() < 3) continue;  // a tab that only pads
+      if (delimiter == '\t' && fields.size() < 3) continue;  // fewer than three fields: the tab only pads the line
       return {delimiter, has_comma && !all_numbers_have_points(fields)};
     }
   if (!has_comma) return {};
@@ -315,7 +315,6 @@ DuplicateCounts count_duplicates(std::vector<Vec3> points) {
   return n;
 }
 
-/// Removes the points whose heights mean "no value", and reports unusual heights.
 void drop_no_data(const InputFile& file, const std::string& name, std::vector<Vec3>& points, FileContents& contents) {
   std::vector<double> heights;
   heights.reserve(points.size());
@@ -349,7 +348,6 @@ void add_set(const InputFile& file, const std::string& name, std::vector<Vec3> p
   contents.point_sets.push_back({name, file.shown(), std::move(points)});
 }
 
-/// Adds the lines of one group, in the order in which they begin.
 void add_lines(const InputFile& file, const std::string& name, const std::vector<const TableRow*>& rows,
                FileContents& contents) {
   std::vector<Vec3> points;

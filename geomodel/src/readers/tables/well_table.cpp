@@ -39,7 +39,6 @@ Role role_of(std::string_view name) {
   return n_roles;
 }
 
-/// The meaning of each column.
 struct WellColumns {
   std::optional<std::size_t> of[n_roles];
   std::optional<Columns> xyz;
@@ -52,7 +51,7 @@ struct WellColumns {
 
 WellColumns columns_of(const LineReader& lines, const std::vector<std::string>& names) {
   WellColumns columns;
-  std::vector<std::string> others = names;  // "tvd" is a depth below the head here, and not z
+  std::vector<std::string> others = names;  // in a table of wells, "tvd" is the depth below the well head, not z
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto [name, unit] = column_name_and_unit(as_utf8(names[i]));
     Role role = role_of(name);
@@ -87,7 +86,7 @@ std::vector<SurveyStation> stations_of(const InputFile& file, const std::vector<
   return stations;
 }
 
-/// Returns the start of the path: as given by the project, else by comments in Petrel's well traces.
+/// Returns the start of a well path: as the project gives it, else from the comments in Petrel's well traces.
 Vec3 head_of_path(const InputFile& file, const WellReading& reading) {
   if (reading.head) return *reading.head;
   std::optional<double> found[3];
@@ -226,7 +225,7 @@ class WellTableReader {
     return points;
   }
 
-  /// Throws for three columns without names that are a survey and not positions.
+  /// Throws if three columns without names are a deviation survey instead of x, y, z.
   void refuse_survey_without_names(const std::vector<Row>& rows) const {
     if (!is_guessed_) return;
     bool is_survey = rows.size() > 1;
@@ -268,13 +267,14 @@ std::vector<Vec3> path_of_survey(const std::vector<SurveyStation>& stations, dou
     const double length = stations[k].md - stations[k - 1].md;
     const Vec3 normal = cross(from, to);
     const double turn = std::atan2(std::sqrt(dot(normal, normal)), dot(from, to));  // also near 0
-    constexpr double straight = 1e-7;  // radians: the arc bulges from its chord by about 1e-8 of the length
+    // Turning angle in radians below which an arc is straight: it bulges by about 1e-8 of its length.
+    constexpr double straight = 1e-7;
     if (turn < straight) {
       path.push_back(start + length * from);
       continue;
     }
     const int n = std::max(1, static_cast<int>(std::ceil(turn * 180 / (std::numbers::pi * most_turn))));
-    for (int i = 1; i <= n; ++i) {  // directions change uniformly from `from` to `to` along the arc
+    for (int i = 1; i <= n; ++i) {  // the direction turns uniformly along the arc, from `from` to `to`
       const double s = static_cast<double>(i) / n, scale = length / (turn * std::sin(turn));
       path.push_back(start +
                      scale * ((std::cos((1 - s) * turn) - std::cos(turn)) * from + (1 - std::cos(s * turn)) * to));

@@ -47,7 +47,7 @@ Columns columns_of_header(const LineReader& lines, const std::vector<std::string
   return {};
 }
 
-/// Throws for a first line of numbers that is not a point but gives the number of rows and columns.
+/// Throws if the first line has numbers that are not a point but the count of rows and columns.
 void refuse_counts(const InputFile& file, std::size_t line, const std::vector<TableRow>& rows) {
   if (rows.size() < 4) return;
   const Vec3& first = rows.front().point;
@@ -69,7 +69,7 @@ void refuse_counts(const InputFile& file, std::size_t line, const std::vector<Ta
               "and no point; take it out, or begin it with '#'");
 }
 
-/// Returns the meaning of the columns if the project defines it.
+/// Returns the columns of a table as the project defines them; throws if x, y or z is not among them.
 Columns asked_columns(const LineReader& lines, const InputFile& file, const std::vector<std::string>& header,
                       std::size_t n_columns, std::vector<std::string>& names) {
   names = names_of_columns(lines, file.options.columns, header, n_columns);
@@ -113,7 +113,7 @@ FileContents read_xyz(const InputFile& file) {
   std::vector<std::string> names;
   if (has_header) {
     names = header_names(found.first, separation);
-  } else if (!found.comment.empty()) {  // "# x y z" above the data
+  } else if (!found.comment.empty()) {  // a comment such as "# x y z" above the data names the columns
     names = header_names(found.comment, sniff_separation(found.comment));
     if (names.size() != fields_of_line(found.first, separation).size() || !columns_by_name(lines, names)) names.clear();
   }

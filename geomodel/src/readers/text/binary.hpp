@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Reads numbers from bytes, whatever the byte order of the machine.
+/// Reads binary numbers, whatever the byte order of the machine.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Precondition: at + sizeof(T) <= bytes.size().
+/// Reads the number at byte `at`. Precondition: at + sizeof(T) <= bytes.size().
 template <class T>
 T read_number(std::string_view bytes, std::size_t at, std::endian order) {
   std::array<char, sizeof(T)> raw;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Converts the contents of a file to metres with elevation up.
+/// Converts the contents of an input file to metres with elevation up.
 #pragma once
 
 #include <string_view>
@@ -10,20 +10,20 @@
 
 namespace geomesh::geomodel {
 
-/// Factors of x and y, and of z (negative to convert depth to elevation).
+/// Factors by which x and y, and z, are multiplied; that of z is negative to convert depth to elevation.
 struct AxisScale {
   double xy = 1, z = 1;
 };
 
-/// Applies the factors to everything that has coordinates. If z changes its sign, triangles are inverted, so that
-/// normals stay on their side, except triangles of grids, whose normals already point up.
+/// Multiplies all coordinates in the contents of a file by the factors of their axes. If z changes its sign, triangles
+/// are inverted, so that normals stay on their side, except triangles of grids, whose normals already point up.
 void scale_contents(FileContents& contents, const AxisScale& scale);
 
-/// For formats that read coordinates as they are written: converts by contents.frame (unit, z_unit, depth), with notes.
-/// Throws Error{invalid_input} if a unit is one of time or unknown.
+/// Converts the contents of a file according to its own unit and direction of z (contents.frame), with notes. For
+/// readers that do not convert coordinates. Throws Error{invalid_input} if a unit is one of time or unknown.
 void convert_by_frame(const InputFile& file, FileContents& contents);
 
-/// Meaning of a column's name (without its unit) for z.
+/// Meaning of the name of a z column, without its unit.
 struct HeightColumn {
   bool is_height = false;
   bool depth = false;

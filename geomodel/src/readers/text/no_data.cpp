@@ -11,15 +11,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// No height in any unit of length reaches this; no-data values of many programs do (1e30, 1.70141e38, 3.4e38).
+/// No height in any unit of length reaches this value; no-data values of many programs do (1e30, 1.70141e38, 3.4e38).
 constexpr double beyond_all_lengths = 1e20;
-/// Least distance of a known no-data value from the other values, relative to their range.
+/// Least distance of a known no-data value from all other values, as a share of the range of these: if the value occurs
+/// several times, and if it occurs once.
 constexpr double marker_gap = 0.1, single_marker_gap = 2;
-/// Distance of any other value from the rest, relative to their range, from which it is reported. A faulted or folded
-/// horizon has values through most of its range; ten times the range is geologically impossible.
+/// Distance of a value from all other values, as a share of the range of these, from which the value is reported as
+/// unusual. A faulted or folded horizon has values through most of its range; ten times the range is geologically
+/// impossible.
 constexpr double odd_gap = 10;
 constexpr std::size_t most_odd = 8;
-constexpr std::size_t least_heights = 8;  // among fewer heights none is considered unusual
+constexpr std::size_t least_heights = 8;  // fewest heights among which one can be considered unusual
 
 /// Values that common programs write for "no value": Petrel, SKUA, ZMAP+, Surfer, Irap, LAS, GIS.
 constexpr std::array written_for_no_data{-9999.0,    9999.0,    -99999.0, 99999.0, -999999.0,     999999.0,
@@ -30,7 +32,7 @@ bool is_written_for_no_data(double v) {
   return std::find(written_for_no_data.begin(), written_for_no_data.end(), v) != written_for_no_data.end();
 }
 
-/// The two lowest and the two highest distinct values of those not found to be unusual yet.
+/// The two lowest and the two highest distinct heights, among those that have not been found to be unusual yet.
 struct Extremes {
   double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   double high[2] = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -55,7 +57,6 @@ struct Extremes {
   }
 };
 
-/// The lowest or highest value compared with the rest.
 struct Outermost {
   double value, gap, range;
   std::size_t count, first;
@@ -71,7 +72,7 @@ std::optional<OddHeight> judge(const Outermost& v) {
   return as(v.count > 1 ? Kind::repeated : Kind::spike);
 }
 
-/// Returns the values beyond every length, and those that the user named.
+/// Returns the heights that certainly mean "no value": those larger than any length, and those that the user named.
 std::vector<OddHeight> certain_ones(std::span<const double> heights, const ReadOptions& options) {
   std::vector<OddHeight> odd;
   for (std::size_t i = 0; i < heights.size(); ++i) {

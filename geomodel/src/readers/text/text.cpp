@@ -12,7 +12,7 @@ namespace {
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-/// Handles rare spellings: Fortran exponents, and numbers too large or too small for a double.
+/// Converts numbers in rare spellings: with Fortran exponents, or too large or too small for a double.
 std::optional<double> to_double_slowly(std::string_view token) {
   std::string copy(token);
   for (char& c : copy)
@@ -20,7 +20,7 @@ std::optional<double> to_double_slowly(std::string_view token) {
   double value = 0;
   const auto [end, ec] = std::from_chars(copy.data(), copy.data() + copy.size(), value);
   if (end != copy.data() + copy.size() || ec == std::errc::invalid_argument) return std::nullopt;
-  if (ec == std::errc::result_out_of_range) {  // an underflow gives zero, an overflow infinity
+  if (ec == std::errc::result_out_of_range) {  // a number too small for a double becomes zero, one too large infinity
     const std::size_t e = copy.find_first_of("eE");
     const bool tiny = e != std::string::npos && e + 1 < copy.size() && copy[e + 1] == '-';
     return tiny ? 0.0 : HUGE_VAL;

@@ -17,9 +17,8 @@ namespace geomesh::geomodel {
 class LineReader {
  public:
   explicit LineReader(const InputFile& file);
-  /// Advances to the next line; returns false at the end of the file.
   bool next();
-  /// Makes the current line the next one again.
+  /// Steps back by one line, so that the current line is read again.
   void step_back();
   std::string_view line() const { return line_; }
   std::size_t number() const { return number_; }  ///< from 1
@@ -33,15 +32,15 @@ class LineReader {
   char line_end_;
 };
 
-/// Blank-separated tokens of one line.
+/// Iterates over the words of one line, which blanks separate.
 class Tokens {
  public:
   explicit Tokens(std::string_view line) : rest_(line) {}
-  /// Returns the next token, empty at the end.
+  /// Returns the next word of the line; empty at the end.
   std::string_view next();
-  /// Returns the next token, or the text between double quotes, trimmed.
+  /// Returns the next token; if it is in double quotes, the trimmed text between them.
   std::string_view next_quoted();
-  /// Returns the rest of the line, trimmed.
+  /// Returns the rest of the line, without blanks at both ends.
   std::string_view rest() const;
   bool at_end() const { return rest().empty(); }
 
@@ -49,24 +48,23 @@ class Tokens {
   std::string_view rest_;
 };
 
-/// Tokens across line ends, for formats in which line breaks have no meaning. `#` begins a comment if `comment` says
-/// so.
+/// Iterates over tokens across line ends, for formats in which line breaks have no meaning. `#` begins a comment if
+/// `comment` is set.
 class TokenStream {
  public:
   explicit TokenStream(const InputFile& file, char comment = '\0') : file_(&file), comment_(comment) {}
   /// Returns the next token, empty at the end of the file.
   std::string_view next();
-  std::size_t line() const { return line_; }  ///< line of the last token
+  std::size_t line() const { return line_; }  ///< number of the line in which the last token is
   std::size_t position() const { return at_; }
   std::size_t bytes_left() const { return file_->size() - at_; }
   [[noreturn]] void fail(const std::string& message) const { file_->fail(line_, message); }
   const InputFile& file() const { return *file_; }
 
-  /// Returns a finite number; throws an error that `what` was expected here.
+  /// Returns the next token as a finite number; throws an error that `what` was expected if it is none.
   double number(const char* what);
-  /// Returns an integer; throws for anything else.
   std::int64_t integer(const char* what);
-  /// Returns a count for which the rest of the file is large enough with `least_bytes` per item; otherwise throws.
+  /// Reads a count of items. Throws if the rest of the file is shorter than `least_bytes` for each item.
   std::size_t count(const char* what, std::size_t least_bytes);
 
  private:
@@ -83,14 +81,13 @@ std::string_view digits_at_end(std::string_view name);
 bool equals_ignoring_case(std::string_view a, std::string_view b);
 bool starts_with_ignoring_case(std::string_view s, std::string_view prefix);
 
-/// Returns the whole token as a number: '.' is the decimal point whatever the locale, a leading '+' and a Fortran
-/// exponent (1.5D3) are allowed; NaN and infinities are numbers here. Returns nothing if the token is not a number.
+/// Converts a whole token to a number: '.' is the decimal point whatever the locale, a leading '+' and a Fortran
+/// exponent (1.5D3) are allowed; NaN and infinities count as numbers. Returns nothing if the token is not a number.
 std::optional<double> to_double(std::string_view token);
 std::optional<std::int64_t> to_integer(std::string_view token);
 
-/// Returns the token as a finite coordinate; otherwise throws an error with the line and `what`.
+/// Converts a token to a finite coordinate; throws an error with the line and `what` if it is none.
 double finite_number(const LineReader& at, std::string_view token, const char* what);
-/// Reads three finite coordinates of point `id` from the next tokens.
 Vec3 read_point(const LineReader& at, Tokens& tokens, std::string_view id);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Units of length in the spellings of files and projects.
+/// Units of length, as spelled in files and projects.
 #pragma once
 
 #include <optional>
@@ -10,12 +10,12 @@
 
 namespace geomesh::geomodel {
 
-/// Returns metres per unit: m, km, ft (international), ftUS (survey) and their spellings; "none" and "unknown" count as
-/// metres. Returns nothing if the word is not a unit of length.
+/// Returns how many metres a unit of length has: m, km, ft (international), ftUS (survey) and their spellings; "none"
+/// and "unknown" count as metres. Returns nothing if the word is not a unit of length.
 std::optional<double> length_unit_in_metres(std::string_view unit);
-/// Returns true for units of time (ms, s ...), because surfaces in two-way time cannot be meshed.
+/// Returns true for units of time (ms, s ...). Surfaces in two-way time cannot be meshed.
 bool is_time_unit(std::string_view unit);
-/// Returns metres per unit; throws an error at the line of `at` if the unit is one of time or unknown.
+/// Returns how many metres a unit of length has; throws with the line of `at` if it is one of time or unknown.
 double length_unit_in_metres(const LineReader& at, std::string_view unit);
 
 }  // namespace geomesh::geomodel

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Converts the ids of a file (any base, gaps, any order) to rows.
+/// Converts the vertex ids of a file, which may begin with any number and come in any order with gaps, to rows.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace geomesh::geomodel {
 
-/// Ids up to `dense_limit` (which depends on the file's size, so that a wrong id costs no memory) are in a table,
-/// others in a tree.
+/// Map from ids to rows. Ids up to `dense_limit` are in a table, others in a tree. The limit depends on the file's
+/// size, so that a wrong id costs no memory.
 class VertexIds {
  public:
   explicit VertexIds(std::size_t dense_limit) : dense_limit_(dense_limit) {}
@@ -28,7 +28,7 @@ class VertexIds {
     }
   }
 
-  /// Returns `no_vertex` if the id is unknown.
+  /// Returns the row of a vertex id, or `no_vertex` if the id is unknown.
   VertexIndex find(std::int64_t id) const {
     if (id >= 0 && static_cast<std::uint64_t>(id) < dense_.size()) return dense_[static_cast<std::size_t>(id)];
     const auto it = sparse_.find(id);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Merges equal points.
+/// Merges points with equal coordinates.
 #pragma once
 
 #include <vector>

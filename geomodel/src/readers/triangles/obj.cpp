@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the logical line: a backslash at the end continues it on the next one.
+/// Returns the next logical line, in which a backslash at the end of a line is followed by the next line.
 std::string_view joined_line(LineReader& lines, std::string& buffer) {
   std::string_view line = lines.line();
   if (line.empty() || line.back() != '\\') return line;
@@ -58,7 +58,8 @@ FileContents read_obj(const InputFile& file) {
     std::size_t first, line;
   };
   std::vector<Face> faces;
-  std::vector<std::int64_t> corners;  // faces may refer to vertices that follow later, so they are built at the end
+  // Faces may refer to vertices that follow later, so they are stored and built at the end.
+  std::vector<std::int64_t> corners;
   std::size_t n_other = 0;
   while (lines.next()) {
     const std::size_t number = lines.number();

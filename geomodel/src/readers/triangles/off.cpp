@@ -8,14 +8,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns "OFF" with its known prefixes, or an empty text.
+/// Returns the keyword OFF with its prefixes if all of them are known, or an empty text.
 std::string_view off_keyword(std::string_view token) {
   for (const std::string_view name : {"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STNOFF", "STCNOFF"})
     if (token == name) return name;
   return {};
 }
 
-/// Returns the next line with content, without comments.
+/// Finds the next line that is not blank without its comment; `content` is that line without the comment.
 bool next_content(LineReader& lines, std::string_view& content) {
   while (lines.next()) {
     const std::string_view line = lines.line();

@@ -15,7 +15,8 @@ bool in_triangle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& p) {
          orient2d(c, a, p) != Sign::negative;
 }
 
-/// Returns whether the corner `i` is strictly convex, and no other remaining corner of the polygon is in the ear.
+/// Returns whether corner `i` of a polygon can be cut off: it is strictly convex, and the triangle with its neighbours
+/// (the ear) contains no other remaining corner.
 bool is_ear(const std::vector<Vec2>& corner, const std::vector<std::size_t>& left, std::size_t i) {
   const std::size_t n = left.size();
   const Vec2 &a = corner[left[(i + n - 1) % n]], &b = corner[left[i]], &c = corner[left[(i + 1) % n]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Shared by the readers of formats with a single mesh per file.
+/// Code shared by the readers of formats with a single surface in each file.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace geomesh::geomodel {
 
-/// Collects polygons and points of one surface with checked indices.
+/// Collects the points and polygons of one surface, and checks their indices.
 class SurfaceBuilder {
  public:
   SurfaceBuilder(const InputFile& file, std::string name);
   explicit SurfaceBuilder(const InputFile& file) : SurfaceBuilder(file, file.path.stem().string()) {}
 
   std::vector<Vec3>& points() { return surface_.points; }
-  /// `line` 0 means no line in messages. Indices start at 0.
+  /// Adds a polygon whose point indices start at 0. `line` is for messages; 0 means that the line is not known.
   void add_polygon(const std::vector<std::int64_t>& polygon, std::size_t line);
   bool empty() const { return surface_.triangles.empty(); }
   std::size_t n_split() const { return n_split_; }
@@ -34,10 +34,9 @@ class SurfaceBuilder {
   std::size_t n_split_ = 0;  ///< number of polygons that were divided into several triangles
 };
 
-/// Returns contents with that one surface; throws if it has no triangle.
+/// Returns the collected surface as the contents of a file; throws if it has no triangle.
 FileContents one_surface(const InputFile& file, std::string format, SurfaceBuilder&& builder);
 
-/// Adds a note if polygons were divided.
 void note_split_polygons(std::size_t n_split, FileContents& contents);
 
 }  // namespace geomesh::geomodel

@@ -69,7 +69,7 @@ FileContents read_binary(const InputFile& file) {
   return contents;
 }
 
-/// Reads one facet ... endfacet; the reader is at the line of `facet`.
+/// Reads one triangle of an ASCII STL file. The reader is at the line with `facet`; the triangle ends with `endfacet`.
 void read_facet(LineReader& lines, std::vector<Vec3>& corners) {
   std::size_t n = 0;
   while (lines.next()) {

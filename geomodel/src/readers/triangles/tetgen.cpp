@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Reads one line with content at a time; `#` begins a comment.
+/// Reads a TetGen file by lines that are not blank; `#` begins a comment.
 class TetgenLines {
  public:
   explicit TetgenLines(const InputFile& file) : lines_(file) {}
@@ -37,7 +37,7 @@ class TetgenLines {
                   (token.empty() ? "the end of the line" : in_quotes(token)));
     return *value;
   }
-  /// Returns a count of items for which the file is large enough with two bytes each.
+  /// Reads a count of items. Throws if the file is shorter than two bytes for each item.
   std::size_t count(Tokens& tokens, const char* what) const {
     const std::int64_t n = integer(tokens, what);
     if (n < 0 || static_cast<std::uint64_t>(n) > lines_.file().size() / 2) {
@@ -108,7 +108,7 @@ class TetgenParser {
     }
   }
 
-  /// Reads n vertex numbers, which may continue over several lines.
+  /// Reads n vertex numbers, which may continue on the following lines.
   std::vector<VertexIndex> vertices(Tokens& tokens, std::size_t n) {
     std::vector<VertexIndex> out;
     while (out.size() < n) {
@@ -169,7 +169,7 @@ class TetgenParser {
     }
   }
 
-  /// Adds a facet that consists only of segments and points, which are isolated constraints.
+  /// Adds a TetGen facet that has no closed polygon: its segments and points become isolated constraints.
   void add_loose(const TetgenFacet& facet) {
     for (const auto& polygon : facet.polygons) {
       if (polygon.size() == 2) out_.plc.segments.push_back({polygon[0], polygon[1]});

@@ -11,22 +11,22 @@
 
 namespace geomesh::geomodel {
 
-/// One facet as contained in a .poly file.
 struct TetgenFacet {
-  std::vector<std::vector<VertexIndex>> polygons;  ///< one vertex: a point; two: a segment; more: closed polygon
+  /// Vertices of each polygon: one for a point, two for a segment, more for a closed polygon.
+  std::vector<std::vector<VertexIndex>> polygons;
   std::vector<Vec3> holes;
 };
 
-/// A connected part of a facet's plane: outer boundary, holes, and inner segments and points.
+/// A connected part of a TetGen facet: outer boundary, holes, and inner segments and points.
 struct FacetPiece {
   std::vector<std::vector<VertexIndex>> loops;  ///< outer boundary first
   std::vector<std::array<VertexIndex, 2>> segments;
   std::vector<VertexIndex> points;
 };
 
-/// A closed polygon with a hole point directly in it is a hole of the polygon around it; anything inside that hole is a
-/// separate piece. A closed polygon without a hole point divides its surroundings by its segments. Containment is
-/// decided exactly in the plane of two axes.
+/// Divides a TetGen facet into connected pieces. A closed polygon with a hole point directly inside is a hole of the
+/// polygon around it; anything inside that hole is a separate piece. A closed polygon without a hole point divides the
+/// area around it by its segments. Containment is decided exactly in the plane of two axes.
 std::vector<FacetPiece> facet_pieces(const std::vector<Vec3>& points, const TetgenFacet& facet);
 
 }  // namespace geomesh::geomodel

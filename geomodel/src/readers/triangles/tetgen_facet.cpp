@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Triangulates a TetGen facet, declared in readers/triangles/tetgen.hpp.
+// Divides TetGen facets into pieces.
 #include <algorithm>
 
 #include "readers/triangles/polygon.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-/// The closed polygons of a facet in its plane, and which one directly surrounds which.
+/// The closed polygons of a TetGen facet, with the polygon that directly surrounds each.
 class Nesting {
  public:
   Nesting(const std::vector<Vec3>& points, const TetgenFacet& facet, const std::vector<std::size_t>& closed)
@@ -25,7 +25,7 @@ class Nesting {
   }
 
   std::size_t parent(std::size_t i) const { return parent_[i]; }
-  /// Returns the innermost closed polygon that contains p inside or on its border; `none` if there is none.
+  /// Returns the innermost closed polygon with p inside or on its border; `none` if there is none.
   std::size_t innermost_at(const Vec3& p) const {
     const Vec2 q = project_(p);
     std::size_t best = none;
@@ -53,7 +53,7 @@ class Nesting {
     return best;
   }
 
-  /// Returns whether polygon `inner` lies in `outer`, by its first vertex that is not on the other's border.
+  /// Returns whether polygon `inner` lies in polygon `outer`, by its first vertex that is not on the border of `outer`.
   bool contains(std::size_t outer, std::size_t inner) const {
     if (outer == inner) return false;
     for (const Vec2& p : outlines_[inner]) {
@@ -93,8 +93,7 @@ std::vector<FacetPiece> facet_pieces(const std::vector<Vec3>& points, const Tetg
     const std::size_t i = nesting.innermost_at(h);
     if (i != none) is_hole[i] = true;
   }
-  // The piece that directly covers the inside of polygon i is that of the nearest polygon around it (or itself) which
-  // begins a piece.
+  // A polygon belongs to the piece of the polygon around it, unless it begins a piece of its own.
   std::vector<FacetPiece> pieces;
   std::vector<std::size_t> piece_of(closed.size(), none);
   std::vector<bool> known(closed.size(), false);

@@ -13,20 +13,19 @@
 
 namespace geomesh::geomodel {
 
-/// One feature of a layer.
 struct VectorFeature {
   std::string layer;
-  std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of its text columns
-  std::vector<std::pair<std::string, double>> numbers;     ///< names and values of its numeric columns
-  bool has_z = false;                                      ///< whether its points have heights of their own
-  std::vector<std::vector<Vec3>> lines;                    ///< lines and rings of polygons
+  std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of the feature's text columns
+  std::vector<std::pair<std::string, double>> numbers;     ///< names and values of the feature's numeric columns
+  bool has_z = false;                    ///< whether the points of the feature have heights of their own
+  std::vector<std::vector<Vec3>> lines;  ///< lines of the feature, and rings of its polygons
   std::vector<Vec3> points;
 };
 
 struct VectorFile {
-  std::string error;   ///< empty if the file was read
+  std::string error;   ///< reason why the file was not read; empty if it was
   std::string format;  ///< "Shapefile", ...
-  std::string system;  ///< "epsg:CODE", else the system's name, else empty
+  std::string system;  ///< coordinate system of the layer: "epsg:CODE", else its name, else empty
   bool geographic = false;
   double metres_per_unit = 1;
   std::vector<VectorFeature> features;
@@ -37,7 +36,7 @@ struct VectorModule {
   const char* version;  ///< GEOMESH_MODULE_VERSION
   VectorFile (*read)(const char* path);
 };
-/// Name of the module's function: const VectorModule* geomesh_vector_reader().
+/// Name of the function that the module exports: const VectorModule* geomesh_vector_reader().
 constexpr const char* vector_reader_function = "geomesh_vector_reader";
 
 }  // namespace geomesh::geomodel

@@ -17,7 +17,7 @@ constexpr Colour background{0.965, 0.965, 0.957};
 
 Vec3 normalised(const Vec3& v) { return (1 / std::max(std::sqrt(dot(v, v)), 1e-300)) * v; }
 
-/// A perspective camera that sees all of a box.
+/// A perspective camera whose view contains the whole of a box.
 class Camera {
  public:
   Camera(const Box3& bounds, double stretch)
@@ -39,14 +39,14 @@ class Camera {
   }
 
   Vec3 stretched(const Vec3& p) const { return {p.x, p.y, p.z * stretch_}; }
-  /// Returns pixels from the left and from the top, and the reciprocal of the distance.
+  /// Projects p to the picture. Returns pixels from the left and from the top, and the reciprocal of the distance.
   Vec3 seen(const Vec3& p) const {
     const Vec3 q = stretched(p) - middle_;
     const double near = 1 / std::max(distance_ - dot(q, back_), 1e-300);
     return {oversampling * picture_width / 2.0 + scale_ * near * dot(q, right_),
             oversampling * picture_height / 2.0 - scale_ * near * dot(q, up_), near};
   }
-  /// Returns the share of its colour that a face with these corners shows in light from above, slightly from the left.
+  /// Returns the brightness of a face with these corners in light from above, slightly from the left.
   double light(const Vec3& a, const Vec3& b, const Vec3& c) const {
     Vec3 n = normalised(cross(stretched(b) - stretched(a), stretched(c) - stretched(a)));
     if (dot(n, back_) < 0) n = -1.0 * n;
@@ -60,7 +60,7 @@ class Camera {
   double distance_ = 0, scale_ = 1;
 };
 
-/// Returns whether a place in the map is drawn.
+/// A function that returns whether a point of the map is drawn.
 using Kept = std::function<bool(double x, double y)>;
 
 class Canvas {
@@ -68,7 +68,7 @@ class Canvas {
   explicit Canvas(const Camera& camera)
       : camera_(camera), near_(wide * tall, 0.0F), colour_(wide * tall, bytes_of(background)) {}
 
-  /// Draws a convex polygon; its sides are drawn as edges of the mesh.
+  /// Draws a convex polygon, with its sides as mesh edges.
   void fill(const std::vector<Vec3>& polygon, const Colour& colour, const Kept& kept) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<Vec3, 3> corners{polygon[0], polygon[i - 1], polygon[i]};
@@ -98,16 +98,16 @@ class Canvas {
   }
   static constexpr std::size_t wide = oversampling * picture_width, tall = oversampling * picture_height;
 
-  /// Returns how dark the edges are drawn, by the triangle's mean height in pixels: not at all if they would merge.
+  /// Returns how dark mesh edges are drawn, by the triangle's mean height in pixels; 0 if the edges would merge.
   static double edge_strength(double height) { return 0.42 * std::clamp((height / oversampling - 3) / 22, 0.0, 1.0); }
 
-  /// `is_edge[k]`: whether the side opposite corner k is an edge of the mesh.
+  /// Draws a triangle. `is_edge[k]` is whether the side opposite corner k is a mesh edge.
   void triangle(const std::array<Vec3, 3>& p, const std::array<bool, 3>& is_edge, const Colour& colour,
                 const Kept& kept) {
     const std::array<Vec3, 3> s{camera_.seen(p[0]), camera_.seen(p[1]), camera_.seen(p[2])};
     const double area = (s[1].x - s[0].x) * (s[2].y - s[0].y) - (s[1].y - s[0].y) * (s[2].x - s[0].x);
     if (!(std::abs(area) > 1e-9)) return;
-    std::array<double, 3> height{};  // height of each corner above the opposite side, in pixels
+    std::array<double, 3> height{};  // height of each corner of the triangle above the opposite side, in pixels
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = s[(k + 1) % 3], &b = s[(k + 2) % 3];
       height[k] = std::abs(area) / std::max(std::hypot(b.x - a.x, b.y - a.y), 1e-9);
@@ -147,11 +147,11 @@ class Canvas {
   }
 
   const Camera& camera_;
-  std::vector<float> near_;  ///< reciprocal of the distance of what is drawn
+  std::vector<float> near_;  ///< depth buffer: for each pixel, the reciprocal of the distance of the drawn surface
   std::vector<Bytes> colour_;
 };
 
-/// Draws the wall in the plane `axis = at`: its elements as the plane cuts them.
+/// Draws the cut through the elements in the plane `axis = at`, which is a wall of the opened corner.
 void draw_wall(Canvas& canvas, const ModelMesh& mesh, std::size_t axis, double at, const std::vector<Colour>& colours,
                const Kept& kept) {
   for (const Section::Cut& cut : cut_mesh(mesh, axis, at).cuts) {

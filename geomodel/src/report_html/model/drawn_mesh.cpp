@@ -11,7 +11,7 @@ namespace {
 
 /// Returns the importance of each vertex for the model's outline: sides of the box count more than all other surfaces.
 std::vector<std::uint8_t> weights_of(const ModelMesh& mesh) {
-  constexpr std::size_t most = 4;  // number of surfaces that are distinguished at one vertex
+  constexpr std::size_t most = 4;  // largest number of surfaces that are distinguished at one vertex
   constexpr std::uint8_t of_side = 5, of_other = 1;
   std::vector<std::array<std::int32_t, most>> met(mesh.points.size());
   std::vector<std::uint8_t> weight(mesh.points.size(), 0);
@@ -30,7 +30,7 @@ std::vector<std::uint8_t> weights_of(const ModelMesh& mesh) {
   return weight;
 }
 
-/// Returns the vertex that represents each one, with cells of this width.
+/// Returns for each vertex the vertex that represents its cluster, in a grid with cells of the given width.
 std::vector<VertexIndex> cluster(const ModelMesh& mesh, const std::vector<std::uint8_t>& weight, const Vec3& low,
                                  const Vec3& width) {
   struct Hash {
@@ -84,7 +84,8 @@ DrawnMesh drawn_mesh(const ModelMesh& mesh, double stretch, const DrawingLimits&
   for (const Vec3& p : mesh.points) bounds.add(p);
   const Vec3 size = bounds.max - bounds.min;
   const double stretched_volume = size.x * size.y * size.z * stretch;
-  // Units are wide and thin, so cells are flat, which preserves thin units. A grid has about six tetrahedra per cell.
+  // Ratio of width to height of the grid's cells. Units are wide and thin, so flat cells preserve thin units. The grid
+  // has about six tetrahedra per cell.
   constexpr double flatness = 3;
   double width =
       std::cbrt(std::max(stretched_volume, 1e-300) * flatness * 6 / static_cast<double>(limits.tetrahedra)) / 2;

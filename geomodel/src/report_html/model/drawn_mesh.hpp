@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The mesh as pictures draw it: whole, or coarsened if a browser could not rotate it.
+/// Prepares the mesh for pictures: the whole mesh, or a coarsened one if a browser could not rotate the whole.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,24 @@
 
 namespace geomesh::geomodel::page {
 
-/// Limits of what a browser rotates smoothly, and of the size of a page.
+/// Limits on the drawn mesh, so that a browser can rotate it smoothly and the HTML file remains small.
 struct DrawingLimits {
   std::size_t faces = 300'000, tetrahedra = 200'000;
 };
 
-/// Rows of what is drawn, and the vertex at which each corner is drawn.
+/// The cells and faces of a mesh that are drawn, and the vertex at which each corner is drawn.
 struct DrawnMesh {
-  std::vector<VertexIndex> corner;   ///< by row of ModelMesh::points: the vertex that represents it
+  std::vector<VertexIndex> corner;   ///< for each mesh point, the point that represents it
   std::vector<std::uint32_t> faces;  ///< rows of ModelMesh::faces
   std::vector<std::uint32_t> cells;  ///< rows of ModelMesh::tetrahedra
-  bool is_whole = true;              ///< whether nothing was left out
+  bool is_whole = true;              ///< whether all of the mesh is drawn
 };
 
 /// Returns all of the mesh if it is within the limits. Otherwise the vertices in each cell of a grid are replaced by
-/// one of them (Rossignac and Borrel 1993), with the finest grid that fits. A vertex on the box's sides represents
-/// those inside, and one on several surfaces those on fewer, so that outlines and lines between units are kept. Cells
-/// and faces that lose a corner are left out. Only for viewing: thin elements may be inverted. Heights are multiplied
-/// by `stretch`. Time linear in the mesh.
+/// one of them (Rossignac and Borrel 1993), with the finest grid that fits. Vertices on the box's sides are preferred
+/// to those inside, and vertices on several surfaces to those on fewer, so that outlines and lines between units are
+/// kept. Cells and faces that lose a corner are left out. The result is only for viewing, because thin elements may be
+/// inverted. Heights are multiplied by `stretch`. Time is linear in the mesh.
 DrawnMesh drawn_mesh(const ModelMesh& mesh, double stretch, const DrawingLimits& limits = {});
 
 /// Returns the x and y at which the two vertical walls of the picture's open corner meet: the centre of the box, or

@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel::page {
 
-/// Rows from the top, three bytes per pixel.
+/// A picture: rows from the top, three bytes (red, green, blue) per pixel.
 struct Picture {
   std::size_t width = 0, height = 0;
   std::vector<std::uint8_t> rgb;
@@ -19,7 +19,7 @@ struct Picture {
 /// Returns PNG data (ISO/IEC 15948), eight bits per channel. Throws std::runtime_error if zlib fails.
 std::string to_png(const Picture& picture);
 
-/// Encodes as in RFC 4648, section 4.
+/// Encodes bytes as base64 (RFC 4648, section 4).
 std::string base64(std::string_view bytes);
 
 }  // namespace geomesh::geomodel::page

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Computes the values by which the viewer colours, declared in viewer.hpp.
+// Computes the quantities by which the viewer can colour a mesh, declared in viewer.hpp.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_quantities = 12;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the range without the outermost hundredth at both ends; the whole range if nothing would be left.
+/// Returns the range of the values without the outermost hundredth at both ends; the whole range if nothing is left.
 std::pair<double, double> plain_range(const std::vector<double>& values) {
   std::vector<double> known;
   std::copy_if(values.begin(), values.end(), std::back_inserter(known), [](double v) { return std::isfinite(v); });
@@ -55,7 +55,7 @@ double mean_edge(const ModelMesh& mesh, const Tetrahedron& v) {
   return sum / 6;
 }
 
-/// Returns the quantities that every mesh has; they come first in the list.
+/// Returns the shape quantities that every mesh has; they come first in the list.
 std::vector<Quantity> shapes(const ModelMesh& mesh) {
   std::vector<double> angles, edges;
   for (const Tetrahedron& v : mesh.tetrahedra) {
@@ -84,7 +84,7 @@ std::vector<Quantity> quantities_of(const ModelMesh& mesh) {
     if (array.values.size() == mesh.tetrahedra.size()) all.push_back(quantity_of(array.name, array.unit, array.values));
   for (const PointArray& array : mesh.point_arrays) {
     std::vector<double> values = array.values;
-    values.resize(mesh.points.size(), not_a_number);  // midpoints are not drawn
+    values.resize(mesh.points.size(), not_a_number);  // midpoint nodes are not drawn
     all.push_back(quantity_of(array.name, array.unit, values, true));
   }
   if (all.size() > most_quantities) all.resize(most_quantities);

@@ -7,7 +7,7 @@ namespace geomesh::geomodel::page {
 
 namespace {
 
-/// The plane of a section over the points of a mesh.
+/// A cutting plane and the position of the mesh points relative to it.
 class CuttingPlane {
  public:
   CuttingPlane(const std::vector<Vec3>& points, std::size_t axis, double at)
@@ -15,8 +15,8 @@ class CuttingPlane {
 
   bool above(VertexIndex v) const { return points_[v][axis_] >= at_; }
 
-  /// Returns where the plane crosses the edge between vertices on different sides. The result is the same for both
-  /// directions of the edge, so that cuts fit together.
+  /// Returns the point where the plane crosses the edge between two vertices on different sides. The result is the same
+  /// for both directions of the edge, so that cuts of neighbouring cells fit together.
   Vec2 crossing(VertexIndex a, VertexIndex b) const {
     if (b < a) std::swap(a, b);
     const Vec3 &p = points_[a], &q = points_[b];

@@ -11,16 +11,16 @@
 
 namespace geomesh::geomodel::page {
 
-/// The intersection with the plane `axis = at` (axis 0, 1, 2 for x, y, z), in the plane's two coordinates: (y, z), (x,
-/// z) or (x, y).
+/// The intersection of a mesh with the plane `axis = at` (axis 0, 1, 2 for x, y, z). Points have the plane's two
+/// coordinates: (y, z), (x, z) or (x, y).
 struct Section {
   std::size_t axis = 0;
   double at = 0;
   struct Cut {
     std::int32_t region;
-    std::vector<Vec2> polygon;  ///< three or four corners of a cut tetrahedron, in order around it
+    std::vector<Vec2> polygon;  ///< the three or four corners of a cut through a tetrahedron, in order around it
   };
-  std::vector<Cut> cuts;  ///< in the order of the tetrahedra
+  std::vector<Cut> cuts;  ///< cuts through tetrahedra, in the order of the tetrahedra
   struct Trace {
     std::int32_t surface;
     Vec2 a, b;
@@ -28,8 +28,8 @@ struct Section {
   std::vector<Trace> traces;  ///< lines where faces of surfaces cross the plane, in the order of the faces
 };
 
-/// Cuts all tetrahedra and faces. A vertex on the plane counts as above it, so each cut has three or four corners, some
-/// of which may coincide. Time linear in the mesh.
+/// Cuts all tetrahedra and faces of the mesh by a plane. A vertex on the plane counts as above it, so each cut has
+/// three or four corners, some of which may coincide. Time is linear in the mesh.
 Section cut_mesh(const ModelMesh& mesh, std::size_t axis, double at);
 
 }  // namespace geomesh::geomodel::page

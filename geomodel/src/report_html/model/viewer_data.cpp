@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts the mesh to the data of the page's viewer, declared in viewer.hpp.
+// Converts the mesh to the JSON data of the HTML report's viewer, declared in viewer.hpp.
 #include <algorithm>
 #include <bit>
 #include <nlohmann/json.hpp>
@@ -22,10 +22,10 @@ std::string base64_of(const std::vector<T>& values) {
   return base64({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
 }
 
-/// Number of elements that are drawn as the worst ones.
+/// Largest number of poor elements that the viewer highlights.
 constexpr std::size_t most_worst_shown = 50;
 
-/// The points that are used, renumbered in the order of their first use.
+/// The mesh points that are drawn, renumbered in the order of their first use.
 class UsedPoints {
  public:
   UsedPoints(const ModelMesh& mesh, const Vec3& middle)
@@ -73,7 +73,7 @@ void add_cells(const ModelMesh& mesh, const DrawnMesh& drawn, UsedPoints& used, 
   data["cell_regions"] = base64_of(regions);
 }
 
-/// Adds quantities of what is drawn; for faces those of the tetrahedra on both sides.
+/// Adds the values of all quantities to the data; faces have the values of the tetrahedra on both sides.
 void add_quantities(const ModelMesh& mesh, const DrawnMesh& drawn, const UsedPoints& used, Json& data) {
   std::vector<Triangle> faces;
   for (const std::uint32_t f : drawn.faces) faces.push_back(mesh.faces[f].vertices);
@@ -182,7 +182,7 @@ std::string viewer_data(const ModelMesh& mesh, const Box3& bounds, const MeshCol
   add_worst(mesh, middle, quality, data);
   add_names(mesh, colours, middle, data);
   std::string text = data.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  // "</script>" in a name must not end the element that contains the text.
+  // "</script>" in a name must not end the HTML element that contains the text.
   for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))
     text.replace(at, 2, "<\\/");
   return text;

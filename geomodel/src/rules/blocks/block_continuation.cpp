@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extends each block of a horizon on its own, declared in rules/blocks/throw_blocks.hpp. Parts of an extension that lie
-// entirely beyond a fault are left out: they would be cut off later anyway, and nearly equal sheets of all blocks would
-// cross there.
+// entirely beyond a fault are left out, since nearly equal extensions of all blocks would cross there and be cut off.
 #include <algorithm>
 #include <map>
 
@@ -13,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Share of a block's area that must lie on one side of a fault for the fault to bound the block.
+// Fraction of a block's area that must lie on one side of a fault for the fault to bound the block.
 constexpr double nearly_all = 0.9;
 
 /// For each fault, the side on which a block lies: 1 above, -1 below, 0 if the fault does not bound the block.
@@ -61,8 +60,8 @@ void for_each_edge_of(const Triangle& v, F&& visit) {
   }
 }
 
-/// Returns the connected triangles without a block that are surrounded by block `own` alone. They lie around a fault
-/// that ends inside the model at both ends, where no extension from the outer border arrives.
+/// Returns the connected sets of triangles without a block that only block `own` surrounds. They lie around a fault
+/// both of whose ends are inside the model, where no extension from the outer border arrives.
 std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std::vector<Index>& block, Index own) {
   const std::vector<Triangle> triangles = merged_triangles(horizon);
   const auto edges_of = [&](Index t, auto&& visit) {
@@ -80,7 +79,7 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
       const auto [at, is_new] = at_edge.emplace(e, t);
       if (!is_new) {
         joined.unite(at->second, t);
-        is_held[e] = true;  // the edge lies between two triangles without a block
+        is_held[e] = true;  // an edge between two triangles without a block is not at the border of their set
       }
     });
   std::map<Index, bool> is_enclosed;
@@ -95,14 +94,14 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
   return enclosed;
 }
 
-/// For each triangle from row `first` on, returns whether it lies entirely beyond a fault. This also requires that the
-/// triangles connected with it, without crossing another fault, lie beyond the fault, and that none of them was given
-/// as part of the block.
+/// For each triangle from index `first` on, returns whether it lies entirely beyond a fault. All triangles connected
+/// with it, without crossing another fault, must lie beyond the fault too, and none may be an original one of the
+/// block.
 std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size_t first,
                                       const std::vector<ThrowFault>& faults, const BlockSides& sides) {
   const std::size_t n = part.triangles.size() - first;
   const std::vector<Crossing> crossing = find_crossings(part, first, faults, everywhere);
-  UnionFind joined(n + 1);  // entry n stands for all given triangles of the block
+  UnionFind joined(n + 1);  // entry n of the union-find stands for all original triangles of the block
   std::map<std::pair<VertexIndex, VertexIndex>, Index> at_edge;
   for (std::size_t t = 0; t < part.triangles.size(); ++t) {
     const bool is_given = t < first;
@@ -118,7 +117,8 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    std::vector<std::uint8_t> is_all(n + 1, 1);  // by the first row of each connected piece
+    // Whether all triangles lie beyond, by the representative of each connected set.
+    std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)
       if (!sides.is_beyond(centre_of(part, part.triangles[first + k]), f)) is_all[joined.find(k)] = 0;

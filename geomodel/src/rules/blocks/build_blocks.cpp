@@ -10,7 +10,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The faults that divide a horizon into blocks, and the rows of their surfaces.
+/// The faults that divide a horizon into blocks, and the indices of their surfaces.
 struct PartingFaults {
   std::vector<ThrowFault> faults{};
   std::vector<Index> rows{};
@@ -37,8 +37,8 @@ std::vector<const TriangulatedSurface*> surfaces_of(const std::vector<ThrowFault
   return surfaces;
 }
 
-/// Returns the faults across which the horizon may have a ramp. A fault between two separate sheets is none of them,
-/// because a grid that smears throw connects both sides.
+/// Returns the faults across which the horizon may have a ramp. Faults between two separate parts of the horizon are
+/// excluded, because a grid that smears throw connects both sides.
 std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const TriangulatedSurface& horizon,
                                       const PartingFaults& parting) {
   const std::vector<bool> parts = parting_of(horizon, surfaces_of(parting.faults));
@@ -48,16 +48,15 @@ std::vector<RampFault> without_parted(const std::vector<RampFault>& ramps, const
   return left;
 }
 
-/// Returns whether the fault divides the horizon completely, so that the horizon does not continue around an end of the
-/// fault inside the box.
+/// Returns whether the fault divides the horizon completely, so that the horizon does not continue around its end.
 bool goes_through(const ThrowFault& fault, const TriangulatedSurface& horizon, const Box3& box) {
   if (fault.first_made == fault.surface->triangles.size()) return true;
   const std::vector<Crossing> crossing = find_crossings(horizon, 0, {fault}, box);
   return std::none_of(crossing.begin(), crossing.end(), [](Crossing c) { return c == Crossing::continuation; });
 }
 
-/// Leaves out those faults through the whole model across which a sheet of the horizon continues, with a note. The
-/// horizon has no throw there, and dividing it would remove the part beyond the fault.
+/// Drops those faults through the whole model across which a connected part of the horizon continues, with a warning.
+/// The horizon has no throw there, and dividing it would remove the area beyond the fault.
 void leave_out_where_it_runs_on(const TriangulatedSurface& horizon, PartingFaults& parting, const Box3& box,
                                 const BuildLog& log) {
   const std::vector<bool> runs_on = SheetSides(horizon, surfaces_of(parting.faults)).run_across();
@@ -77,8 +76,8 @@ void leave_out_where_it_runs_on(const TriangulatedSurface& horizon, PartingFault
   parting = std::move(kept);
 }
 
-/// Returns whether triangles cross a fault that ends inside the model. Parts of them beyond the fault need not belong
-/// to another block.
+/// Returns whether triangles of the horizon cross a fault, and some fault ends inside the model. The parts of such
+/// triangles beyond the fault need not belong to another block.
 bool overshoots_an_end(const TriangulatedSurface& horizon, const BlockFaults& parting) {
   if (std::none_of(parting.faults.begin(), parting.faults.end(),
                    [&](const ThrowFault& f) { return ends_inside(f, parting.box); }))
@@ -107,7 +106,7 @@ std::string part_into_blocks(BuiltSurfaces& built, std::size_t s, const BlockFau
   return "";
 }
 
-/// Removes the faults that end inside the model from the list. Returns false if none or all of them do.
+/// Removes faults that end inside the model from the list. Returns false, without a change, if none or all do.
 bool keep_through(PartingFaults& parting, const Box3& box) {
   PartingFaults through;
   for (std::size_t k = 0; k < parting.faults.size(); ++k)

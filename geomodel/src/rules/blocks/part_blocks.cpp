@@ -16,7 +16,7 @@ namespace {
 
 using Origin = PolygonSoup::Origin;
 
-/// For each connected piece, returns the area of the triangles that `counts` accepts.
+/// For each connected piece, returns the area that stems from triangles accepted by `counts`.
 std::vector<double> area_of(const WorkingSoup& soup, const std::vector<Piece>& pieces,
                             const std::function<bool(const Origin&)>& counts) {
   std::vector<double> area(pieces.size(), 0);
@@ -27,7 +27,7 @@ std::vector<double> area_of(const WorkingSoup& soup, const std::vector<Piece>& p
   return area;
 }
 
-/// Cuts one horizon with throw off at its faults.
+/// Cuts off the blocks of one horizon with throw at its faults.
 class HorizonParting {
  public:
   HorizonParting(const Parting& parting, Index horizon)
@@ -110,9 +110,9 @@ class HorizonParting {
     for (const Index f : piece.facets) kept_by_some_[f] = 1;
   }
 
-  /// Returns the pieces to keep of a block: those on its own side of its faults that contain given triangles (any
-  /// triangles, if a settled block has no given ones). If there is no such piece, the largest is kept; none at all if
-  /// the rest may lie outside the model.
+  /// Decides which pieces of a block are kept: those on the block's side of each fault that contain original triangles
+  /// (any triangles, if the block has no original ones). If there is no such piece, the largest is kept, or none if the
+  /// horizon may lie outside the model there.
   std::vector<bool> kept_of(const std::vector<Piece>& pieces, const std::vector<double>& given, Index block,
                             const std::function<bool(const Origin&)>& is_own) const {
     const bool any_given = std::any_of(given.begin(), given.end(), [](double area) { return area > 0; });
@@ -126,7 +126,7 @@ class HorizonParting {
   }
 
   /// Returns whether most of the counted area of a piece lies on the block's side of each fault. Such a piece is not an
-  /// overshoot: the block left the box and came back, or it has several sheets.
+  /// overshoot: either the block left the box and came back, or it has several connected parts.
   bool lies_on_own_side(const Piece& piece, Index block, const std::function<bool(const Origin&)>& counts) const {
     const std::vector<bool>& sides = p_.built.sides_of_block[horizon_][block];
     std::vector<double> balance(fault_sides_.size(), 0);
@@ -143,8 +143,8 @@ class HorizonParting {
     return area > 0 && std::all_of(balance.begin(), balance.end(), [](double b) { return b > 0; });
   }
 
-  /// Triangles that lie on a fault which divides the horizon are left to the fault, because it is not defined to which
-  /// block they belong.
+  /// Removes the horizon's triangles that lie on one of its faults, because it is not defined to which block they
+  /// belong. They remain part of the fault.
   void leave_to_faults(const std::vector<Index>& facets) {
     std::vector<Index> shared;
     for (const Index f : facets)
@@ -157,8 +157,7 @@ class HorizonParting {
     p_.removed[horizon_] += area;
   }
 
-  /// Removes the extension of a block where no fault separates it from the block, because it would run through the
-  /// other blocks.
+  /// Removes a block's extension that no fault separates from it, because it would run through the other blocks.
   void drop_continuation(const Piece& piece, const std::function<bool(const Origin&)>& is_own) {
     p_.removed[horizon_] += p_.soup.remove(piece.facets, [&](const Origin& o) { return is_own(o) && !is_given(o); });
     std::string faults;
@@ -176,7 +175,7 @@ class HorizonParting {
   std::vector<FaultSides> fault_sides_;  ///< of these
 };
 
-/// Removes the extension of a fault that was made only to separate blocks, and warns of the gap that this leaves.
+/// Removes the extension of a fault that was made only to separate blocks, and warns if that leaves a gap.
 void remove_continuation(const Parting& p, Index fault) {
   const Index first = p.built.first_only_parting[fault];
   const auto is_made = [fault, first](const Origin& o) { return o.surface == fault && o.triangle >= first; };

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// The input and output data of part_blocks, which divides horizons into blocks. All of it must outlive the call.
+/// Input and output of part_blocks(), which divides horizons into blocks. All referenced data must outlive the call.
 struct Parting {
   WorkingSoup& soup;
   const std::vector<TriangulatedSurface>& surfaces;
@@ -21,18 +21,18 @@ struct Parting {
   std::vector<double>& removed;  ///< area, per surface
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
-  /// Returns whether two places lie in the same fault block.
+  /// Returns whether two points lie in the same fault block.
   std::function<bool(const Vec3&, const Vec3&)> in_one_block;
 };
 
-/// Removes the parts of each block's sheets and of their extensions that faults cut off from the block. A part is kept
-/// if most of its given area lies on the block's own side of each fault. Triangles that belong to every block are kept
+/// Removes the parts of a horizon's blocks and of their extensions that faults cut off from the block. A part is kept
+/// if most of its original area lies on the block's side of each fault. Triangles that belong to every block are kept
 /// if one block keeps them. Horizons without blocks are not changed. Blocks made of scalar fields are kept only in the
-/// domains of the fields; throws Error{invalid_input} if a field has no surface in its domain.
+/// domains of the fields. Throws Error{invalid_input} if a field has no surface in its domain.
 void part_blocks(const Parting& parting, Index horizon);
 
-/// Removes the extensions of faults that only served to separate blocks, after all horizons were divided. If blocks do
-/// not meet across one, a warning gives the length and the place of the gap.
+/// Removes the extensions of faults that were made only to separate blocks, after all horizons were divided. If blocks
+/// do not meet where such an extension was, a warning gives the length and position of the gap.
 void remove_continuations(const Parting& parting);
 
 }  // namespace geomesh::geomodel

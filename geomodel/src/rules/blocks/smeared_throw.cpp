@@ -20,17 +20,17 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Margin on either side of a ramp, in median edge lengths of the horizon in the map.
+// Margin on either side of a ramp (throw smeared by gridding), in median edge lengths of the horizon in the map.
 constexpr double margin_of_ramp = 1;
-// Largest and least throw that is restored, as a share of the ramps' height.
+// Largest and smallest restored throw that is accepted, as a fraction of the ramps' height.
 constexpr double most_of_step = 2, least_of_step = 0.25;
-// Number of triangles; smaller pieces between ramps are treated as part of the ramps.
+// Least number of triangles of a separate part; smaller ones between ramps are treated as part of the ramps.
 constexpr std::size_t least_sheet = 24;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Classifies the triangles of a fault by the side of the surface at which it ends; triangles that cross it are
-/// subdivided down to the size `least`.
+/// Keeps only the triangles of a fault on one side, the one with most of the fault, of the surface at which it ends.
+/// Triangles that cross that surface are subdivided down to the size `least`.
 class StoppedFault {
  public:
   StoppedFault(TriangulatedSurface& reach, const TriangulatedSurface& stop, double least)
@@ -172,13 +172,12 @@ class Restorer {
     }
   }
 
-  /// Returns whether the triangle lies beyond the tip of the fault; such triangles are kept and connect the sheets on
-  /// both sides.
+  /// Returns whether the triangle lies beyond the fault's tip; such triangles are kept and connect both sides.
   bool goes_round(Index t) const { return crossing_[t] == Crossing::continuation; }
   bool is_of_sheet(Index t) const { return !in_strip_[t] && !goes_round(t); }
 
-  /// Finds the connected sheets that are left after ramps were removed, identified by their first triangles; sheets of
-  /// a few triangles are removed with the ramps.
+  /// Finds the connected parts of the horizon that are left after ramps were removed, each identified by its first
+  /// triangle. Parts of a few triangles are removed with the ramps.
   void find_sheets() {
     const std::vector<Triangle> triangles = merged_triangles(horizon_);
     UnionFind joined(in_strip_.size());
@@ -200,7 +199,7 @@ class Restorer {
       if (n >= least_sheet) numbers_.push_back(sheet);
   }
 
-  /// Extends the sheet over the strips beside it, from which the ramp was removed.
+  /// Extends a connected part of the horizon over the area beside it from which the ramp was removed.
   void carry(const std::vector<Triangle>& given, Index sheet, RestoredThrow& restored) {
     std::vector<std::uint8_t> is_own(nearest_fault_.size(), 0);
     CarriedHeights nodes(horizon_, edge_);
@@ -293,16 +292,18 @@ class Restorer {
   std::vector<Crossing> crossing_;            ///< per given triangle
   const BuildLog& log_;
   double edge_, widest_ = 0;
-  std::vector<FaultFaces> faces_;  ///< first the faults of this horizon, then all others
+  std::vector<FaultFaces> faces_;  ///< faults of this horizon, followed by all other faults
   std::vector<Ramp> ramps_;
   std::vector<std::size_t> n_across_;   ///< number of triangles that cross each fault
   std::vector<std::uint8_t> in_strip_;  ///< per given triangle
-  /// For each given node: the nearest fault and the distance from it perpendicular to strike.
+  /// For each original node: the nearest fault and the distance from it, perpendicular to strike.
   std::vector<std::pair<Index, double>> nearest_fault_;
-  std::vector<Vec2> across_;  ///< for each given node: the direction perpendicular to the strike of that fault
-  /// The sheet number of each given triangle, and the numbers of the sheets that are large enough to be kept.
+  std::vector<Vec2> across_;  ///< for each original node: direction perpendicular to the strike of its nearest fault
+  /// For each original triangle, the number of its connected part; and the numbers of the parts that are large enough
+  /// to be kept.
   std::vector<Index> sheet_, numbers_;
-  std::map<VertexIndex, std::vector<double>> heights_;  ///< heights extrapolated from each side, by given node
+  /// For each original node: heights extrapolated from the two sides.
+  std::map<VertexIndex, std::vector<double>> heights_;
 };
 
 }  // namespace

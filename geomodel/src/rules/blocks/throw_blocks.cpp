@@ -18,21 +18,22 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-// Share of the greatest throw that may remain at the end of a fault without a warning.
+// Fraction of the greatest throw that may remain at the end of a fault without a warning.
 constexpr double most_throw_left = 0.5;
-constexpr double much_alone = 0.02;  // share of the horizon's area in the box
+constexpr double much_alone = 0.02;  // fraction of the horizon's area in the box that may lie in no block
 
 bool is_in(const Box3& box, const Vec3& p) {
   return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
          p.z <= box.max.z;
 }
 
-/// Returns the block of each triangle, which follows from the sides of the faults on which most of its sheet's area
-/// lies. Only triangles that `counts` accepts are assigned; the others have no block.
+/// Assigns triangles to blocks, by the sides of the faults on which most of the area of their connected part lies.
+/// Triangles that `counts` does not accept have no block.
 template <class F>
 SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vector<Index>& sheet,
                               const std::vector<ThrowFault>& faults, F&& counts) {
-  std::map<Index, std::vector<double>> balance;  // for each sheet and fault: area above the fault minus area below it
+  // For each connected part and fault: area above the fault minus area below it.
+  std::map<Index, std::vector<double>> balance;
   std::vector<FaultSides> sides;
   for (const ThrowFault& fault : faults) sides.emplace_back(*fault.surface);
   const AreaSamples samples(horizon);
@@ -56,7 +57,7 @@ SortedBlocks blocks_of_sheets(const TriangulatedSurface& horizon, const std::vec
   return blocks;
 }
 
-/// Connected parts of the horizon after cutting it along the faults that end inside the model.
+/// The parts into which the faults that end inside the model cut the connected parts ("wholes") of a horizon.
 class Ends {
  public:
   Ends(const TriangulatedSurface& horizon, const BlockFaults& parting)
@@ -71,13 +72,12 @@ class Ends {
     attach_overshoot();
   }
   const std::vector<Index>& parts() const { return part_; }
-  /// Returns whether the triangle belongs to a kept part: the largest part of its sheet, a part that continues around a
-  /// fault's tip, or triangles across a fault on the border of one of these.
+  /// Returns whether the triangle is kept: it belongs to the largest part of its connected whole, to a part that
+  /// continues around a fault's tip, or it crosses a fault beside one such part.
   bool is_kept(Index t) const { return counts_[t] != 0; }
   /// Returns whether the triangle crosses a fault and does not lie around a fault's tip.
   bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
-  /// Returns whether the triangle lies around a fault's tip, which is only possible inside the box, since blocks are
-  /// extended beyond it.
+  /// Returns whether the triangle lies around a fault's tip inside the box.
   bool goes_round(Index t) const { return in_box_[t] == Crossing::continuation; }
 
  private:
@@ -86,7 +86,7 @@ class Ends {
     std::map<Index, double> area;
     for (Index t = 0; t < part_.size(); ++t)
       if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // largest part of each sheet
+    std::map<Index, Index> largest;  // largest part of each connected whole
     for (const auto& [part, size] : area) {
       kept_[part] = false;
       const auto [at, is_new] = largest.emplace(whole_[part], part);
@@ -99,9 +99,9 @@ class Ends {
     }
   }
 
-  /// Triangles that cross faults and do not lie around a tip form connected groups. A group beside one kept part is an
-  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, which
-  /// happens if a sheet is as narrow as its triangles. A group between two kept parts is a ramp, and is replaced.
+  /// Assigns triangles that cross faults, except around a tip, in connected groups. A group beside one kept part is an
+  /// overshoot of that part, and is cut off at the fault later. A group beside no kept part is a part of its own, as
+  /// where the horizon is as narrow as its triangles. A group between two kept parts is a ramp, and is replaced.
   void attach_overshoot() {
     const std::size_t n = part_.size();
     const auto is_of_a_place = [this](Index t) { return is_overshoot(t); };
@@ -133,7 +133,7 @@ class Ends {
   std::map<Index, bool> kept_;
 };
 
-/// Returns the greatest difference in height along an edge across a fault or its extension.
+/// Returns the largest height difference along those edges of the triangle that cross a fault or its extension.
 double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const std::vector<ThrowFault>& faults,
                     const Box3& box) {
   TriangulatedSurface edge{};
@@ -148,7 +148,7 @@ double throw_across(const TriangulatedSurface& horizon, const Triangle& t, const
   return greatest;
 }
 
-/// Reports how much throw remains at the ends of the faults.
+/// Reports how much throw remains at the ends of the faults, where the blocks are joined.
 void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, double at_end, double greatest,
                 const BuildLog& log) {
   const std::string what = "horizon " + horizon.name + ": its blocks are joined beyond the end of its faults by " +
@@ -162,7 +162,7 @@ void tell_throw(const TriangulatedSurface& horizon, std::size_t n_joining, doubl
   }
 }
 
-/// Appends the triangles of the joint extension that run around the tips of the faults.
+/// Extends the surface of all blocks, and appends its new triangles around the tips of faults to the horizon.
 void join_round_ends(TriangulatedSurface& horizon, std::vector<Index>& block, TriangulatedSurface joint,
                      const BlockFaults& parting, const BuildLog& log) {
   std::vector<std::string> notes, warnings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Horizons given block by block: each block is extended on its own through the faults that bound it.
+/// Extends horizons with throw block by block, each block on its own through the faults that bound it.
 #pragma once
 
 #include <vector>
@@ -18,10 +18,10 @@ struct BlockFaults {
   const Box3& box;
 };
 
-/// The sheets of a horizon after its ramps were removed; empty lists if they are not known.
+/// The connected parts of a horizon after its ramps were removed; empty lists if they are not known.
 struct KnownSheets {
-  std::vector<Index> sheet{};      ///< for each triangle its sheet, or BuiltRows::of_every_block
-  std::vector<Triangle> before{};  ///< the horizon's triangles before ramps were removed
+  std::vector<Index> sheet{};      ///< for each triangle, its connected part, or BuiltRows::of_every_block
+  std::vector<Triangle> before{};  ///< triangles of the horizon before ramps were removed
 };
 
 /// The blocks of a horizon and the faults that bound them.
@@ -30,29 +30,28 @@ struct SortedBlocks {
   std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
 };
 
-/// Assigns each triangle to a block, numbered from 0 in the order of their first triangles: sheets whose area lies
-/// mostly on the same sides of all `faults` form one block. The side is that of the plane of the nearest fault
-/// triangle, which is exact enough to sort sheets, since nothing is cut by it. If a fault ends inside the box, the
-/// horizon continues beyond its tip. The given triangles that cross the fault's extension there belong to every block
-/// (BuiltRows::of_every_block). If the sheets on both sides leave a gap there, triangles that connect them are appended
-/// to the horizon and belong to every block too. Triangles that cross the fault itself, or lie beyond it without
+/// Assigns each triangle of a horizon to a block. Connected parts ("sheets") whose area lies mostly on the same sides
+/// of all `faults` form one block; blocks are numbered in the order of their first triangles. The plane of the nearest
+/// fault triangle decides the side, which is exact enough because nothing is cut by it. If a fault ends inside the box,
+/// the horizon continues beyond its tip: triangles that cross the fault's extension belong to every block
+/// (BuiltRows::of_every_block). If the blocks on both sides leave a gap at the extension, connecting triangles that
+/// belong to every block are appended to the horizon. Triangles that cross the fault itself, or lie beyond it without
 /// continuing around its tip, are in no block (BuiltRows::of_no_block); the blocks are extended to the fault instead.
-/// With known sheets, triangles with the same number form a sheet. The triangles around a tip are known too in this
-/// case, and only those are added that connect sheets beyond the horizon's own border. Without known sheets, a sheet is
-/// a set of triangles connected by edges.
+/// If `known` lists sheets, it gives the triangles around tips too, and only triangles that connect sheets beyond the
+/// horizon's border are added.
 SortedBlocks sort_into_blocks(TriangulatedSurface& horizon, const BlockFaults& parting, const BuildLog& log,
                               const KnownSheets& known);
 
-/// Returns whether a large part of the triangles that cross the faults, or lie around their ends, lies on sides of the
-/// faults where there is no block. Nothing would be left there after the faults divide the horizon. False if all faults
-/// go through the whole model.
+/// Returns whether more than a fiftieth of the horizon's area in the box lies on triangles that cross faults or lie
+/// around their ends, and there on sides of the faults without a block. The horizon would have a hole there after the
+/// faults divide it. Returns false if all faults cross the whole model.
 bool lies_in_no_block(const TriangulatedSurface& horizon, const std::vector<Index>& block,
                       const std::vector<std::vector<bool>>& sides, const BlockFaults& parting);
 
-/// Extends each block beyond the box as extend_to_box does; `block` grows with the triangles. The blocks then cross
-/// each other near the faults; trim_soup cuts them off there. Parts entirely beyond a fault are left out. Triangles
-/// that cross a fault with both ends inside the model, and that one block surrounds, are returned to this block
-/// unchanged. Returns false, with a warning, if a block could not be extended.
+/// Extends each block beyond the box with the rule of extend_to_box(); `block` grows with the triangles. The blocks
+/// then cross each other near the faults, where trim_soup() cuts them off. Parts entirely beyond a fault are left out.
+/// Triangles that cross a fault with both ends inside the model, and that one block surrounds, are returned to this
+/// block unchanged. Returns false, with a warning, if a block could not be extended.
 bool extend_blocks(TriangulatedSurface& horizon, std::vector<Index>& block, const BlockFaults& parting,
                    const BuildLog& log);
 

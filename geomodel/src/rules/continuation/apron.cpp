@@ -12,14 +12,14 @@ namespace {
 
 using Corners = ApronGrid::Corners;
 
-/// Paths along the edges of a surface that no wall crosses.
+/// Finds paths along the edges of a surface that cross no wall (a surface that bounds it).
 class UnpartedEdges {
  public:
   UnpartedEdges(const TriangulatedSurface& surface, Index row, const Walls& walls)
       : surface_(surface), row_(row), walls_(walls) {}
 
-  /// Returns whether triangles at the two vertices lead from one to the other around the wall between them: a wall that
-  /// reaches into the surface and ends there does not separate them.
+  /// Returns whether two vertices are connected by edges near them, around the bounding surface between them: a
+  /// bounding surface that reaches into the surface and ends there does not separate them.
   bool join(VertexIndex a, VertexIndex b) {
     if (ring_.empty())
       for (const Triangle& t : surface_.triangles)
@@ -49,10 +49,10 @@ class UnpartedEdges {
   const TriangulatedSurface& surface_;
   Index row_;
   const Walls& walls_;
-  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of vertices, computed when first needed
+  std::map<VertexIndex, std::set<VertexIndex>> ring_;  ///< neighbours of each vertex, computed when first needed
 };
 
-/// Returns whether the surface's triangles at the chain are counter-clockwise in the frame, for most of the chain.
+/// Returns whether the surface's triangles along the border are mostly counter-clockwise in the frame.
 bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame) {
   double up = 0;
   for (const Index t : chain.triangles) {
@@ -64,8 +64,7 @@ bool faces_up(const TriangulatedSurface& surface, const BorderChain& chain, cons
   return up >= 0;
 }
 
-/// Finds which nodes of a grid are connected without a wall between them: each connected set is a side, identified by
-/// its first node.
+/// Groups the visible nodes of a grid into sides: sets connected without crossing a bounding surface.
 class ApronSides {
  public:
   ApronSides(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -87,7 +86,7 @@ class ApronSides {
       if (grid.nodes()[v].is_seen) side_[v] = joined.find(v);
   }
 
-  /// Returns the side of a node, or no_index if the node is not visible from the border.
+  /// Returns the side (connected set) of a node, or no_index if the node is not visible from the border.
   Index operator[](Index v) const { return side_[v]; }
   std::set<Index> of(const Corners& t) const {
     std::set<Index> sides;
@@ -95,14 +94,14 @@ class ApronSides {
       if (side_[v] != no_index) sides.insert(side_[v]);
     return sides;
   }
-  /// If the given surface continues across a wall at a side of the triangle, what lies beside it continues too.
+  /// Returns whether an edge of the triangle is part of the border and crosses a bounding surface. The original surface
+  /// continues across it there, and so does its continuation.
   bool runs_on(const Corners& t) const {
     for (std::size_t i = 0; i < 3; ++i)
       if (parted_border_.contains(std::minmax(t[i], t[(i + 1) % 3]))) return true;
     return false;
   }
-  /// Returns the side from which an edge of the border leads to v, if a wall on that edge separates v from it;
-  /// otherwise no_index.
+  /// Returns the side whose border edge leads to v, if a bounding surface separates v from the edge; else no_index.
   Index before(Index v) const {
     if (v >= grid_.n_border()) return no_index;
     const std::size_t n = grid_.chain().n_edges();
@@ -129,7 +128,7 @@ class ApronSides {
   std::set<std::pair<Index, Index>> parted_border_;
 };
 
-/// The triangles of a grid, with one copy for each side of the walls that divide them.
+/// Makes the triangles of a continuation from a grid; those that bounding surfaces divide get a copy for each side.
 class SidedApron {
  public:
   SidedApron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
@@ -149,7 +148,8 @@ class SidedApron {
 
  private:
   void copy_triangles() {
-    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;  // sides of walls, by sides of triangles
+    // Sides of the bounding surfaces for which triangles at each edge were added.
+    std::map<std::pair<Index, Index>, std::set<Index>> sides_at;
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
       const std::set<Index> sides = sides_.of(t);
@@ -167,7 +167,7 @@ class SidedApron {
         for (std::size_t i = 0; i < 3; ++i) sides_at[std::minmax(t[i], t[(i + 1) % 3])].insert(side);
       }
     }
-    // A triangle beside these may be partly visible although none of its corners is, for example where two walls meet.
+    // A triangle beside visible ones may be partly visible although no corner is, as where two bounding surfaces meet.
     for (const Corners* t : unseen) {
       std::set<Index> sides;
       for (std::size_t i = 0; i < 3; ++i)
@@ -178,7 +178,7 @@ class SidedApron {
     apron_.walls.assign(grid_.hidden_by().begin(), grid_.hidden_by().end());
   }
 
-  /// Adds a copy of the triangle with the heights of one side.
+  /// Adds a copy of the triangle with heights extrapolated from one side of the bounding surfaces.
   void copy(const Corners& t, Index side) {
     Triangle own;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -204,9 +204,9 @@ class SidedApron {
     if (is_new) at->second = add_point(grid_.nodes()[v].point);
     return at->second;
   }
-  /// Returns a node at the same place with the height of another side; no_vertex if that side has no border nearby.
+  /// Returns a node at the place of v with a height from another side; no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // the border leads to the node
+    if (sides_.before(v) == side) return row_of(v);  // the border itself connects that side with the node
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;
@@ -224,7 +224,8 @@ class SidedApron {
   double within_;
   ApronGrid grid_;
   ApronSides sides_;
-  std::map<std::pair<Index, Index>, VertexIndex> rows_;  ///< rows by node and side (no_index: the node's own side)
+  /// New points, by node and side (no_index: the node's own side).
+  std::map<std::pair<Index, Index>, VertexIndex> rows_;
   std::map<Index, Index> number_of_side_;
   bool faces_up_;
   Apron apron_;

@@ -9,9 +9,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Least spacing of grid points as a share of the distance: an apron has at most about ten rows.
+/// Smallest spacing of grid points as a fraction of the strip's width, which then has at most about ten rows.
 constexpr double least_step = 1.0 / 8;
-/// Grid points keep this share of their spacing as distance from the border.
+/// Smallest distance of grid points from the border, as a fraction of their spacing.
 constexpr double room_at_border = 0.5;
 
 }  // namespace
@@ -41,7 +41,7 @@ ApronGrid::ApronGrid(const TriangulatedSurface& surface, Index row, const Border
 ApronNode ApronGrid::node_at(const Vec2& p, const ChainInPlane::Nearest& at) const {
   return {p, frame_.to_model({p.x, p.y, chain_.height(p, at)}), at.distance, at.edge};
 }
-/// A place of the border that a wall separates from the surface is ignored, because it sees no node.
+/// Returns whether a bounding surface hides the node from a border place; from places beyond one, no node is visible.
 bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at) {
   const std::uint8_t cut_off = border_.cut_off[at.edge];
   if (cut_off == 3) return true;
@@ -56,7 +56,7 @@ bool ApronGrid::is_hidden(const ApronNode& node, const ChainInPlane::Nearest& at
   return hit.has_value();
 }
 
-/// Adds points beside the run of border on a grid whose origin depends only on the place in space.
+/// Adds grid points beside the run of border, on a grid that is fixed in space and does not depend on the border.
 void ApronGrid::add_grid() {
   Vec2 low = nodes_.front().place, high = low;
   for (const ApronNode& n : nodes_) {
@@ -76,7 +76,7 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
       !chain_.is_outside(p, *nearest))
     return;
-  // Beyond the distance only the nearest place may see the node, and the border is open there.
+  // A node beyond the distance counts only if visible from the nearest place of the border, which is then open.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;
     const ApronNode node = node_at(p, at);
@@ -88,7 +88,7 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   nodes_.back().is_seen = false;
 }
 
-/// Returns false if the run of border crosses itself in the plane.
+/// Triangulates the nodes. Returns false if the run of border crosses itself in the plane.
 bool ApronGrid::find_triangles() {
   std::vector<std::pair<Index, Index>> constraints;
   for (std::size_t e = 0; e < chain_.n_edges(); ++e)
@@ -112,8 +112,8 @@ bool ApronGrid::is_in_model(const Vec3& p) const {
          p.y < bounds_.max.y && p.z < bounds_.max.z;
 }
 
-/// If a point of the model beyond the distance is visible, no wall stops the surface, and the border remains open
-/// there.
+/// Removes triangles at border edges from which a point of the model beyond the distance is visible: no bounding
+/// surface stops the surface there, and the border remains open.
 void ApronGrid::leave_out_open() {
   std::vector<std::uint8_t> is_open(chain_.n_edges(), 0);
   for (Index v = n_border_; v < nodes_.size(); ++v)

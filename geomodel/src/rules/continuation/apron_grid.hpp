@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Nodes beside a run of border: a grid with heights, and the triangles that connect it to the border.
+/// Makes the nodes and triangles beside a run of border: a grid with extrapolated heights, connected to the border.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@
 
 namespace geomesh::geomodel {
 
-/// A node of the strip beside a run of border: of the border (the first ones, in its order) or of the grid.
+/// A node of the strip beside a run of border: a vertex of the border (these come first, in order) or a grid point.
 struct ApronNode {
   Vec2 place;
   Vec3 point;           ///< in the model
-  double distance = 0;  ///< distance from the place of the border that determines its height
-  Index edge = 0;       ///< edge of the run of border at that place
-  bool is_seen = true;  ///< whether no wall lies between the node and that place
+  double distance = 0;  ///< distance from the place of the border whose height the node continues
+  Index edge = 0;       ///< border edge whose height the node continues
+  bool is_seen = true;  ///< whether no bounding surface lies between the node and the border
 };
 
-/// The nodes and triangles from which a strip beside a run of border is made. Nodes of the border come first, in its
+/// The nodes and triangles from which a strip beside a run of border is made. Nodes on the border come first, in its
 /// order.
 class ApronGrid {
  public:
@@ -36,9 +36,9 @@ class ApronGrid {
   bool crosses_itself() const { return crosses_itself_; }  ///< whether the run of border crosses itself in the plane
   Index n_border() const { return n_border_; }
   const ChainInPlane& chain() const { return chain_; }
-  /// Rows of the surfaces that hide nodes from the border.
+  /// Indices of the surfaces that hide nodes from the border.
   const std::set<Index>& hidden_by() const { return crossed_; }
-  /// Returns the node at a place with the height extrapolated from the border.
+  /// Returns the node at the place p of the plane, with the height extrapolated from the border.
   ApronNode node_at(const Vec2& p, const ChainInPlane::Nearest& at) const;
 
  private:

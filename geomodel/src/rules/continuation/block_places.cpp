@@ -10,9 +10,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Spacing of the grid as a share of the radius, chosen so that a disc which fits into a gap covers some grid points.
+/// Spacing of the grid as a fraction of the radius, so that a disc which fits into a gap covers some grid points.
 constexpr double step_of_radius = 0.5;
-/// More grid points than this take seconds; the distance is then a tiny share of the model.
+/// Largest number of grid points. More would take seconds, and arise only for a tiny distance of continuation.
 constexpr double most_places = 1e6;
 
 }  // namespace
@@ -39,7 +39,7 @@ bool BlockPlaces::has_grid() const {
   return (extent.x / step_) * (extent.y / step_) <= most_places;
 }
 
-/// Adds places over the block's box on a grid whose origin depends only on the place in space.
+/// Adds grid points over the block's bounding box, on a grid that is fixed in space.
 void BlockPlaces::add_grid() {
   const Box3& box = s_.framework.bounds(block_);
   const auto first = [&](double v) { return static_cast<std::int64_t>(std::floor(v / step_)) - 1; };
@@ -65,16 +65,16 @@ void BlockPlaces::find_open_places() {
   if (!open_.empty()) nearest_open_.emplace(open_);
 }
 
-/// Returns whether another horizon lies between a place and the sheet at its border. A place that is only behind a
-/// fault or body is in the block.
+/// Returns whether another horizon lies between a place and the border from which the horizon is continued. A place
+/// that is only behind a fault or body counts as in the block.
 bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
   return std::ranges::any_of(s_.walls.surfaces_on(inside_[v], points_[v]),
                              [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
 }
 
-/// Decides whether a disc around a place of the horizon is open. It is not if it meets a wall along the sheet in four
-/// directions of the map, or if the disc of twice its radius meets walls, or the horizon itself, on opposite sides. A
-/// wall through the place counts.
+/// Returns whether a disc around a place of the horizon is open. The disc is not open if it meets a bounding surface
+/// along the horizon in four directions of the map, or if the disc of twice its radius meets bounding surfaces, or the
+/// horizon itself, on opposite sides. A bounding surface through the place counts.
 bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   const Vec3& centre = points_[v];
   if (s_.walls.meets_disc(centre, radius_, slope_[v], s_.row)) return false;
@@ -87,8 +87,8 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   });
 }
 
-/// Returns whether an open disc covers the place. Far from the horizon its centre may lie anywhere between four places
-/// of the grid: otherwise a rim along the walls, one grid step wide, would be filled there.
+/// Returns whether an open disc covers the place. Far from the horizon, the disc's centre may lie anywhere between four
+/// grid points: otherwise a rim along the bounding surfaces, one grid step wide, would be filled.
 bool BlockPlaces::is_open(Index v) const {
   if (open_.empty()) return false;
   const Vec3 &p = points_[v], &q = open_[nearest_open_->find(p.x, p.y)];

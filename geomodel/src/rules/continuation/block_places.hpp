@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The places over a fault block at which a horizon may be continued, and which of them are open, that is, not enclosed
-/// by walls.
+/// Finds the places over a fault block at which a horizon may be continued, and those that are open (not enclosed).
 #pragma once
 
 #include <array>
@@ -16,41 +15,40 @@
 
 namespace geomesh::geomodel {
 
-/// The horizon that is continued, and the walls and blocks in which it is continued. All of it is referenced and must
-/// outlive its use.
+/// A horizon, and the blocks and bounding surfaces in which it is continued. Referenced data must outlive this object.
 struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< as in BlockSetting, like the members below
+  const Walls& cutters;  ///< this member and those below are as in struct BlockSetting
   const Walls& walls;
   double within;
   const HorizonDivision& division;
   bool fills_blocks, has_margin;
 };
 
-/// Places of the border of one sheet, followed by those of a grid over its block, with heights extrapolated from the
-/// border.
+/// The places at which a connected part of a horizon may be continued: its border, followed by a grid over its block,
+/// with heights extrapolated from the border.
 class BlockPlaces {
  public:
-  /// `sheet` contains triangles over the horizon's points. O(m log n) for n edges of the border and m places of the
-  /// grid near it.
+  /// `sheet` is the connected part of the horizon, as triangles over the horizon's points. O(m log n) for n edges of
+  /// the border and m grid points near it.
   BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
   BlockPlaces(const BlockPlaces&) = delete;
   BlockPlaces& operator=(const BlockPlaces&) = delete;
 
-  /// Returns false if the distance is too short for a grid, so that there are no places.
+  /// Returns false if the distance of continuation is too short for a grid, so that there are no grid points.
   bool has_grid() const;
   const SheetBorder& border() const { return border_; }
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
   double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
-  /// Whether the place is in the block and to be filled: not where the border has met its wall, or beyond another
-  /// horizon, which ends the sheet as walls do.
+  /// Returns whether the place is in the block and may be filled. It may not where the surface already reaches a wall
+  /// (bounding surface) before its border, or beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
-  /// Returns whether a triangle of places overlaps the block.
+  /// Returns whether the triangle with these corners overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
-  /// Returns whether a triangle covers a part of the block that is not open. Adds the walls that it crosses.
+  /// Returns whether a triangle covers a part of the block that is not open. Adds the bounding surfaces it crosses.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
 
  private:
@@ -67,7 +65,7 @@ class BlockPlaces {
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
-  std::vector<Vec3> inside_;  ///< of the sheet at the nearest border, for each place
+  std::vector<Vec3> inside_;  ///< for each place: the point inside the horizon at the nearest border
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs

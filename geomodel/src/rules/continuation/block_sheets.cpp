@@ -13,7 +13,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Continues one sheet of a horizon in its block.
+/// Continues a connected part of a horizon in its block.
 class Continuation {
  public:
   Continuation(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet)
@@ -21,7 +21,7 @@ class Continuation {
     made_.block = block;
   }
 
-  /// Returns nothing if the border crosses itself in the map, or if the distance is too short for a grid.
+  /// Makes the continuation; nothing if the border crosses itself in the map, or the distance is too short for a grid.
   std::optional<BlockExtension> make() {
     if (!places_.has_grid()) return std::nullopt;
     std::vector<Vec2> in_map;
@@ -45,7 +45,7 @@ class Continuation {
   }
 
  private:
-  /// Records the length of border, the farthest place in front of a wall, and the area inside the model.
+  /// Records the length of border that a triangle continues, and its farthest place in front of a bounding surface.
   void book(const std::array<Index, 3>& t) {
     const std::vector<Vec3>& points = places_.points();
     const auto look_at = [&](const Vec3& p, double distance) {
@@ -72,7 +72,7 @@ class Continuation {
     made_.triangles.push_back(own);
   }
 
-  /// Adds triangles beyond the walls that touch those that were kept.
+  /// Adds a margin: the triangles beyond the bounding surfaces that share a corner with kept triangles.
   void add_margin(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) {
     std::vector<bool> is_reached(places_.points().size(), false);
     for (std::size_t k = 0; k < all.size(); ++k)

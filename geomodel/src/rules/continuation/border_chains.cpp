@@ -15,16 +15,16 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// A border edge in the order of its loop.
+/// An edge of a border loop, in the loop's direction.
 struct LoopEdge {
   VertexIndex a, b;
   Index triangle;
   double length;
-  bool goes_on = true;              ///< false if the surface has already met its wall there
-  std::uint8_t cut_off = 0;         ///< BorderChain::cut_off
-  bool is_beyond = false;           ///< whether it lies outside the model
-  bool counts = true;               ///< false outside the model, where the continuation is cut off with the rest
-  std::optional<Walls::Hit> hit{};  ///< the nearest wall; `share` is its distance in m
+  bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this edge
+  std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
+  bool is_beyond = false;    ///< whether the edge lies outside the model
+  bool counts = true;  ///< false for edges outside the model, where the continuation will be cut off with the surface
+  std::optional<Walls::Hit> hit{};  ///< the nearest bounding surface in front of the edge; `share` is its distance in m
 };
 
 Vec3 normalized(const Vec3& v) {
@@ -46,14 +46,13 @@ bool is_within(const Box3& box, const Vec3& p, double room) {
          p.y < box.max.y + room && p.z < box.max.z + room;
 }
 
-/// Finds border vertices that a wall separates from all inner vertices: the surface has met its wall before it ends
-/// there, or ends on it. A wall that ends inside the surface separates nothing, since vertices are connected around its
-/// end.
+/// Finds border vertices that a wall (bounding surface) separates from all inner vertices. The surface has then reached
+/// that wall before its border, or ends on the wall. A wall that ends inside the surface separates no vertices.
 class CutOffBorder {
  public:
   CutOffBorder(const TriangulatedSurface& s, const std::vector<BorderEdge>& border, Index row, const Walls& walls)
       : merged_(merge_equal_points(s.points)), joined_(s.points.size() + 1) {
-    const auto inner = static_cast<Index>(s.points.size());  // represents all inner vertices
+    const auto inner = static_cast<Index>(s.points.size());  // union-find index that stands for all inner vertices
     std::vector<std::pair<Index, Index>> crossed;
     std::vector<std::uint8_t> is_border(s.points.size(), 0);
     for (const BorderEdge& e : border) is_border[e.a] = is_border[e.b] = 1;
@@ -63,7 +62,7 @@ class CutOffBorder {
         if (!is_border[v] && !is_border[w]) continue;
         const Index a = is_border[v] ? v : inner, b = is_border[w] ? w : inner;
         if (joined_.find(a) == joined_.find(b)) continue;
-        // Both directions are tested, because a segment that begins on a wall does not meet it.
+        // Tests both directions, because a segment that begins on a bounding surface does not count as meeting it.
         if (!walls.first_surface(s.points[v], s.points[w], row) && !walls.first_surface(s.points[w], s.points[v], row))
           joined_.unite(a, b);
         else
@@ -81,7 +80,7 @@ class CutOffBorder {
   std::vector<VertexIndex> merged_;
   UnionFind joined_;
   Index inner_ = 0;
-  std::set<Index> cut_off_;  ///< union-find sets of vertices
+  std::set<Index> cut_off_;  ///< union-find representatives of the cut-off vertices
 };
 
 struct WallSearch {
@@ -90,9 +89,9 @@ struct WallSearch {
   double within, rounding;
 };
 
-/// The nearest wall before a place of an edge, with its distance from the edge as share. The search begins `rounding`
-/// within the surface, because a segment that begins on a wall does not meet it: an edge that lies on its wall has it
-/// at 0.
+/// Returns the nearest bounding surface in front of a place on a border edge, with the distance from the edge as its
+/// `share`. The search begins at the distance `rounding` inside the surface, because a segment that begins on a
+/// bounding surface does not count as meeting it; an edge that lies on its bounding surface then has it at distance 0.
 std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, double share,
                                       const WallSearch& search) {
   const auto& [row, walls, within, rounding] = search;
@@ -109,9 +108,9 @@ std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEd
   return nearest;
 }
 
-/// Returns the shares of an edge at which walls are searched: `middle`, unless walls separate it from the ends that are
-/// connected with the surface; then the middles of the parts between these ends and the walls, as far as they lie in
-/// the box.
+/// Returns the positions on a border edge (0 to 1) from which bounding surfaces are searched. This is `middle`, unless
+/// bounding surfaces separate it from those ends that are connected with the surface: then the midpoints between these
+/// ends and the bounding surfaces, as far as they lie in the box.
 std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle, const Box3& box,
                                         const WallSearch& search) {
   const Vec3 &a = s.points[e.a], &b = s.points[e.b], m = (1 - middle) * a + middle * b;
@@ -126,15 +125,15 @@ std::vector<double> places_before_walls(const TriangulatedSurface& s, const Loop
   return shares.empty() ? std::vector<double>{middle} : shares;
 }
 
-/// Returns whether an edge lies on its wall, up to rounding; for an edge that crosses the wall, only its midpoint may
-/// lie on it.
+/// Returns whether a border edge lies on its bounding surface up to rounding. It is tested at three points, because an
+/// edge that crosses the bounding surface may touch it in its midpoint only.
 bool lies_on_wall(const TriangulatedSurface& s, const LoopEdge& e, const WallSearch& search) {
   for (const double share : {0.25, 0.5, 0.75})
     if (const auto hit = wall_before(s, e, share, search); !hit || hit->share > search.rounding) return false;
   return true;
 }
 
-/// Edges without a wall between edges that have one get the wall of the previous edge, if the run is short.
+/// Assigns the bounding surface of the previous edge to short runs of border edges that have none in front of them.
 void close_short_runs(std::vector<LoopEdge>& loop, double within) {
   const std::size_t n = loop.size();
   const auto first = std::find_if(loop.begin(), loop.end(), [](const LoopEdge& e) { return e.hit.has_value(); });
@@ -176,7 +175,7 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
   return chain;
 }
 
-/// Cuts a loop at edges that have no wall.
+/// Cuts a loop of border edges into chains, at edges that have no bounding surface.
 void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
   const std::size_t n = loop.size();
   const auto keep = [&](const std::vector<LoopEdge>& run) {
@@ -204,8 +203,8 @@ void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vec
   }
 }
 
-/// Returns the fraction of an edge from a to b at which walls are searched: its midpoint, or the midpoint of its part
-/// in the box if the edge's midpoint lies outside.
+/// Returns the position on the edge from a to b (0 to 1) at which bounding surfaces are searched: its midpoint, or, if
+/// that is outside the box, the midpoint of its part inside.
 double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding) {
   if (is_within(box, 0.5 * (a + b), 0)) return 0.5;
   double first = 0, last = 1;
@@ -220,18 +219,18 @@ double middle_in(const Box3& box, const Vec3& a, const Vec3& b, double rounding)
   return first < last && is_within(box, (1 - middle) * a + middle * b, -rounding) ? middle : 0.5;
 }
 
-/// How walls are searched in front of the border.
+/// Options for the search for bounding surfaces in front of the border.
 struct BorderSearch {
   Index row;
   const Walls& walls;
   const Box3& box;
   double within;
-  /// Whether an edge counts if a part of it stops short of a wall. Strips follow whole edges, so their middles decide.
+  /// Whether an edge counts as continued if only a part of it stops short of a bounding surface. If false, the edge's
+  /// midpoint decides, since aprons continue whole edges.
   bool by_parts;
 };
 
-/// Returns the loops of the border with the wall in front of each edge. Edges of triangles that are `done` are not
-/// continued.
+/// Returns the loops of border edges, with the bounding surface in front of each; edges of `done` triangles have none.
 std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& surface, const BorderSearch& how,
                                                     const std::vector<bool>& done) {
   const auto& [row, walls, box, within, by_parts] = how;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds runs of a surface's border that stop short of walls.
+/// Finds chains of border edges at which a surface stops short of bounding surfaces.
 #pragma once
 
 #include <cstdint>
@@ -14,44 +14,45 @@
 namespace geomesh::geomodel {
 
 enum class BorderState {
-  open,         ///< no wall is near the border edge
-  before_wall,  ///< the surface stops short of a wall
-  met_wall,     ///< a wall separates the edge from the surface, or the surface ends on it
+  open,         ///< no bounding surface is near the border edge
+  before_wall,  ///< the surface stops short of a bounding surface
+  met_wall,     ///< a bounding surface separates the edge from the surface, or the surface ends on it
 };
 using MapEdge = std::pair<VertexIndex, VertexIndex>;
-/// State of each border edge, keyed by its ends in the direction of its triangle; equal points count as the first of
-/// them.
+/// State of each border edge. The key is its two ends, in the direction in which its triangle traverses it; points with
+/// equal coordinates count as the first of them.
 using BorderStates = std::map<MapEdge, BorderState>;
-/// The distances are those of chains_before_walls. O(edges) searches.
+/// Returns the state of each border edge; distances are as in chains_before_walls(). O(edges) searches.
 BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
                            double within);
 
-/// Returns, for each wall, the length of border in m that has it first in front of it, or ends on it. O(edges)
-/// searches.
+/// Returns for each bounding surface the length in m of border edges that end on it or have it first in front of them.
 std::map<Index, double> lengths_before(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                        const Box3& box, double within);
 
-/// A run of border edges that have walls in front of them.
+/// A chain of border edges that have bounding surfaces in front of them.
 struct BorderChain {
-  std::vector<VertexIndex> vertices;  ///< rows of the surface's points; edge k connects vertex k and the next
-  std::vector<Index> triangles;       ///< for each edge, the triangle of the surface there
-  std::vector<std::uint8_t> goes_on;  ///< for each edge, 0 if the surface has met its wall already
-  /// For each edge, bits: 1 if a wall separates its first vertex from the surface, 2 for its second.
+  std::vector<VertexIndex> vertices;  ///< points of the surface; edge k connects vertex k and the next
+  std::vector<Index> triangles;       ///< for each edge, the triangle at it
+  std::vector<std::uint8_t> goes_on;  ///< for each edge, 0 if the surface already reaches a bounding surface before it
+  /// Per edge, the sum of 1 if a bounding surface separates its first vertex from the surface, and 2 if one separates
+  /// its second vertex.
   std::vector<std::uint8_t> cut_off;
   bool closed = false;  ///< whether the last vertex is connected to the first
-  /// Rows of the surfaces in front of its edges in the model, ascending; may include Walls::side_of_volume.
+  /// Indices of the surfaces in front of the chain's edges in the model, ascending; may include Walls::side_of_volume.
   std::vector<Index> walls;
-  double farthest = 0;  ///< distance in m to the farthest of the walls that its edges meet first
+  double farthest = 0;  ///< distance in m to the farthest bounding surface that is the first in front of an edge
   double length = 0;    ///< m
-  Vec3 place;           ///< a place on the edge whose wall is farthest
+  Vec3 place;           ///< a place on the edge whose bounding surface is farthest
   std::size_t n_edges() const { return triangles.size(); }
 };
 
-/// Returns chains of border edges that have a wall closer than `within`, straight ahead or at 45 degrees to the left or
-/// right in the surface's own plane. Edges without a wall between two that have one belong to the chain if their total
-/// length is at most `within`. Edges outside of the model belong to a chain that passes them, and so do edges that a
-/// wall separates from their own triangle. Each chain has an edge in the model that is to be continued. Edges of
-/// triangles that are `done` belong to none; triangles beyond the end of `done` count as not done. O(edges) searches.
+/// Returns chains of border edges that have a wall (bounding surface) closer than `within`, straight ahead or at 45
+/// degrees to the left or right in the surface's own plane. Edges without a wall between edges that have one belong to
+/// the chain if their total length is at most `within`. Edges outside the model, and edges that a wall separates from
+/// their own triangle, belong to a chain that passes them. Each chain has an edge in the model that is to be continued.
+/// Edges of triangles that are `done` belong to no chain; triangles beyond the end of `done` count as not done.
+/// O(edges) searches.
 std::vector<BorderChain> chains_before_walls(const TriangulatedSurface& surface, Index row, const Walls& walls,
                                              const Box3& box, double within, const std::vector<bool>& done = {});
 

@@ -26,7 +26,8 @@ double circumradius(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area2 > 0 ? u * v * w / (2 * area2) : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the side of an obtuse triangle beyond which its circumcentre lies, as the corner at which the side begins.
+/// Returns the side of an obtuse triangle beyond which its circumcentre lies, identified by the corner at which the
+/// side begins; nothing for other triangles.
 std::optional<std::size_t> side_before_centre(const std::array<Vec2, 3>& t) {
   const auto length = [&](std::size_t i) { return std::hypot(t[(i + 1) % 3].x - t[i].x, t[(i + 1) % 3].y - t[i].y); };
   for (std::size_t i = 0; i < 3; ++i)
@@ -47,7 +48,7 @@ std::optional<Vec3> piercing(const Vec3& p, const Vec3& q, const Vec3& a, const 
   return p + (d / (d - e)) * (q - p);
 }
 
-/// The border of a part of the surface projected along a direction, and the gaps in its triangulation.
+/// The border of (a part of) a surface projected along a direction, and the triangles in the gaps between borders.
 class Gaps {
  public:
   Gaps(const TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame)
@@ -68,7 +69,7 @@ class Gaps {
     }
   }
 
-  /// Returns false if the border crosses itself.
+  /// Triangulates the gaps. Returns false if the border crosses itself in the projection.
   bool find(const GapSetting& setting) {
     const auto& [within, box, holes_alone] = std::tie(setting.within, setting.box, setting.holes_alone);
     std::vector<Vec2> places;
@@ -81,7 +82,8 @@ class Gaps {
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
       if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
-        // The circumscribed disc lies in the gap, unless its centre lies beyond a border, where the surface is.
+        // The triangle's circumscribed disc lies in the gap, unless its centre lies beyond a border, inside the
+        // surface.
         const auto side = side_before_centre(corners);
         if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
       }
@@ -94,7 +96,7 @@ class Gaps {
     return true;
   }
 
-  /// Adds points where fault tips end in the gaps. Returns false if there are none.
+  /// Adds points where fault tips pierce the triangles in the gaps. Returns false if there are none.
   bool add_tips(const std::vector<FaultTip>& tips) {
     std::vector<Box3> boxes;
     for (const Corners& t : gaps_) {
@@ -145,7 +147,7 @@ class Gaps {
   void set_faces_up(bool up) { faces_up_ = up; }
 
  private:
-  /// Returns whether a place in a gap triangle lies on a side of it that is part of the projected border.
+  /// Returns whether the point p lies on a corner of a gap triangle, or on a side that is part of the projected border.
   bool is_on_border(const Corners& t, const Vec3& p) const {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index a = t[i], b = t[(i + 1) % 3];
@@ -157,14 +159,13 @@ class Gaps {
     return false;
   }
 
-  /// Returns whether a wall divides the triangle. If a wall passes through a side that is border, the given surface
-  /// continues across that wall there, and so does the triangle.
+  /// Returns whether a wall (bounding surface) divides the triangle. A wall that passes through a side that is part of
+  /// the border does not count: the original surface continues across that wall there, and so does the triangle.
   bool crosses_wall(const Corners& t, const Walls& walls) const {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // Segments begin and end a little inside, because the tip of a wall is a corner of the triangles that begin
-      // there.
+      // Segments begin and end a little inside, because triangles may begin at the tip of a bounding surface.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);
@@ -180,14 +181,14 @@ class Gaps {
   const TriangulatedSurface& surface_;
   Frame frame_;
   std::vector<VertexIndex> rows_;
-  std::vector<Vec3> points_;  ///< points of the border, followed by tips
+  std::vector<Vec3> points_;  ///< points of the border, followed by fault tips
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_border_;
   std::vector<Corners> gaps_;
   bool faces_up_ = true;
 };
 
-/// Returns false if the edges cross each other in this projection.
+/// Fills the gaps between border edges. Returns false, without a change, if edges cross in this projection.
 bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, const Frame& frame,
             const GapSetting& setting) {
   Gaps gaps(surface, edges, frame);
@@ -198,7 +199,7 @@ bool bridge(TriangulatedSurface& surface, const std::vector<BorderEdge>& edges, 
   return true;
 }
 
-/// The surfaces above and below a place.
+/// The surfaces that a vertical line through a point meets above and below it.
 struct SurfacesAt {
   std::vector<Index> above, below;  // ascending
 
@@ -207,7 +208,7 @@ struct SurfacesAt {
   const std::vector<Index>& on(bool is_above) const { return is_above ? above : below; }
 };
 
-/// Returns the surfaces that lie on the given side of some of the places, and on the other side of none.
+/// Returns the surfaces that lie above (or below) some of the places, and on the other side of none of them.
 std::set<Index> on_one_side(const std::vector<SurfacesAt>& places, bool is_above) {
   std::set<Index> found, elsewhere;
   for (const SurfacesAt& at : places) {
@@ -235,7 +236,8 @@ struct FilledHole {
   std::vector<Triangle> triangles;
 };
 
-/// Returns which of the hole's triangles are to be removed again (open_where_pierced).
+/// Returns for each triangle that fills the hole whether another horizon pierces the hole and the triangle lies beyond
+/// it, so that it must be removed again.
 std::vector<bool> beyond_piercing(const TriangulatedSurface& s, const FilledHole& hole, Index row, const Walls& walls,
                                   const Box3& all) {
   std::vector<SurfacesAt> border, inside;
@@ -266,7 +268,7 @@ void open_where_pierced(TriangulatedSurface& horizon, Index row, Index first, co
   const std::vector<BorderEdge> edges = border_edges(horizon);
   UnionFind loops(horizon.points.size());
   for (const BorderEdge& e : edges) loops.unite(e.a, e.b);
-  std::map<Index, FilledHole> holes;  // holes by loop of the border
+  std::map<Index, FilledHole> holes;  // holes by the loop of the border around them
   for (const Triangle& t : filled) holes[loops.find(t[0])].triangles.push_back(t);
   for (const BorderEdge& e : edges)
     if (const auto hole = holes.find(loops.find(e.a)); hole != holes.end()) hole->second.border.insert(e.a);

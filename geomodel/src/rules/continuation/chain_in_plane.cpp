@@ -114,7 +114,7 @@ bool ChainInPlane::is_outside(const Vec2& p, const Nearest& at) const {
   Vec2 out = out_[at.edge];
   bool goes_on = goes_on_[at.edge] != 0;
   const bool is_first = at.along <= 0, is_last = at.along >= 1;
-  if (is_first || is_last) {  // at a vertex both of its edges are tested
+  if (is_first || is_last) {  // if the nearest point is a vertex of the chain, both of its edges are tested
     if (!closed_ && (is_first ? at.edge == 0 : at.edge + 1 == n)) return false;
     const std::size_t other = (is_first ? at.edge + n - 1 : at.edge + 1) % n;
     out = {out.x + out_[other].x, out.y + out_[other].y};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A run of border projected onto a plane: the nearest point on it, which side of it lies outside, and the height of
-/// its continuation.
+/// A chain of border edges projected onto a plane: the nearest point on it, which side of it lies outside the surface,
+/// and the height of the surface's continuation.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 class ChainInPlane {
  public:
-  /// Slopes are those of the triangles at the border, averaged along the chain over `within` to both sides.
+  /// Continues with the slopes of the triangles at the border, averaged along the chain over `within` to both sides.
   ChainInPlane(const TriangulatedSurface& surface, const BorderChain& chain, const Frame& frame, double within);
 
   struct Nearest {
@@ -24,16 +24,16 @@ class ChainInPlane {
     double along = 0;  ///< position on the edge, from 0 to 1
     double distance = 0;
   };
-  /// Returns the nearest point of the chain if it is no farther than twice `within`; farther ones may or may not be
+  /// Returns the nearest point of the chain if it is no farther than twice `within`; farther points may or may not be
   /// found.
   std::optional<Nearest> nearest(const Vec2& p) const;
-  /// Returns the nearest points of all edges that are no farther than `most`, nearest first; `most` is at most twice
+  /// Returns the nearest point of each edge that is no farther than `most`, nearest first; `most` must be at most twice
   /// `within`.
   std::vector<Nearest> all_near(const Vec2& p, double most) const;
-  /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point. False beyond an open
-  /// end and beside edges that are not continued.
+  /// Returns whether p lies outside the surface beside the chain, as seen from its nearest point on the chain. False
+  /// beyond an open end of the chain and beside edges that are not continued.
   bool is_outside(const Vec2& p, const Nearest& at) const;
-  /// Returns the nearest point itself, in the frame.
+  /// Returns the coordinates of a nearest point, in the frame.
   Vec3 foot(const Nearest& at) const;
   double height(const Vec2& p, const Nearest& at) const;
 
@@ -50,7 +50,7 @@ class ChainInPlane {
   double length(std::size_t edge) const;
 
   std::vector<Vec3> points_;
-  std::vector<Vec2> slopes_, out_;     ///< for each edge; `out_` is the outward unit vector
+  std::vector<Vec2> slopes_, out_;     ///< slope and outward unit vector of each edge
   std::vector<std::uint8_t> goes_on_;  ///< per edge
   bool closed_;
   double cell_;

@@ -21,15 +21,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Triangles that meet share their points, by which the parts that belong to a continuation are recognised.
+/// Makes triangles that meet share their points, so that a continuation shares points with the part at which it begins.
 void share_points(TriangulatedSurface& surface) {
   const std::vector<VertexIndex> merged = merge_equal_points(surface.points);
   for (Triangle& t : surface.triangles)
     for (VertexIndex& v : t) v = merged[v];
 }
 
-/// Records the number and the area of the triangles from row `first` on. If they fill more than all triangles recorded
-/// before, also records a place in the largest of them.
+/// Records the number and the area of the triangles from index `first` on. If their area exceeds that of all triangles
+/// recorded before, also records a place in the largest of them.
 void book_filled(ContinuedSurface& ledger, const TriangulatedSurface& s, Index first) {
   const double area_before = ledger.area_filled;
   double largest = 0, added = 0;
@@ -65,14 +65,14 @@ class Continuing {
     share_points(surface());
   }
 
-  /// Continues a fault, in its mean plane.
+  /// Continues a fault, with heights over its mean plane.
   void go_on() {
     begin();
     add_aprons({}, {frame_of(surface())});
     finish();
   }
 
-  /// Fills the holes of a horizon in blocks in which no fault ends. In the other blocks, go_on_in fills all gaps.
+  /// Fills the holes of a horizon at places that `counts` accepts; go_on_in() fills the gaps in other blocks.
   void fill_holes(const Walls& cutters, const std::function<bool(const Vec3&)>& counts) {
     const auto first = static_cast<Index>(surface().triangles.size());
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts, true});
@@ -81,7 +81,7 @@ class Continuing {
     book_filled(ledger_, surface(), first);
   }
 
-  /// Continues a horizon block by block, and where that is not possible, along its border.
+  /// Continues a horizon block by block, and along its border in blocks in which that is not possible.
   void go_on_in(const BorderStates& states, const BlockSetting& setting, const std::vector<FaultTip>& tips) {
     begin();
     DividedHorizon divided = continue_in_blocks(surface(), row_, states, setting);
@@ -139,7 +139,7 @@ class Continuing {
     }
   }
 
-  /// Makes the strip in the first frame in which the run of border does not cross itself.
+  /// Makes the strip of triangles beside a chain of border edges, in the first frame in which it does not cross itself.
   Apron apron_of(const BorderChain& chain, const std::vector<Frame>& frames) {
     for (const Frame& frame : frames) {
       Apron apron = make_apron(surface(), row_, chain, walls_, {frame, within_, rules_.bounds});
@@ -158,7 +158,7 @@ class Continuing {
     built_.rows.continued_to[row_].assign(ends_on_.begin(), ends_on_.end());
   }
 
-  /// Appends a strip whose own points begin at row `first_points`.
+  /// Appends a strip of triangles to the surface. Corners from index `first_points` on are the strip's own points.
   void append(const Apron& apron, std::size_t first_points) {
     TriangulatedSurface& s = surface();
     const auto shift = static_cast<VertexIndex>(s.points.size() - first_points);
@@ -170,12 +170,12 @@ class Continuing {
     }
   }
 
-  /// One run of border, or the border in one block.
+  /// A continued piece of border: one chain of edges, or all of the border in one block.
   struct Run {
     double length, farthest;
     Vec3 place;
-    std::vector<Index> before;   ///< walls in front of the border
-    std::vector<Index> through;  ///< walls that the continuation crosses
+    std::vector<Index> before;   ///< bounding surfaces in front of the border
+    std::vector<Index> through;  ///< bounding surfaces that the continuation crosses
   };
   void book(const Run& run) {
     ledger_.length += run.length;
@@ -218,11 +218,11 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
   return built.surfaces[row].triangles.empty() || !rules.of(row).continues_by_default();
 }
 
-/// Continues horizons in the blocks of one framework.
+/// Continues horizons in the fault blocks that faults, bodies and unconformities form.
 class HorizonContinuation {
  public:
-  /// `built` contains what bounds the blocks; it must outlive this object, and BuiltRows::overshooting is set in it.
-  /// Horizons that are continued may belong to `built` themselves, unless they bound blocks.
+  /// `built` contains the surfaces that bound the blocks, and must outlive this object; its BuiltRows::overshooting is
+  /// set. Continued horizons that bound no blocks may belong to it, too.
   HorizonContinuation(BuiltSurfaces& built, const ModelRules& rules, const std::vector<Index>& fill_blocks)
       : built_(built),
         rules_(rules),
@@ -271,7 +271,7 @@ class HorizonContinuation {
     return rows;
   }
 
-  /// Returns the blocks above an unconformity that is younger than the horizon, and those below one that is older.
+  /// Marks the blocks in which the horizon is absent: above a younger unconformity, or below an older one.
   std::vector<bool> left_out(const std::vector<TriangulatedSurface>& surfaces, Index row) const {
     const auto position = [&](Index s) { return std::ranges::find(rules_.column, surfaces[s].name); };
     std::vector<bool> blocks(framework_->n_blocks(), false);
@@ -289,7 +289,7 @@ class HorizonContinuation {
   const std::vector<Index>& fill_blocks_;
   std::vector<Index> unconformities_;
   EndedFaults ended_;
-  std::optional<BlockFramework> framework_;  ///< made when the first horizon needs it
+  std::optional<BlockFramework> framework_;  ///< fault blocks, computed when the first horizon needs them
   Walls cutters_, walls_;
 };
 
@@ -300,7 +300,7 @@ void continue_faults(BuiltSurfaces& built, const ModelRules& rules, const BuildL
   if (!(how.within_of_faults > 0)) return;
   const std::vector<Index> faults = rows_of(built.surfaces, {SurfaceKind::fault});
   built.rows.truncations = fault_truncations(built.surfaces, rules);
-  std::map<Index, Walls> walls_of;  // walls of all faults are collected before any fault is continued
+  std::map<Index, Walls> walls_of;  // bounding surfaces of all faults are collected before any fault is continued
   const Walls walls(built.surfaces, faults, how.sides);
   for (const Index row : faults) {
     std::vector<Index> own;
@@ -334,7 +334,8 @@ std::optional<HorizonBlocks> continue_horizons(BuiltSurfaces& built, const Model
   const std::vector<Index> truncating = truncating_horizons(built.rows.truncations);
   const auto middle = std::stable_partition(left.begin(), left.end(),
                                             [&](Index row) { return std::ranges::binary_search(truncating, row); });
-  const std::vector<Index> first(left.begin(), middle);  // these become walls of the blocks below
+  // The unconformities, which become bounding surfaces of the blocks below them.
+  const std::vector<Index> first(left.begin(), middle);
   left.erase(left.begin(), middle);
   if (!first.empty()) {
     BuiltSurfaces above = built;

@@ -61,8 +61,8 @@ std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   return sheet;
 }
 
-/// The block is that of the first sample point of the triangle that lies in the model. `last` is passed to
-/// BlockFramework::block_at.
+/// Returns the block of a triangle: that of its first sample point in the model. `last` is for
+/// BlockFramework::block_at().
 Index HorizonDivision::block_of(Index t, Index& last) const {
   const auto [a, b, c] = corners(t);
   const Vec3 centre = (1.0 / 3) * (a + b + c);

@@ -15,22 +15,22 @@
 
 namespace geomesh::geomodel {
 
-/// The triangles of a horizon with their blocks and neighbours. A triangle with an edge that a wall cuts belongs to no
-/// block. References the horizon and the framework, which must outlive it.
+/// The triangles of a horizon with their fault blocks and neighbours. A triangle belongs to no block if a bounding
+/// surface cuts one of its edges. The horizon and the framework must outlive this object.
 class HorizonDivision {
  public:
-  /// `cutters` are faults and bodies. `states` are those of the horizon's border.
+  /// `cutters` are faults and bodies; `states` are the states of the horizon's border edges.
   HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
                   const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of merged_triangles
-  /// Returns whether a wall cuts an edge of the triangle.
+  /// Returns whether a bounding surface cuts an edge of the triangle.
   bool crosses_wall(Index t) const { return crosses_[t]; }
-  /// Returns the state of an edge at which the horizon ends; nothing if the horizon continues there.
+  /// Returns the state of an edge at which the horizon ends; nothing for an edge inside the horizon.
   std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
-  /// Returns the triangles of the block; those connected with them outside the model; those next to these that cross a
-  /// wall; and those connected with these that cross a wall and reach into the block, since in a narrow block all
-  /// triangles do.
+  /// Returns the triangles from which the horizon is continued in a block: those in the block, those connected with
+  /// them outside the model, and those next to either that cross a wall (bounding surface). Triangles that cross one,
+  /// reach into the block and are connected with these are included, since in a narrow block all triangles cross walls.
   std::vector<Index> sheet_of(Index block) const;
 
  private:
@@ -38,7 +38,7 @@ class HorizonDivision {
   void for_each_edge_of(Index t, F&& visit) const {
     for (std::size_t i = 0; i < 3; ++i) visit(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
-  bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }  ///< whether its corners are distinct
+  bool has_area(Index t) const { return triangles_[t][0] != triangles_[t][1]; }
   Index block_of(Index t, Index& last) const;
   std::array<Vec3, 3> corners(Index t) const {
     const auto& [a, b, c] = triangles_[t];
@@ -49,7 +49,7 @@ class HorizonDivision {
   const BlockFramework& framework_;
   std::map<MapEdge, BorderState> states_;
   std::vector<Triangle> triangles_;
-  std::vector<std::pair<MapEdge, Index>> at_edge_;  ///< edges with their triangles, in ascending order
+  std::vector<std::pair<MapEdge, Index>> at_edge_;  ///< edges, each with one of its triangles, in ascending order
   std::vector<bool> crosses_;
   std::vector<Index> block_;
 };

@@ -22,7 +22,7 @@ Vec3 normal(const TriangulatedSurface& s, const Triangle& t) {
   return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
 }
 
-/// Mean normals of a sheet. A single triangle of a noisy grid is a poor estimate of the sheet's direction.
+/// Mean normals of a part of a horizon; single triangles of a noisy grid are poor estimates of its direction.
 class SheetNormals {
  public:
   SheetNormals(const TriangulatedSurface& horizon, const std::vector<Triangle>& sheet) {
@@ -34,7 +34,7 @@ class SheetNormals {
     }
     tree_.emplace(boxes);
   }
-  /// Returns the sum of the normals of triangle `own` and of those with centres within a distance of p.
+  /// Returns the sum of the normals of triangle `own` and of triangles with centres within a distance of p.
   Vec3 about(const Vec3& p, double within, Index own) const {
     Box3 near;
     near.add(p - Vec3{within, within, within});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The border of a horizon's part in a block, and the heights at which it is continued.
+/// The border of the part of a horizon in one block, and the heights at which it is continued.
 #pragma once
 
 #include <optional>
@@ -14,37 +14,37 @@
 
 namespace geomesh::geomodel {
 
-/// The border edges of a sheet in the map, over its own points. Holds no references.
+/// The border edges, in the map, of the part ("sheet") of a horizon in one block. Holds copies of its points.
 class SheetBorder {
  public:
   /// `sheet` contains triangles over the horizon's points. Slopes are extrapolated over at most `within`, in m. With
-  /// `averages`, slopes are means of the sheet within that distance, instead of those of the triangle at the border.
+  /// `averages`, slopes are means over triangles within that distance of the border.
   SheetBorder(const TriangulatedSurface& horizon, const HorizonDivision& division, const std::vector<Triangle>& sheet,
               double within, bool averages);
 
   const std::vector<Vec3>& points() const { return points_; }
   VertexIndex row(Index v) const { return rows_[v]; }  ///< of the horizon
   const std::vector<std::pair<Index, Index>>& edges() const { return constraints_; }
-  /// Returns whether the horizon stops short of a wall at an edge of points a < b.
+  /// Returns whether the horizon stops short of a bounding surface at the edge between points a < b.
   bool is_end(const std::pair<Index, Index>& edge) const { return is_end_.contains(edge); }
   bool faces_up() const { return faces_up_; }
 
   struct Place {
-    Vec3 at;            ///< the place, with the height that the border has there
+    Vec3 at;            ///< the place, with the height extrapolated from the border
     double distance;    ///< distance from the border in the map
-    Vec2 slope;         ///< slope of the sheet at the nearest border; zero beyond `within`
-    bool has_met_wall;  ///< whether the border has already met its wall there
+    Vec2 slope;         ///< slope of the horizon at the nearest border; zero beyond `within`
+    bool has_met_wall;  ///< whether the nearest border edge is in the state BorderState::met_wall
     Vec3 inside;        ///< the centroid of the triangle at the nearest border
   };
-  /// Returns the extrapolated place at p. O(log n + k) for the k edges up to about twice as far in the map as the
-  /// nearest one, or as `within`.
+  /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges in the map up to about
+  /// twice the distance of the nearest one, or of `within`.
   Place continued_at(const Vec2& p) const;
-  /// Returns whether an edge meets the segment in the map. O(log n + k) for the k edges in its box.
+  /// Returns whether a border edge meets the segment in the map. O(log n + k) for k edges in its bounding box.
   bool meets(const Vec2& from, const Vec2& to) const;
 
-  /// For each triangle, returns whether it is kept, lies outside the sheet, and is connected, through kept triangles,
-  /// with a place where the horizon stops short of a wall. Where the sheet ends because the horizon continues beyond a
-  /// wall, there is nothing to continue. O(n log n).
+  /// For each triangle of the plane, returns whether it is kept, lies outside the horizon's part, and is connected,
+  /// through kept triangles, with a border edge that stops short of a bounding surface. Nothing is continued from edges
+  /// at which the part ends only because the horizon continues beyond a bounding surface. O(n log n).
   std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const;
 
  private:
@@ -56,7 +56,7 @@ class SheetBorder {
   };
 
   void index_edges();
-  /// Returns the rows of the edges whose boxes in the map meet that of the two places, ascending.
+  /// Returns the indices of the edges whose bounding boxes in the map meet the given box, ascending.
   std::vector<Index> edges_between(const Vec2& low, const Vec2& high) const;
   Place continued_from(const std::vector<Index>& edges, const Vec2& p) const;
 
@@ -67,7 +67,7 @@ class SheetBorder {
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
   std::optional<arrangement::BoxTree> tree_;  ///< tree of the edges' boxes in the map
-  std::vector<bool> has_met_wall_;            ///< for each point, whether all edges there have met their wall
+  std::vector<bool> has_met_wall_;  ///< for each point, whether all border edges at it are in the state met_wall
   bool faces_up_ = true;
 };
 

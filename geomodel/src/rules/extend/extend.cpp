@@ -20,10 +20,10 @@ constexpr int n_grid = 24;             // number of points added along the longe
 constexpr double margin = 0.05;        // distance beyond the box to which the surface is extended, in box diagonals
 constexpr double slope_radius = 0.05;  // radius for the mean slope near a border point, in surface diagonals
 
-/// The surface's border in its frame: distinct points and edges between them.
+/// The surface's border projected to a frame: distinct points and the edges between them.
 struct PlanarBorder {
   std::vector<BorderEdge> edges;
-  std::vector<VertexIndex> row;  ///< row in the surface of each point in the plane
+  std::vector<VertexIndex> row;  ///< for each point in the plane: its index in the surface
   std::vector<Vec3> in_frame;    ///< parallel
   std::vector<std::pair<Index, Index>> constraints;
   std::vector<Vec2> planar() const {
@@ -57,7 +57,7 @@ void warn_crossing(const TriangulatedSurface& s, const char* rule, const BuildLo
                          (s.kind == SurfaceKind::horizon ? "in the map" : "in the mean plane"));
 }
 
-/// The nearest point of the border to q in the plane: the edge and the parameter on it.
+/// The nearest point of the border to a point of the plane: the edge and the parameter on it.
 struct Nearest {
   std::size_t edge = 0;
   double t = 0, distance2 = std::numeric_limits<double>::infinity();
@@ -74,7 +74,7 @@ Nearest nearest_on_border(const PlanarBorder& border, double x, double y) {
   return best;
 }
 
-/// Computes heights beyond the border by the rule for extension.
+/// Computes heights beyond the border of a surface by the chosen rule (Extend).
 class Continuation {
  public:
   Continuation(const TriangulatedSurface& s, const Frame& frame, const PlanarBorder& border, Extend how)
@@ -109,8 +109,7 @@ class Continuation {
     if (!nearest_) nearest_.emplace(vertices_);
     return vertices_[nearest_->find(x, y)].z;
   }
-  /// Returns the slope of the mean normal of the triangles near the midpoint of a border edge; zero if it is too steep
-  /// to be extrapolated.
+  /// Returns the slope of the mean normal of triangles near a border edge's midpoint; zero if too steep to extrapolate.
   Vec2 slope_at(std::size_t edge) {
     if (slopes_[edge]) return *slopes_[edge];
     const Vec3 middle =
@@ -149,7 +148,7 @@ Triangle oriented(Triangle t, bool up) {
   return t;
 }
 
-/// Groups connected triangles inside holes (depth two or more, even); returns each group with the length of its border.
+/// Groups connected triangles inside holes (of depth 2, 4, ...); returns each group with the length of its border.
 std::vector<std::pair<std::vector<std::size_t>, double>> holes_of(const std::vector<PlanarTriangle>& triangles,
                                                                   const PlanarBorder& border) {
   std::map<std::pair<Index, Index>, std::vector<std::size_t>> at_edge;
@@ -287,7 +286,7 @@ void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& l
         greatest[k] = std::max(greatest[k], p[k]);
       }
     }
-    // Finds the side of the box to which the whole loop is nearest, or beyond which it is farthest.
+    // Finds the side of the box to which the loop as a whole is nearest, or beyond which it is farthest.
     std::size_t axis = 2;
     bool at_max = false;
     double gap = std::numeric_limits<double>::infinity();

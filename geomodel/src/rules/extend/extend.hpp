@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Rules that apply to a single surface before the arrangement: filling holes, extending, closing open bodies.
+/// Rules that apply to a single surface before the arrangement: filling its holes, extending it, closing an open body.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace geomesh::geomodel {
 
-/// Steeper slopes are extended horizontally, because a sheet that folds over there has no single height.
+/// Largest slope that is extrapolated. Steeper slopes continue horizontally, lest the surface folds over.
 inline constexpr double steepest_slope = 3;
 
-/// Receives notes and warnings. Each rule appends points and triangles to the surface (given rows do not change) and
-/// reports what it did or why it could not.
+/// Receives notes and warnings. Each rule appends points and triangles to the surface, without changing existing ones,
+/// and reports what it did or why it could not.
 struct BuildLog {
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
@@ -24,23 +24,22 @@ struct BuildLog {
 /// in the map, or in the mean plane for faults and bodies.
 void fill_holes(TriangulatedSurface& surface, double longest_border, const BuildLog& log);
 
-/// Points that an extension has in addition to those of the border.
+/// Options for the points that an extension has in addition to those of the border.
 struct ContinuationPoints {
-  /// Number of the extension: surfaces that are extended over the same area with different numbers have no border edge
-  /// in common.
+  /// Number of the extension. Extensions over the same area with different numbers share no outer border edge.
   Index rim = 0;
-  /// Whether points are placed on a grid between the border and the rim; if not, the area between two borders is
-  /// bridged by straight lines.
+  /// Whether points are placed on a grid beyond the surface's border; if not, straight lines bridge the area to the
+  /// outer border.
   bool inside = true;
 };
 
-/// Extends the surface from its outer border to beyond the box, in the frame of fill_holes. The areas between sheets of
-/// one surface (a horizon given block by block) are filled as well. Holes are kept. Returns false, with a warning, if
-/// the border crosses itself in the frame; the surface is then unchanged.
+/// Extends the surface from its outer border to beyond the box, in the map, or in the mean plane for faults and bodies.
+/// The areas between connected parts of one surface (a horizon given block by block) are filled as well. Holes are
+/// kept. Returns false, with a warning, if the border crosses itself in that plane; the surface is then unchanged.
 bool extend_to_box(TriangulatedSurface& surface, Extend how, const Box3& box, const BuildLog& log,
                    const ContinuationPoints& added = {});
 
-/// Closes every border loop of a body: a loop that reaches into the box is first extruded beyond the box's nearest
+/// Closes every border loop of a body. A loop that reaches into the box is first extruded beyond the box's nearest
 /// side.
 void close_body(TriangulatedSurface& surface, const Box3& box, const BuildLog& log);
 

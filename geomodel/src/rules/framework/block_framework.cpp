@@ -14,7 +14,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the part of a convex polygon on the inner side of the face of a tetrahedron that is opposite a corner.
+/// Clips a convex polygon by a face of a tetrahedron, and returns the part on the side of the face's opposite corner.
 std::vector<Vec3> cut_at_face(const std::vector<Vec3>& polygon, const std::array<Vec3, 4>& t, std::size_t corner) {
   const Vec3 &a = t[(corner + 1) % 4], &b = t[(corner + 2) % 4], &c = t[(corner + 3) % 4];
   Vec3 inward = cross(b - a, c - a);
@@ -41,7 +41,8 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   const ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault, SurfaceKind::body});
   WorkingSoup working(walls.soup);
   std::vector<double> area(walls.surfaces.size(), 0);
-  std::vector<std::string> notes;  // notes are given when the soup of the model itself is cut
+  // Notes are discarded here, because the same ones are made when the soup of the model itself is cut.
+  std::vector<std::string> notes;
   end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
   const PolygonSoup soup = working.result();
   const ModelPlc plc = make_plc(soup, walls.surfaces, {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Removes continuations in the arranged soup beyond the wall at which they end.
+/// Removes from the arranged soup the continuations of surfaces beyond the bounding surface at which they end.
 #pragma once
 
 #include <span>
@@ -10,17 +10,16 @@
 
 namespace geomesh::geomodel {
 
-/// Part number of the triangles that no continuation made.
+/// Part number of the original triangles of a surface, as opposed to its continuations.
 inline constexpr Index given_part = 0;
 
-/// Returns BuiltRows::part_of_triangle of a surface; empty if it was not continued.
+/// Returns the entry of BuiltRows::part_of_triangle for a surface; empty if the surface was not continued.
 std::span<const Index> part_of(const BuiltRows& built, Index row);
 
-/// Removes from the soup the parts of continuations of surface `row` that the walls at which they end
-/// (BuiltRows::continued_to) separate from the given triangles. A continuation is connected with given triangles only
-/// where both share a corner of the surface, not where they cross: continuations from both sides of a fault cross each
-/// other beyond it. Returns the area removed. O(n log m) for n facets of the surface among m of the soup, and one pass
-/// over these.
+/// Removes from the soup the parts of continuations of surface `row` that bounding surfaces (BuiltRows::continued_to)
+/// separate from the surface's original triangles. A continuation is connected with original triangles only where both
+/// share a corner, not where they cross: continuations from both sides of a fault cross each other beyond it. Returns
+/// the area removed. O(n log m) for n facets of the surface among m of the soup, and one pass over all m.
 double end_at_walls(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                     Index row);
 

@@ -22,7 +22,7 @@ std::vector<Index> without(std::vector<Index> rows, Index row) {
   return rows;
 }
 
-/// Returns the part of a surface that is left in the soup.
+/// Returns a surface with only those facets that are left of it in the soup.
 TriangulatedSurface left_of(const WorkingSoup& working, const TriangulatedSurface& surface, Index row) {
   TriangulatedSurface left = surface;
   left.points = working.soup.points;
@@ -32,7 +32,7 @@ TriangulatedSurface left_of(const WorkingSoup& working, const TriangulatedSurfac
   return left;
 }
 
-/// Returns the edges that have only one facet.
+/// Returns the edges of faults that have only one facet.
 std::vector<FaultTip> tips_of(const WorkingSoup& working, const std::vector<Index>& faults) {
   std::vector<FaultTip> tips;
   const auto& points = working.soup.points;
@@ -76,7 +76,7 @@ ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules,
     if (!kinds.contains(walls.surfaces[s].kind) && !std::ranges::binary_search(unconformities, s))
       walls.surfaces[s].triangles.clear();
   ArrangementOptions options;
-  if (rules.continuation.sides.size() == 1)  // a box is given as one surface
+  if (rules.continuation.sides.size() == 1)  // the sides of a box are given as one surface
     options.box = rules.continuation.bounds;
   else
     options.volume = rules.continuation.sides;
@@ -97,7 +97,8 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
         !overshoots_of(working, {s, without(faults, s), within, part_of(built.rows, s)}).empty())
       built.rows.overshooting.push_back(s);
   std::vector<double> area(alone.size(), 0);
-  std::vector<std::string> notes;  // notes are given when the soup of the model itself is cut
+  // Notes are discarded here, because the same ones are made when the soup of the model itself is cut.
+  std::vector<std::string> notes;
   end_faults(working, alone, built.rows, within, {area, notes});
   EndedFaults ended{built.surfaces, tips_of(working, faults)};
   for (const Index s : faults)

@@ -13,21 +13,20 @@
 
 namespace geomesh::geomodel {
 
-/// The parts removed from a soup: the area by surface, and notes about them.
+/// Record of the parts removed from a soup: the area of each surface, and notes.
 struct TakenOff {
   std::vector<double>& area;
   std::vector<std::string>& notes;
 };
 
-/// Removes the parts of faults beyond the faults on which they end: continuations (end_at_walls), the parts of
-/// BuiltRows::overshooting faults beyond other faults, and the parts of faults beyond the unconformities that truncate
-/// them, up to `within` (m).
+/// Removes the parts of faults beyond the surfaces on which they end: continuations (end_at_walls), parts of the faults
+/// in BuiltRows::overshooting beyond other faults, and parts of faults beyond unconformities, up to `within` (m).
 void end_faults(WorkingSoup& working, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                 double within, const TakenOff& taken);
 
-/// Walls of blocks intersected with the sides of the model, without the parts outside it.
+/// The bounding surfaces of fault blocks, intersected with the sides of the model and without the parts outside it.
 struct ArrangedWalls {
-  /// The built surfaces, without triangles if not requested, followed by the sides.
+  /// The built surfaces, followed by the sides; surfaces that were not requested have no triangles.
   std::vector<TriangulatedSurface> surfaces;
   PolygonSoup soup;
 };
@@ -35,19 +34,19 @@ struct ArrangedWalls {
 /// the sides of the model. Requires ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
-/// Faults, and the parts of their borders that remain free.
+/// Faults, and those parts of their borders that remain free.
 struct EndedFaults {
-  std::vector<TriangulatedSurface> surfaces;  ///< the given surfaces, with the faults as end_faults will leave them
+  std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; the faults are as end_faults() will leave them
   std::vector<FaultTip> tips;
 };
-/// Determines how faults end from an arrangement of the faults with the sides of the model, since outside the model
-/// continuations run around other faults. Sets BuiltRows::overshooting. Faults with a rule for their extent are not
-/// cut. Horizons that are continued to the resulting surfaces do not treat a stub beyond a fault as the wall of a
-/// block, or the line where two faults meet as a tip.
+/// Determines where faults end, from an arrangement of the faults with the sides of the model, because outside the
+/// model continuations run around other faults. Sets BuiltRows::overshooting. Faults with a rule for their extent are
+/// not cut. When horizons are continued to the resulting surfaces, a stub of a fault beyond another fault is no
+/// bounding surface of a block, and the line where two faults meet is no tip.
 EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules);
 
 /// Returns whether the fault may be continued and cut by default: no rule determines its extent, and no horizon has
-/// throw across it, because its blocks need the whole fault.
+/// throw across it. The blocks of a horizon with throw need the whole fault.
 bool ends_by_default(const std::vector<TriangulatedSurface>& surfaces, const ModelRules& rules, Index row);
 
 }  // namespace geomesh::geomodel

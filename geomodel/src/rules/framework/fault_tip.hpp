@@ -11,8 +11,8 @@ namespace geomesh::geomodel {
 /// An edge of a fault's border that lies on no other fault.
 struct FaultTip {
   EdgeEnds ends;
-  Vec3 normal;  ///< normal of the fault's facet there, not normalised
-  Index fault;  ///< row of the fault among the surfaces
+  Vec3 normal;  ///< normal of the fault's facet at the edge, not normalised
+  Index fault;  ///< index of the fault among the surfaces
 };
 
 }  // namespace geomesh::geomodel

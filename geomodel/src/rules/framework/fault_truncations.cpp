@@ -21,23 +21,23 @@ bool is_inside(const Box3& box, const Vec3& p) {
   return p.x > box.min.x && p.y > box.min.y && p.z > box.min.z && p.x < box.max.x && p.y < box.max.y && p.z < box.max.z;
 }
 
-/// The ends of border edges, with the position along strike first and the height last.
+/// The ends of a border edge, each given by its position along strike and its height.
 using SeenAlongStrike = std::array<std::array<double, 2>, 2>;
 
-/// Returns whether an edge passes above a place. Of two edges that meet above it, the one that begins there counts.
+/// Returns whether an edge passes above a place, as seen along the fault. If two edges meet exactly above the place,
+/// only the one that begins there counts.
 bool is_over(const SeenAlongStrike& edge, const std::array<double, 2>& place) {
   const auto& [a, b] = edge;
   if (std::min(a[0], b[0]) > place[0] || std::max(a[0], b[0]) <= place[0]) return false;
   return a[1] + (place[0] - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > place[1];
 }
 
-/// A place on the upper border, and the corner of its triangle opposite the border.
+/// A place on the upper border of a fault, and the corner opposite the border of the triangle at that place.
 struct UpperPlace {
   Vec3 at, opposite;
 };
 
-/// Returns the midpoints, inside the model, of the border edges along strike that have no other border edge above them,
-/// as seen along the fault.
+/// Returns the midpoints, inside the model, of a fault's border edges along strike that have no border edge above them.
 std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box3& box) {
   const Frame frame = frame_of(fault);
   const auto seen = [&](const Vec3& p) { return std::array<double, 2>{frame.to_frame(p).x, p.z}; };
@@ -60,11 +60,11 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
   return upper;
 }
 
-/// Position of an upper border relative to a horizon.
+/// Position of a fault's upper border relative to a horizon.
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
   bool is_above = true;                                                    ///< all of it
-  std::size_t n_crossing = 0;  ///< number of places whose triangles the horizon crosses
+  std::size_t n_crossing = 0;  ///< number of places on the border whose triangles the horizon crosses
 };
 
 /// The horizons at which a fault may end.

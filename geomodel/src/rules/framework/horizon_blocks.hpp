@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The fault blocks that divide horizons, with their walls.
+/// The fault blocks in which horizons are continued, with their bounding surfaces.
 #pragma once
 
 #include "rules/framework/block_framework.hpp"
@@ -10,9 +10,9 @@ namespace geomesh::geomodel {
 
 struct HorizonBlocks {
   BlockFramework framework;
-  Walls cutters;                   ///< faults, cut where they end on each other, and bodies
-  Walls walls;                     ///< the same, with horizons and the sides of the model
-  std::vector<Index> fill_blocks;  ///< rows of the horizons that fill each block in which they have data
+  Walls cutters;                   ///< bodies, and faults cut where they end on each other
+  Walls walls;                     ///< the cutters, the horizons and the sides of the model
+  std::vector<Index> fill_blocks;  ///< indices of the horizons that fill each block in which they have data
 };
 
 }  // namespace geomesh::geomodel

@@ -16,7 +16,7 @@ bool is_of(const Piece& piece, Index facet) {
   return std::binary_search(piece.facets.begin(), piece.facets.end(), facet);
 }
 
-/// Returns the edges where a piece meets the cutting surfaces.
+/// Returns the edges at which a piece of a surface meets the cutting surfaces.
 std::vector<EdgeEnds> contacts_of(const WorkingSoup& working, const Piece& piece, const std::vector<Index>& cutters) {
   std::vector<EdgeEnds> contacts;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
@@ -46,14 +46,13 @@ bool reaches_beyond_contacts(const WorkingSoup& working, const Piece& piece, con
   });
 }
 
-/// Returns whether another surface ends on the piece and on nothing else, so that it would have a free end without the
-/// piece.
+/// Returns whether another surface ends on the piece and on nothing else, so that it would end freely without it.
 bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) {
   bool found = false;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
     if (found) return;
     bool mine = false, is_held = false;
-    std::map<Index, int> others;  // number of facets of other surfaces that are left
+    std::map<Index, int> others;  // number of remaining facets of each other surface at the edge
     for (const EdgeUse& u : edge) {
       const bool of_piece = is_of(piece, u.facet);
       mine = mine || of_piece;

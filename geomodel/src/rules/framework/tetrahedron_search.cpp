@@ -13,15 +13,15 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The corners of each face, by the opposite corner, in the orientation seen from inside a positive tetrahedron.
+/// For each corner, the corners of the opposite face, in the orientation seen from inside a positive tetrahedron.
 constexpr std::array<std::array<std::size_t, 3>, 4> face_of{{{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-/// Number of planes of border faces that are tested. A box has six; a border with more costs time but does not change
-/// results.
+/// Largest number of planes of border faces that are tested. A box has six; with more, the search takes longer.
 constexpr std::size_t most_planes = 64;
-/// Bound relative to the largest coordinate: greater than the error of two sums of three products with a unit vector.
+/// Bound on the rounding error of an offset, relative to the largest coordinate, for two sums of three products with a
+/// unit vector.
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
-/// Returns positive on the side of the corner opposite the face.
+/// Returns positive if p is on the same side of the face as the opposite corner.
 Sign side_of_face(const std::array<Vec3, 4>& t, std::size_t opposite, const Vec3& p) {
   const auto& [i, j, k] = face_of[opposite];
   return orient3d(t[i], t[j], t[k], p);

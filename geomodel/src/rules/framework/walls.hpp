@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The surfaces on which another surface may end, with queries by straight segments.
+/// Walls: surfaces on which another surface may end, with queries by straight segments.
 #pragma once
 
 #include <algorithm>
@@ -14,38 +14,38 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles of the model volume's sides and of surfaces (faults, bodies, horizons). Holds no references, since the
-/// triangles are copied. Whether a segment meets a triangle is decided by exact orientations.
+/// Walls: the surfaces (faults, bodies, horizons) and sides of the model volume on which another surface may end.
+/// Copies their triangles, so it holds no references. Exact orientations decide whether a segment meets a triangle.
 class Walls {
  public:
   static constexpr Index side_of_volume = no_index;  ///< as Hit::surface
 
   struct Hit {
-    Index surface = side_of_volume;  ///< row of the surface that was hit
+    Index surface = side_of_volume;  ///< index of the surface that the segment hits
     bool from_above = false;         ///< whether the segment begins on the side to which the triangle's normal points
-    double share = 0;                ///< fraction of the segment up to the hit, from 0 to 1
+    double share = 0;                ///< fraction of the segment before the hit, from 0 to 1
   };
 
-  /// `rows` selects the surfaces that are walls. `sides` are those of the model volume.
+  /// `rows` are the indices of the surfaces that are bounding surfaces. `sides` are those of the model volume.
   Walls(const std::vector<TriangulatedSurface>& surfaces, const std::vector<Index>& rows,
         const std::vector<TriangulatedSurface>& sides);
 
   bool empty() const { return triangles_.empty(); }
-  /// Returns whether the surface of this row is a wall.
+  /// Returns whether the surface with this index is a bounding surface.
   bool holds(Index surface) const { return std::ranges::binary_search(rows_, surface); }
-  /// Returns the first wall on the segment from a to b, except surface `but_not`. Walls that contain a itself do not
-  /// count if the segment leaves them.
+  /// Returns the first bounding surface on the segment from a to b, ignoring surface `but_not`. Bounding surfaces that
+  /// contain the point a do not count if the segment leaves them.
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
-  /// Like first_hit, but ignores the sides of the model volume.
+  /// Returns the first bounding surface as first_hit() does, but ignores the sides of the model volume.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
 
-  /// Returns whether a wall meets the disc around `centre`, tested along four lines that follow the slope. A wall
-  /// through the centre counts.
+  /// Returns whether a bounding surface meets the disc around `centre`. Tested along four lines through the centre with
+  /// the given slope; a bounding surface through the centre counts.
   bool meets_disc(const Vec3& centre, double radius, const Vec2& slope, Index but_not) const;
-  /// Returns the segments from the centre of a disc to its rim along these lines.
+  /// Returns the four segments from the centre of a disc to its rim along which meets_disc() searches.
   static std::array<Vec3, 4> lines_of_disc(double radius, const Vec2& slope);
 
-  /// Returns all surfaces that meet the segment, ascending, without the sides of the model volume.
+  /// Returns all bounding surfaces that meet the segment, ascending, without the sides of the model volume.
   std::vector<Index> surfaces_on(const Vec3& a, const Vec3& b) const;
 
  private:
@@ -53,7 +53,7 @@ class Walls {
     Vec3 a, b, c;
     Index surface;
   };
-  /// Calls visit(hit) for each triangle that meets the segment.
+  /// Calls visit(hit) for each triangle of a bounding surface that meets the segment.
   template <class F>
   void for_each_hit(const Vec3& a, const Vec3& b, F&& visit) const;
   void add(const TriangulatedSurface& s, Index row, std::vector<Box3>& boxes);

@@ -25,7 +25,7 @@ Keeper keeper_of(const ModelRules& rules, Index younger, Index older,
   return younger_moves ? Keeper::older : Keeper::younger;
 }
 
-/// The horizons that are present at a place, youngest first.
+/// The horizons that are present at a place of the map, youngest first.
 struct Present {
   std::array<std::size_t, most_horizons> row;
   std::size_t n = 0;
@@ -35,14 +35,14 @@ struct Present {
   }
 };
 
-/// Returns whether all pairs of neighbouring horizons between these two are merged.
+/// Returns whether all pairs of neighbouring horizons from `above` to `below` are merged.
 bool are_merged(MergedPairs merged, std::size_t above, std::size_t below) {
   for (std::size_t k = above; k < below; ++k)
     if (!(merged >> k & 1)) return false;
   return true;
 }
 
-/// Raises the i-th horizon present so that it lies on older ones that keep their place.
+/// Raises the i-th horizon that is present so that it lies on those older ones that keep their height.
 void rise(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, const Keepers& keepers,
           double gap) {
   const std::size_t own = there.row[i];
@@ -57,7 +57,7 @@ void rise(std::span<double> heights, const Present& there, std::size_t i, Merged
   }
 }
 
-/// Lowers older horizons below the i-th horizon present; they are in order among themselves.
+/// Lowers older horizons, which are in order among themselves, below the i-th horizon that is present.
 void sink_below(std::span<double> heights, const Present& there, std::size_t i, MergedPairs merged, double gap) {
   for (std::size_t j = i; j + 1 < there.n; ++j) {
     const std::size_t above = there.row[j], below = there.row[j + 1];

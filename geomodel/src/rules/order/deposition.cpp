@@ -68,7 +68,7 @@ double DepositedHorizons::height(const Horizon& horizon, const Vec3& p) {
     most = std::max(most, z);
   });
   const double tiny = by_rounding * (std::abs(least) + std::abs(most));
-  // A horizon with more than one height there overhangs, and counts as absent.
+  // A horizon with more than one height over a place overhangs there, and counts as absent.
   return most - least <= tiny ? 0.5 * (least + most) : nowhere;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The units of the column at a place, which follow from the horizons in the order in which they were deposited.
+/// Determines the unit of the column at a place, from the horizons in the order in which they were deposited.
 #pragma once
 
 #include <memory>
@@ -14,17 +14,17 @@
 
 namespace geomesh::geomodel {
 
-/// The heights of the column's horizons over each place before any of them cut another one, and the order that the
-/// rules make of them. For horizons with throw, the block is used that lies on the place's sides of the faults. The
-/// unit is therefore known even where a horizon was removed because another one cut it. Surfaces are copied.
+/// The heights of the column's horizons over each place before any of them cut another, and the order in which the
+/// rules put them. For a horizon with throw, the block on the place's sides of the faults is used. The unit is
+/// therefore known even where a horizon was removed because another one cut it. Surfaces are copied.
 class DepositedHorizons {
  public:
-  /// Throws Error{usage} if the column names a surface that does not exist. `built` holds the blocks; it may have fewer
-  /// surfaces.
+  /// Throws Error{usage} if the column names a surface that does not exist. `built` holds the division of horizons into
+  /// blocks; it may cover fewer surfaces.
   DepositedHorizons(const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built, const ModelRules& rules);
 
-  /// Returns the units that are possible at p: one, or several if a horizon is absent there or has several heights.
-  /// Empty if the horizons contradict each other. O(horizons * log triangles) and the square of the horizons.
+  /// Returns the units that are possible at the point p: one, or several if a horizon is absent or has several heights.
+  /// Empty if the horizons contradict each other. O(h log t + h^2) for h horizons of t triangles.
   UnitRange units_at(const Vec3& p) const;
 
  private:
@@ -36,9 +36,9 @@ class DepositedHorizons {
   struct Horizon {
     std::vector<FaultSides> faults{};
     std::vector<std::vector<bool>> sides{};  ///< per block
-    /// For each block, the faults on both sides of which it lies; or empty.
+    /// For each block, the faults on both sides of which it lies; empty if there are none.
     std::vector<std::vector<bool>> on_both_sides{};
-    std::vector<Sheet> blocks{};  ///< one sheet for each block; a single one if there are no blocks
+    std::vector<Sheet> blocks{};  ///< part of the horizon in each block; all of it if there are no blocks
   };
   static Horizon horizon_of(const TriangulatedSurface& surface, const BuiltRows& built, Index row,
                             const std::vector<TriangulatedSurface>& surfaces);
@@ -48,8 +48,8 @@ class DepositedHorizons {
   Keepers keepers_;
 };
 
-/// Returns the naming rules with the model's unconformities and with DepositedHorizons::units_at, which gives no
-/// information if there is no column or if it has more than `most_horizons`. Surfaces are read at the first call, so
+/// Returns the naming rules, extended by the model's unconformities and by DepositedHorizons::units_at(), which gives
+/// no information if there is no column or if it has more than `most_horizons`. Surfaces are read at the first call, so
 /// they must outlive the result. Not thread-safe.
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules);

@@ -56,7 +56,8 @@ BorderLoops border_loops(const std::vector<BorderEdge>& edges) {
       at[edges[e].a] = path.size();
       path.push_back(edges[e].a);
       const VertexIndex next = edges[e].b;
-      if (const auto closed = at.find(next); closed != at.end()) {  // a loop closes and is removed from the path
+      // The walk closes a loop, which is removed from the path.
+      if (const auto closed = at.find(next); closed != at.end()) {
         const std::size_t first = closed->second;
         result.loops.emplace_back(path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
         for (std::size_t k = first; k < path.size(); ++k) at.erase(path[k]);

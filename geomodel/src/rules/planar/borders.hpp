@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Borders of a surface as read, and the frame in which a surface is extended.
+/// The borders of a surface before the arrangement, and the frame in which the surface is extended.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@
 
 namespace geomesh::geomodel {
 
-/// An edge with only one triangle (equal coordinates merged), in the direction in which the triangle traverses it.
+/// An edge with only one triangle (points with equal coordinates are merged), in the direction of that triangle.
 struct BorderEdge {
-  VertexIndex a, b;  ///< the first rows with these coordinates
+  VertexIndex a, b;  ///< ends of the edge: the first points with their coordinates
   Index triangle;
 };
 
 /// Returns the border edges in the order of their triangles.
 std::vector<BorderEdge> border_edges(const TriangulatedSurface& surface);
 
-/// The border's closed loops, each in the direction of its edges (two loops through one point are separated). Edges
+/// The closed loops of a border, each in the direction of its edges; two loops through one point are separated. Edges
 /// that do not close a loop are left out and counted.
 struct BorderLoops {
   std::vector<std::vector<VertexIndex>> loops;
@@ -42,17 +42,16 @@ struct Frame {
     return origin + q.x * u + q.y * v + q.z * w;
   }
 };
-/// Returns a frame whose w is the direction of `normal`; the map if the normal is zero.
+/// Returns a frame whose axis w has the direction of `normal`; the map if the normal is zero.
 Frame frame_of_normal(const Vec3& origin, const Vec3& normal);
 
-/// Returns the map for horizons, the mean plane for faults and bodies. Requires at least one triangle.
+/// Returns the frame in which a surface (not empty) is extended: the map for horizons, the mean plane for others.
 Frame frame_of(const TriangulatedSurface& surface);
 
-/// Returns whether most of the area of the given triangles faces up in the frame, so that added triangles get the same
-/// orientation.
+/// Returns whether most of the surface's area faces up in the frame, so that added triangles get the same orientation.
 bool faces_up(const TriangulatedSurface& surface, const Frame& frame);
 
-/// Returns the area of the triangles from row `first` on.
+/// Returns the area of the surface's triangles from index `first` on.
 double area_from(const TriangulatedSurface& surface, std::size_t first);
 
 }  // namespace geomesh::geomodel

@@ -26,7 +26,8 @@ HeightVote::HeightVote(const WorkingSoup& working, Index y, const std::vector<Tr
         });
       }) {}
 
-/// Heights are rounded: a fault that rounding places exactly at one of the ends meets a surface at that very place.
+/// Returns whether a fault passes between the heights of two surfaces at a place. The end points do not count: heights
+/// are rounded, and a fault that ends on a surface may be rounded exactly onto it.
 bool HeightVote::is_fault_between(const Vec3& p, double height) const {
   if (!faults_.locator()) return false;
   bool is_between = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Determines on which side of a horizon most of a piece of another horizon lies, by heights.
+/// Determines by heights on which side of one horizon most of a piece of another horizon lies.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,22 @@
 
 namespace geomesh::geomodel {
 
-/// A piece may continue beyond the end of the horizon that cuts it, and meet it again from the other side. Edges where
-/// they meet say little about such a piece; its area above and below does.
+/// Decides by the area of a piece of a horizon above and below another horizon y. The edges where they meet say little:
+/// the piece may continue beyond the end of y and meet y again from the other side.
 class HeightVote {
  public:
-  /// Uses the remaining parts of surface y, and of the faults among the surfaces.
+  /// Uses the parts of surface y, and of all faults, that remain in the soup.
   HeightVote(const WorkingSoup& working, Index y, const std::vector<TriangulatedSurface>& surfaces);
   HeightVote(const HeightVote&) = delete;
   HeightVote& operator=(const HeightVote&) = delete;
 
-  /// Returns 1 if most of the piece's area lies above y, -1 if below, 0 if y is neither above nor below any of it.
-  /// Facets are tested at their centres, exactly, where y is present once. Where a fault passes between the two, y
-  /// belongs to another, displaced block, and that place is ignored.
+  /// Returns 1 if most of the piece's area lies above the horizon y, -1 if below, 0 if y is neither above nor below any
+  /// of it. Facets are tested at their centres, exactly, where y has one height. If a fault passes between the centre
+  /// and y, then y belongs to another, displaced block, and the place is ignored.
   int side_of(const Piece& piece) const;
 
  private:
-  /// The remaining parts of some surfaces, with a locator in the map.
+  /// The remaining facets of some surfaces, with a locator in the map.
   class Left {
    public:
     Left(const WorkingSoup& working, const std::function<bool(Index facet)>& is_mine);
@@ -38,7 +38,7 @@ class HeightVote {
 
    private:
     TriangulatedSurface surface_;
-    std::optional<MapLocator> locator_;  ///< locator, if any parts remain
+    std::optional<MapLocator> locator_;  ///< locator of the remaining facets; empty if there are none
   };
   bool is_fault_between(const Vec3& p, double height) const;
 

@@ -25,11 +25,11 @@ class MapLocator {
     bool strictly = false;  ///< whether the point is inside the triangle and on none of its edges
   };
   Hit find(Vec2 p) const;
-  /// Calls `found` with each triangle above or below p, and whether p is strictly inside it.
+  /// Calls found(triangle, strictly) for triangles above or below p; `strictly`: p is inside and on no edge.
   void for_each(Vec2 p, const std::function<void(Index triangle, bool strictly)>& found) const;
-  /// Returns the height of the triangle's plane at p; at one of its corners exactly that corner's height.
+  /// Returns the height of the triangle's plane at p; at a corner of the triangle exactly that corner's height.
   double height(Index triangle, Vec2 p) const;
-  /// Returns the height at p, or nothing beside the surface.
+  /// Returns the height of the surface at p, or nothing beside the surface.
   std::optional<double> height(Vec2 p) const;
 
  private:

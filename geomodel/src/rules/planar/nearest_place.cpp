@@ -26,7 +26,7 @@ std::size_t NearestPlace::row(double y) const {
 }
 
 double NearestPlace::distance2_of_cell(std::size_t i, std::size_t j, double x, double y) const {
-  // Places on the rim of a cell may be assigned to the next cell.
+  // Rounding may assign a place on the rim of a cell to the next cell.
   const double x0 = bounds_.min.x + width_ * (static_cast<double>(i) - by_rounding),
                x1 = x0 + width_ * (1 + 2 * by_rounding);
   const double y0 = bounds_.min.y + height_ * (static_cast<double>(j) - by_rounding),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the nearest of many places in a plane.
+/// Finds the nearest of many points in a plane.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace geomesh::geomodel {
 
-/// A grid of cells, searched in rings around the query point: constant time for evenly spaced places.
+/// A grid of cells, searched in rings around the query point: constant time for evenly spaced points.
 class NearestPlace {
  public:
   explicit NearestPlace(const std::vector<Vec3>& places);
-  /// Returns the row of the place nearest to (x, y), the first of equally near ones. Precondition: there is at least
+  /// Returns the index of the point nearest to (x, y), the first of equally near ones. Precondition: there is at least
   /// one.
   Index find(double x, double y) const;
 

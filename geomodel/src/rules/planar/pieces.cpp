@@ -26,7 +26,7 @@ bool runs_from(const Triangle& t, VertexIndex a, VertexIndex b) {
   return false;
 }
 
-/// Returns whether facet f, oriented so that its normal is on the upper side of y, traverses the edge from a to b.
+/// Returns whether facet f of surface y, with its normal turned to the upper side of y, traverses the edge from a to b.
 bool runs_upward(const WorkingSoup& w, Index f, Index y, const UpwardSides& sides, VertexIndex a, VertexIndex b) {
   const PolygonSoup::Origin& o = *w.origin_of(f, y);
   const bool facet_is_up = (sides.as_stored[o.triangle] != 0) != o.reversed;
@@ -43,8 +43,8 @@ bool are_apart(const WorkingSoup& w, const EdgeUse& edge, Index f, Index g) {
   return side(f) * side(g) == Sign::negative;
 }
 
-/// Returns the side of point d at the edge relative to the facets of y there: 1 above, -1 below, 0 on it or undecided.
-/// There is one facet of y (y ends here), or there are two (d is in the upper or the lower wedge between them).
+/// Returns the side of point d, beside an edge, relative to the facets of surface y at that edge: 1 above, -1 below, 0
+/// on it or undecided. If y has one facet, it ends there; if two, d is in the upper or the lower wedge.
 int side_at_edge(const WorkingSoup& w, const EdgeUse& edge, const std::vector<Index>& of_y, Index y,
                  const UpwardSides& sides, VertexIndex d) {
   const VertexIndex a = edge.a, b = edge.b;
@@ -119,8 +119,8 @@ PolygonSoup WorkingSoup::result() const {
   for (Index f = 0; f < soup.facets.size(); ++f) {
     if (!alive(f)) continue;
     Triangle t = soup.facets[f];
-    // A facet has the orientation of its first origin: if that origin was removed, the facet is flipped to match the
-    // one that is first now.
+    // A facet has the orientation of its first origin (input triangle). If that origin was removed, the facet is
+    // flipped to match the origin that has become the first one.
     const bool turn = origins[f].front().reversed;
     if (turn) std::swap(t[1], t[2]);
     out.facets.push_back({row[t[0]], row[t[1]], row[t[2]]});

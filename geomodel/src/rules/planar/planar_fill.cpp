@@ -23,12 +23,12 @@ using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
-/// Computes the least number of constraints between each face and the infinite one.
+/// Computes for each face the least number of constraints that a path from outside (the infinite face) crosses.
 void find_depths(Triangulation& triangulation) {
   for (auto face : triangulation.all_face_handles()) face->info() = -1;
   std::deque<Triangulation::Face_handle> queue{triangulation.infinite_face()};
   triangulation.infinite_face()->info() = 0;
-  while (!queue.empty()) {  // breadth-first search with weights 0 and 1
+  while (!queue.empty()) {  // breadth-first search with edge weights 0 and 1
     const auto face = queue.front();
     queue.pop_front();
     for (int i = 0; i < 3; ++i) {
@@ -46,7 +46,7 @@ void find_depths(Triangulation& triangulation) {
   }
 }
 
-/// Returns the rows of the points along a space-filling curve, so that each is inserted near the previous one.
+/// Returns the indices of the points along a space-filling curve, so that each is inserted near the previous one.
 std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
   std::vector<std::pair<Kernel::Point_2, Index>> rows;
   for (Index i = 0; i < points.size(); ++i) rows.push_back({{points[i].x, points[i].y}, i});
@@ -57,9 +57,9 @@ std::vector<Index> spatial_order(const std::vector<Vec2>& points) {
   return order;
 }
 
-/// Both diagonals between four cocircular points are Delaunay. The one that avoids the last of the points, by y and
-/// then x, is chosen, as if later points lay slightly outside the circle. The squares of a grid then have parallel
-/// diagonals, the triangulation is unique, and the flips terminate.
+/// Makes the Delaunay triangulation unique where four points are cocircular, so that both diagonals between them are
+/// Delaunay. The diagonal is chosen that avoids the last of the points, by y and then x, as if later points lay
+/// slightly outside the circle. The squares of a grid then have parallel diagonals, and the flips terminate.
 void settle_ties(Triangulation& triangulation) {
   const auto is_before = [](const Triangulation::Vertex_handle& v, const Triangulation::Vertex_handle& w) {
     const auto &p = v->point(), &q = w->point();

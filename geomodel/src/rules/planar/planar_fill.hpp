@@ -13,12 +13,12 @@
 namespace geomesh::geomodel {
 
 struct PlanarTriangle {
-  std::array<Index, 3> vertices;  ///< rows of the points, counter-clockwise
-  int depth;  ///< number of constraints crossed from outside: 0 outside all loops, 1 inside, 2 in a hole ...
+  std::array<Index, 3> vertices;  ///< indices of the points, counter-clockwise
+  int depth;  ///< constraints crossed from outside: 0 outside all loops, 1 inside a loop, 2 in a hole ...
 };
 
-/// Returns all triangles of the points' convex hull; their order depends on the input alone. Returns nothing if
-/// constraints cross each other or pass through a point, or if two points are equal.
+/// Triangulates points with constraints. Returns all triangles of the points' convex hull; their order depends on the
+/// input alone. Returns nothing if constraints cross each other or pass through a point, or if two points are equal.
 std::optional<std::vector<PlanarTriangle>> triangulate_plane(const std::vector<Vec2>& points,
                                                              const std::vector<std::pair<Index, Index>>& constraints);
 

@@ -29,7 +29,8 @@ LinedTriangulation triangulate_lines(const std::vector<Vec2>& points, const std:
       const auto a = insert(line[i - 1]), b = insert(line[i]);
       if (a == b) continue;
       triangulation.insert_constraint(a, b);
-      near = b->face();  // inserting a constraint removes the faces that it crosses
+      // Face handles become invalid, because inserting a constraint removes the faces that it crosses.
+      near = b->face();
     }
   LinedTriangulation result;
   for (auto v : triangulation.finite_vertex_handles()) {

@@ -12,13 +12,13 @@
 namespace geomesh::geomodel {
 
 struct LinedTriangulation {
-  std::vector<Vec2> points;         ///< the given points and those of the lines, and where lines cross (rounded)
+  std::vector<Vec2> points;  ///< the input points, those of the lines, and the (rounded) points where lines cross
   std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the convex hull
   /// For each triangle, bit i is set if the side opposite vertex i is part of a line.
   std::vector<std::uint8_t> lined_sides;
 };
 
-/// Nearly linear except for crossings of lines. The order of the result depends on the input alone.
+/// Triangulates points and lines, in an order that depends on the input alone. Nearly linear except for crossings.
 LinedTriangulation triangulate_lines(const std::vector<Vec2>& points, const std::vector<std::vector<Vec2>>& lines);
 
 }  // namespace geomesh::geomodel

@@ -15,7 +15,7 @@ struct PlanarOverlay {
   std::vector<Vec2> points;
   std::vector<Triangle> triangles;  ///< counter-clockwise triangles of the whole convex hull
 };
-/// Nearly linear except for the crossings of edges.
+/// Overlays the edges of all surfaces in the map. Nearly linear except for the crossings of edges.
 PlanarOverlay overlay_in_map(const std::vector<const TriangulatedSurface*>& surfaces);
 
 }  // namespace geomesh::geomodel

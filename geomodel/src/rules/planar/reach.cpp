@@ -29,7 +29,8 @@ struct Part {
   unsigned halvings;
 };
 
-/// The set of points within a length of one edge is convex, so testing the corners suffices.
+/// Returns whether all of a triangle is near one of the edges. Testing the corners suffices, because the set of points
+/// within a distance of one edge is convex.
 bool one_edge_is_near_all(const std::vector<EdgeEnds>& edges, const Part& part, double limit) {
   return std::ranges::any_of(edges, [&](const EdgeEnds& edge) {
     return std::ranges::all_of(part.corners, [&](const Vec3& p) { return distance_to(edge, p) <= limit; });

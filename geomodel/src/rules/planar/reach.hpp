@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far triangles reach from a set of edges.
+/// Determines whether triangles reach farther than a limit from a set of edges.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace geomesh::geomodel {
 
 using EdgeEnds = std::array<Vec3, 2>;
 
-/// Returns false if every point of the triangle is proven to be within `limit` of one of the edges. This does not
-/// follow from the corners alone: the triangle is subdivided until each part is proven to be near, or a place is found
-/// that is not. Returns true if 64 subdivisions of a side do not decide. Cost: few parts, except for triangles that
-/// reach almost exactly to the limit.
+/// Returns whether the triangle reaches farther than `limit` from all of the edges. False means that every point of the
+/// triangle is proven to be within `limit` of one edge. This does not follow from the corners alone: the triangle is
+/// subdivided until each part is proven to be near, or a place is found that is not. Returns true if 64 subdivisions of
+/// a side do not decide. Cost: few parts, except for triangles that reach almost exactly to the limit.
 bool reaches_beyond(const std::array<Vec3, 3>& triangle, const std::vector<EdgeEnds>& edges, double limit);
 
 }  // namespace geomesh::geomodel

@@ -12,7 +12,7 @@ namespace {
 
 struct EdgeSide {
   VertexIndex a, b;  ///< the lesser first
-  Sign side;         ///< side on which the triangle's third point lies
+  Sign side;         ///< side of the edge on which the triangle's third point lies
   friend bool operator<(const EdgeSide& x, const EdgeSide& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; }
 };
 

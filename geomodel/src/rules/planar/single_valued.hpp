@@ -7,9 +7,9 @@
 
 namespace geomesh::geomodel {
 
-/// Requires that no triangle is vertical, that no edge has more than two triangles, and that triangles with a common
-/// edge lie on both sides of it in the map. All tests are exact. Sheets that lie above each other are not detected.
-/// Cost: a sort of the edges.
+/// Returns whether a surface has one height over each place: no triangle is vertical, no edge has more than two
+/// triangles, and triangles with a common edge lie on different sides of it in the map. All tests are exact. Connected
+/// parts of the surface that lie above each other are not detected. Cost: a sort of the edges.
 bool is_single_valued(const TriangulatedSurface& surface);
 
 }  // namespace geomesh::geomodel

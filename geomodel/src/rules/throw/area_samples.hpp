@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Sample points all over a surface, each with the area that it represents.
+/// Samples points all over a surface, each with the area that it represents.
 #pragma once
 
 #include <cmath>
@@ -12,11 +12,11 @@ namespace geomesh::geomodel {
 Vec3 centre_of(const TriangulatedSurface& surface, const Triangle& triangle);
 double area_of(const TriangulatedSurface& surface, Index triangle);
 
-/// Divides large triangles into equal parts, so that even a horizon of few large triangles has its area on each side of
-/// a fault measured. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
+/// Divides large triangles into equal parts, so that the area on each side of a fault can be measured even for a few
+/// large triangles. A surface has at least about 500 parts; a triangle smaller than a part is not divided.
 class AreaSamples {
  public:
-  /// The surface must outlive this object. O(triangles).
+  /// Precondition: the surface outlives this object. O(triangles).
   explicit AreaSamples(const TriangulatedSurface& surface);
 
   /// Calls visit(place, area) for each part of a triangle.
@@ -41,7 +41,7 @@ class AreaSamples {
   }
 
   const TriangulatedSurface& surface_;
-  double largest_ = 0;  ///< largest area of a part; infinite if the surface has no area
+  double largest_ = 0;  ///< largest area of a part of a triangle; infinite if the surface has no area
 };
 
 }  // namespace geomesh::geomodel

@@ -8,10 +8,10 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double fit_radius = 3;    // in edges
-constexpr double along_counts = 2;  // factor on distances along the strike
+constexpr double along_counts = 2;  // factor on distances along the strike of a fault
 constexpr std::size_t fewest_to_fit = 6;
 
-/// Measures distances in the map from a place; distances along the strike have a larger weight.
+/// Measures distances in the map from a place, with a larger weight for distances along the strike of a fault.
 class AcrossStrike {
  public:
   AcrossStrike(const Vec3& p, const Vec2& across) : p_(p), across_(across) {}

@@ -13,8 +13,8 @@
 
 namespace geomesh::geomodel {
 
-/// Planes that are fitted with weights to the nodes of one side near a place (moving least squares; Levin, The
-/// approximation power of moving least-squares, Math. Comp. 67, 1998).
+/// Heights of planes that are fitted with weights to the nodes on one side of a fault near a place (moving least
+/// squares; Levin, The approximation power of moving least-squares, Math. Comp. 67, 1998).
 class CarriedHeights {
  public:
   /// `edge` is the median edge length of the horizon in the map. The surface must outlive this object and may get more

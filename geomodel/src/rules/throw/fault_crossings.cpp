@@ -18,8 +18,8 @@ Box3 bounds_of(const std::array<Vec3, 3>& t) {
   return box;
 }
 
-/// If a fault ends on a side of the box, nothing inside continues around its end: boxes that only touch the side, up to
-/// rounding, are outside.
+/// Returns whether box `a` reaches into the model's box by more than rounding. A fault that ends on a side of the
+/// model's box has no end inside, so nothing continues around it.
 bool reaches_into(const Box3& a, const Box3& box) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double room = std::isfinite(box.max[k] - box.min[k]) ? by_rounding * (box.max[k] - box.min[k]) : 0;
@@ -33,7 +33,7 @@ std::array<Vec3, 3> corners_of(const TriangulatedSurface& s, std::size_t t) {
   return {s.points[v[0]], s.points[v[1]], s.points[v[2]]};
 }
 
-/// Returns whether the segment meets the triangle; touching counts, lying in its plane does not.
+/// Returns whether the segment meets the triangle. Touching it counts; lying in its plane does not.
 bool crosses(const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& t) {
   const Sign sp = orient3d(t[0], t[1], t[2], p), sq = orient3d(t[0], t[1], t[2], q);
   if (sp == sq) return false;
@@ -69,7 +69,7 @@ std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::si
   for (std::size_t k = 0; k < n; ++k) bounds[k] = bounds_of(corners_of(horizon, first + k));
   const arrangement::BoxTree tree(bounds);
   for (const ThrowFault& fault : faults) {
-    std::vector<Box3> met(n);  // boxes of the places at which the border of each triangle meets the extension
+    std::vector<Box3> met(n);  // boxes of the places at which the border of each triangle meets the fault's extension
     for (Index f = 0; f < fault.surface->triangles.size(); ++f) {
       const std::array<Vec3, 3> of_fault = corners_of(*fault.surface, f);
       const Box3 around = bounds_of(of_fault);

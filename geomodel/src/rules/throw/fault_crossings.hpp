@@ -13,8 +13,7 @@ namespace geomesh::geomodel {
 /// A box that contains everything.
 inline constexpr Box3 everywhere{Box3{}.max, Box3{}.min};
 
-/// A fault across which a horizon has throw, and the row at which its own extension begins (its number of triangles if
-/// it has none).
+/// A fault across which a horizon has throw, and the index of the first triangle of its extension (its end if none).
 struct ThrowFault {
   const TriangulatedSurface* surface;
   Index first_made;
@@ -27,8 +26,8 @@ bool ends_inside(const ThrowFault& fault, const Box3& box);
 /// precedence over the fault itself, because the fault ends in that triangle).
 enum class Crossing : std::uint8_t { none, fault, continuation };
 
-/// Classifies the horizon's triangles from row `first` on, by exact orientation of edges against triangles. Extensions
-/// count only inside the box.
+/// Classifies the horizon's triangles from index `first` on, by exact orientation of edges against triangles.
+/// Extensions of faults count only inside the box.
 std::vector<Crossing> find_crossings(const TriangulatedSurface& horizon, std::size_t first,
                                      const std::vector<ThrowFault>& faults, const Box3& box);
 

@@ -29,8 +29,8 @@ class FaultFaces {
  public:
   explicit FaultFaces(const TriangulatedSurface& fault);
 
-  /// Returns the position relative to the nearest triangle that is not horizontal, whose plane is extended beyond the
-  /// fault's ends. Returns nothing beyond `reach`.
+  /// Returns the position of a place relative to the fault's nearest triangle that is not horizontal, whose plane is
+  /// extended beyond the fault's ends. Returns nothing if the place is farther than `reach`.
   std::optional<Beside> beside(const Vec3& p, double reach) const;
 
  private:
@@ -49,7 +49,7 @@ class FaultFaces {
   std::vector<Index> faces_within(const Vec3& p, double reach) const;
 
   std::vector<Face> faces_;
-  std::vector<Index> steep_;  ///< rows of the triangles that are not horizontal
+  std::vector<Index> steep_;  ///< indices of the triangles that are not horizontal
   NearestPoint steep_centres_;
   arrangement::BoxTree tree_;
   Box3 bounds_;

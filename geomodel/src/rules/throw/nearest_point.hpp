@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 class NearestPoint {
  public:
   explicit NearestPoint(std::vector<Vec3> points);
-  /// Returns the row of the point nearest to p, the first of equally near ones; no_index if there are no points.
+  /// Returns the index of the point nearest to p, the first of equally near ones; no_index if there are no points.
   Index find(const Vec3& p) const;
 
  private:
@@ -24,14 +24,14 @@ class NearestPoint {
     double distance = 0;
   };
   void build(std::size_t begin, std::size_t end);
-  /// Searches the points in rows [begin, end). `off` is the vector from p to their bounding box, along each axis.
+  /// Searches the points [begin, end) of the tree. `off` is the vector from p to their bounding box, along each axis.
   void find(std::size_t begin, std::size_t end, const Vec3& p, const Vec3& off, Best& best) const;
   void look_at(Index row, const Vec3& p, Best& best) const;
 
   std::vector<Vec3> points_;
   Box3 bounds_;
   std::vector<Index> rows_;         ///< halved in place
-  std::vector<std::uint8_t> axis_;  ///< axis along which each part was halved, stored at the row of its middle
+  std::vector<std::uint8_t> axis_;  ///< axis along which each part was halved, stored at the part's middle
 };
 
 }  // namespace geomesh::geomodel

@@ -10,11 +10,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Least share of a sheet's area on each side of a fault across which it is considered to continue.
+// Least fraction of a connected part's area on each side of a fault for the part to continue across it.
 constexpr double least_of_sides = 0.1;
-constexpr double least_beside_another = 0.25;  // the same share if another sheet lies on the smaller side
-constexpr double least_of_corner = 0.02;       // the same share if other faults separate its sheets
-constexpr double least_sheet = 0.005;          // smallest sheet that counts, as a share of the horizon's area
+// Least fraction of a connected part's area on each side if another part lies on the smaller side.
+constexpr double least_beside_another = 0.25;
+// Least fraction of a connected part's area on each side if other faults separate the parts on the two sides.
+constexpr double least_of_corner = 0.02;
+// Area of the smallest connected part that counts, as a fraction of the horizon's area.
+constexpr double least_sheet = 0.005;
 
 std::vector<Vec3> centres_of(const TriangulatedSurface& s) {
   std::vector<Vec3> centres;
@@ -108,7 +111,7 @@ bool SheetSides::runs_across(std::size_t fault) const {
 }
 
 bool SheetSides::parts_alone(std::size_t fault, const std::vector<bool>& counts) const {
-  // For each combination of sides of the other faults: whether sheets lie below and above this fault.
+  // For each combination of sides of the other faults: whether connected parts lie below and above `fault`.
   std::map<std::vector<bool>, std::pair<bool, bool>> found;
   for (const auto& entry : sheets_) {
     const Sheet& sheet = entry.second;
@@ -154,7 +157,7 @@ std::vector<bool> SheetSides::run_across() const {
   std::vector<bool> counts(n_faults_);
   for (std::size_t f = 0; f < n_faults_; ++f) counts[f] = !runs_across(f);
   const auto corner = [this](std::size_t f) { return largest_corner(f); };
-  for (;;) {  // remove one fault at a time, because the remaining ones may then be needed to separate the sheets
+  for (;;) {  // one fault is removed at a time, because the others may then be needed to separate the sheets
     const std::size_t next = least_needed(counts, least_of_corner, corner);
     if (next == n_faults_) break;
     counts[next] = false;

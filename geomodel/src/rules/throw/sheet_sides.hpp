@@ -21,7 +21,8 @@ namespace geomesh::geomodel {
 /// Returns pairs of triangles with a common edge (equal coordinates are merged).
 std::vector<std::pair<Index, Index>> neighbours_in(const TriangulatedSurface& surface);
 
-/// Returns sheets connected across the pairs that `joins` accepts; each is identified by its smallest triangle row.
+/// Returns for each triangle its sheet (set of triangles connected across the pairs that `joins` accepts), identified
+/// by the sheet's smallest triangle index.
 template <class F>
 std::vector<Index> sheets_of(std::size_t n_triangles, const std::vector<std::pair<Index, Index>>& neighbours,
                              F&& joins) {
@@ -92,13 +93,13 @@ class SheetSides {
   };
   SmallerPart smaller_part(Index sheet, std::size_t fault) const;
   bool runs_across(std::size_t fault) const;
-  /// Returns whether two sheets lie on different sides of the fault, and on the same side of all others that count.
+  /// Returns whether two sheets lie on different sides of the fault, and on the same sides of all other counted faults.
   bool parts_alone(std::size_t fault, const std::vector<bool>& counts) const;
   bool parts_any(std::size_t fault) const;
   /// Returns the largest smaller part beside the fault, as a share of its sheet and without what has another sheet
   /// above or below it.
   double largest_corner(std::size_t fault) const;
-  double on_wrong_side(std::size_t fault) const;  ///< total area of all smaller parts
+  double on_wrong_side(std::size_t fault) const;  ///< total area of all sheets' smaller parts beside the fault
   /// Among the faults that count, returns the one with the greatest measure that separates sheets which the other
   /// faults separate as well; n_faults_ if no measure exceeds `least`.
   template <class F>
@@ -112,7 +113,7 @@ class SheetSides {
   double area_ = 0;
 };
 
-/// Returns SheetSides::parting. A horizon that is one sheet is separated by no fault, so its sides are not computed.
+/// Returns SheetSides::parting(), without computing sides if the horizon is one connected sheet.
 std::vector<bool> parting_of(const TriangulatedSurface& horizon, const std::vector<const TriangulatedSurface*>& faults);
 
 }  // namespace geomesh::geomodel

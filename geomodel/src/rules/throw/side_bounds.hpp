@@ -31,7 +31,7 @@ class SideBounds {
   struct Node {
     Box3 normals;                      ///< of length one
     double least_offset, most_offset;  ///< least and greatest offset of the planes from the centre, along their normals
-    std::size_t right;  ///< row of the second half, 0 if there is none; the first half is in the next row
+    std::size_t right;  ///< node of the second half of the planes, 0 if there is none; the first half is the next node
   };
   std::size_t build(std::vector<SidedPlane>& planes, std::size_t begin, std::size_t end);
   SideOfAll side(std::size_t node, const Vec3& from_centre, double tiny) const;

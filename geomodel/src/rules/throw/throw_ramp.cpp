@@ -15,18 +15,20 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Lengths in median edges of the horizon in the map: of a segment along the fault, and of the zones on both sides of a
-// ramp in which the slope beside it is measured.
+// Lengths, in median edge lengths of the horizon in the map: of a segment along the fault, and of the zones on both
+// sides of a ramp in which the slope of the horizon itself is measured.
 constexpr double stretch_length = 8;
 constexpr double ring_width = 8;
-// Distances from the fault, in the same unit, at which these zones begin; smaller ones are used if too few triangles
-// lie in a zone because other faults are near.
+// Distances from the fault, in median edge lengths, at which the zones beside a ramp begin; smaller ones are used if
+// too few triangles lie in a zone because other faults are near.
 constexpr std::array<long, 3> rings{8, 5, 3};
 constexpr std::size_t fewest_in_ring = 6;
-constexpr double sure_of_spread = 3;      // number of standard deviations of the slopes beside the ramp
-constexpr double sure_of_difference = 2;  // factor on the difference between the slopes on the two sides
-constexpr double least_slope = 0.02;      // least amount by which a ramp is steeper than its surroundings
-constexpr double ramp_ends_at = 0.1;      // share of the greatest slope at which the ramp ends
+// A ramp is steeper than its surroundings by at least this many standard deviations of the slopes beside it.
+constexpr double sure_of_spread = 3;
+// A ramp is steeper than its surroundings by at least this many times the difference between the two sides' slopes.
+constexpr double sure_of_difference = 2;
+constexpr double least_slope = 0.02;  // slope by which a ramp is at least steeper than its surroundings
+constexpr double ramp_ends_at = 0.1;  // fraction of the ramp's greatest slope at which the ramp ends
 constexpr double share_of_stretches = 0.25;
 
 /// The slope of a triangle of the horizon, perpendicular to the fault.
@@ -34,7 +36,7 @@ struct SlopeBeside {
   double across, slope;
 };
 
-/// The ramp in one segment. ramp_within() returns nothing if the slope beside it is not known on both sides.
+/// The ramp in one segment along the fault; nothing if the slope beside it is not known on both sides.
 struct StretchRamp {
   bool is_ramp = false;
   double step = 0;  ///< height of the ramp, in median edge lengths
@@ -76,7 +78,7 @@ std::optional<StretchRamp> ramp_within(const std::vector<SlopeBeside>& slopes, l
   while (is_steep(first - 1)) --first;
   while (is_steep(last + 1)) ++last;
   for (long bin = first; bin <= last; ++bin) found.step += std::abs(excess[bin]);
-  // A steep part that extends to where the slope beside it is measured is the horizon's own slope, and no ramp.
+  // A steep zone that extends to where the slope beside it is measured is no ramp but the horizon's own slope.
   if (first <= 1 - ring_from || last >= ring_from - 2) return StretchRamp{};
   found.width = {std::max(0.0, static_cast<double>(-first)), std::max(0.0, static_cast<double>(last + 1))};
   return found;
@@ -165,10 +167,10 @@ void find_ramps(const std::vector<TriangulatedSurface>& surfaces, ModelRules& ru
       faces.emplace_back(s);
       faults.push_back(&s);
     }
-  // Throw belongs to two blocks and therefore affects all horizons in them: a grid smears a fault in all of them or in
+  // A fault displaces two blocks and therefore all horizons in them: gridding smears its throw in all of them or in
   // none. If one horizon were restored beside others that keep their ramps, they would cross.
   std::vector<std::size_t> n_ramps(faults.size(), 0), n_stretches(faults.size(), 0);
-  // For each horizon, the faults that separate its sheets; these have no ramp.
+  // For each horizon, the faults that separate its connected parts; such faults have no ramp.
   std::map<std::size_t, std::vector<bool>> parts;
   for (std::size_t s = 0; s < rules.surfaces.size(); ++s) {
     const SurfaceRules& rule = rules.surfaces[s];

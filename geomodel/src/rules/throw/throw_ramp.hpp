@@ -29,8 +29,7 @@ struct Ramp {
 
   /// Returns whether at least a quarter of the segments have a ramp.
   bool is_there() const;
-  /// Returns the width in this segment and its neighbours, else that of the nearest segment with a ramp. Precondition:
-  /// is_there().
+  /// Returns the ramp's width in this segment and its neighbours, or in the nearest with a ramp; requires is_there().
   RampWidth width(long stretch) const;
 };
 
@@ -40,8 +39,8 @@ double median_map_edge(const TriangulatedSurface& s);
 /// Returns the segment of a fault that contains a position along its strike.
 long stretch_at(double along, double edge);
 
-/// Finds the ramp of a horizon across a fault. A ramp is steeper across the fault than the median slope farther away on
-/// both sides, by three times the spread of slopes there. Triangles closer to another of `faults`, which include `own`,
+/// Finds the ramp of a horizon across the fault `own`. A ramp is steeper across the fault than the median slope farther
+/// away on both sides, by three times the spread of slopes there. Triangles closer to another of `faults` than to `own`
 /// are ignored. `edge` is the result of median_map_edge(). Cost: the horizon's triangles near the fault times the
 /// triangles of all faults.
 Ramp find_ramp(const TriangulatedSurface& horizon, std::span<const FaultFaces> faults, std::size_t own, double edge);

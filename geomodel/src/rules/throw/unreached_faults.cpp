@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults that end above or below a horizon across which they are to have throw, declared in
-// geomesh/geomodel/model_rules.hpp.
-//
-// A vertex of the fault is above or below the horizon; beyond the horizon's extent in the map it is compared with the
-// nearest vertex. All vertices must be on one side, none in a gap that blocks leave, and no triangle of the
-// horizon may cross the fault.
+// Finds faults that end above or below a horizon across which they are meant to have throw, declared in
+// geomesh/geomodel/model_rules.hpp. A vertex of the fault is above or below the horizon; beyond the horizon's extent in
+// the map it is compared with the nearest vertex. All vertices must be on one side, none in a gap between blocks, and
+// no triangle of the horizon may cross the fault.
 #include <algorithm>
 
 #include "geomesh/geomodel/model_rules.hpp"
@@ -15,7 +13,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Heights of a horizon over the map, and at the nearest vertex beyond its extent.
+/// The heights of a horizon in the map; beyond its extent, the height of its nearest vertex.
 class Heights {
  public:
   explicit Heights(const TriangulatedSurface& horizon)
@@ -24,8 +22,7 @@ class Heights {
       for (const VertexIndex v : t) extent_.add(horizon.points[v]);
   }
 
-  /// Returns whether p is above (1) or below (-1) all of the horizon over its place; 0 if it is neither, or if this is
-  /// unknown.
+  /// Returns 1 if p is above all heights of the horizon at its place, -1 if below, 0 if neither or unknown.
   int side(const Vec3& p) const {
     bool above = true, below = true, found = false;
     locator_.for_each({p.x, p.y}, [&](Index triangle, bool) {
@@ -57,7 +54,7 @@ class Heights {
   NearestPoint nearest_;
 };
 
-/// Returns 1 if the fault lies above the horizon, -1 if below, 0 if it reaches it.
+/// Returns 1 if all of the fault lies above the horizon, -1 if below, 0 if it reaches the horizon.
 int side_of_fault(const TriangulatedSurface& horizon, const Heights& heights, const TriangulatedSurface& fault) {
   int side = 0;
   for (const Triangle& t : fault.triangles)
@@ -83,7 +80,7 @@ void leave_out_unreached_faults(const std::vector<TriangulatedSurface>& surfaces
     const auto is_unreached = [&](const std::string& name) {
       const auto fault = std::find_if(surfaces.begin(), surfaces.end(),
                                       [&](const TriangulatedSurface& other) { return other.name == name; });
-      if (fault == surfaces.end()) return false;  // build_surfaces reports the unknown name
+      if (fault == surfaces.end()) return false;  // an unknown surface name is reported by build_surfaces()
       const auto row = static_cast<std::size_t>(fault - surfaces.begin());
       if (rules.of(row).extend != Extend::none) return false;
       const int side = side_of_fault(surfaces[s], heights, *fault);

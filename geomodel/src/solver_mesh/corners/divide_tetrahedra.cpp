@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Rows of the four parts of a tetrahedron, by the corner that each omits.
+/// Rows of the four tetrahedra into which one was divided, by the corner that each does not have.
 using Parts = std::array<Index, 4>;
 
 Parts divide(ConstrainedTetrahedralization& mesh, std::size_t row) {
@@ -52,7 +52,8 @@ Vec3 centre_that_divides(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3
 
 void divide_tetrahedra(ConstrainedTetrahedralization& mesh, const std::vector<std::size_t>& rows) {
   if (rows.empty()) return;
-  std::map<Index, std::pair<Tetrahedron, Parts>> divided;  // parts by the row of the divided tetrahedron
+  // The tetrahedron and its four parts, by the row of the divided tetrahedron.
+  std::map<Index, std::pair<Tetrahedron, Parts>> divided;
   for (const std::size_t row : rows) {
     const Tetrahedron whole = mesh.tetrahedra[row];
     divided[static_cast<Index>(row)] = {whole, divide(mesh, row)};

@@ -10,7 +10,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Returns for each point whether it is a corner of an inner face of the surface.
+/// Returns for each point whether it is a corner of an inner face on the surface.
 std::vector<bool> points_on(const ModelMesh& mesh, std::int32_t surface) {
   std::vector<bool> is_on(mesh.points.size(), false);
   for (const auto& face : mesh.faces) {
@@ -40,7 +40,8 @@ VertexIndex add_centre(ModelMesh& mesh, const Tetrahedron& t) {
   return static_cast<VertexIndex>(mesh.points.size() - 1);
 }
 
-/// Stores the part in which the centre replaces corner i; `row` keeps the first part.
+/// Stores one of the four tetrahedra into which a tetrahedron is divided. The first one replaces the divided
+/// tetrahedron in `row`; the others are appended.
 void put_part(ModelMesh& mesh, std::size_t row, const Tetrahedron& part, bool is_first) {
   const std::size_t at = is_first ? row : mesh.tetrahedra.size();
   if (!is_first) {

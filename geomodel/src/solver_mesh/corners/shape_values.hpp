@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Cell arrays that contain a measure of a tetrahedron's shape.
+/// Evaluates cell arrays that contain a measure of a tetrahedron's shape.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the value of the cell array with this name for a tetrahedron of this shape; nothing if the array is not a
-/// shape measure.
+/// Returns the shape measure with the name of a cell array, for a tetrahedron of this shape; nothing if the name is not
+/// that of a shape measure.
 inline std::optional<double> shape_value(std::string_view name, const TetrahedronShape& s) {
   if (name == "min_dihedral") return s.min_dihedral;
   if (name == "max_dihedral") return s.max_dihedral;

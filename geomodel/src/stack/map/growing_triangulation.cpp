@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Connects cells across the sides that they share.
+/// Sets the neighbours of cells (triangles) across the sides that they share.
 class SidePairing {
  public:
   explicit SidePairing(std::vector<GrowingTriangulation::Cell>& cells) : cells_(cells) {}
@@ -31,7 +31,7 @@ class SidePairing {
   std::map<std::pair<VertexIndex, VertexIndex>, std::pair<Index, std::size_t>> open_;
 };
 
-/// Returns whether p sees the line segment a b at a right or obtuse angle.
+/// Returns whether the angle at p between the ends of the segment ab is a right or an obtuse one.
 bool encroaches(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (a.x - p.x) * (b.x - p.x) + (a.y - p.y) * (b.y - p.y) <= 0;
 }
@@ -79,7 +79,7 @@ void GrowingTriangulation::number_zones() {
 
 Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
   Index at = hint;
-  std::size_t first = 0;  // the side that is tested first alternates, so that the walk does not loop
+  std::size_t first = 0;  // the side of a cell that is tested first alternates, so that the walk does not loop
   for (std::size_t step = 0; step <= cells_.size(); ++step) {
     const Cell& cell = cells_[at];
     bool moved = false;
@@ -107,7 +107,8 @@ Index GrowingTriangulation::locate(const Vec2& p, Index hint) const {
 void GrowingTriangulation::star(VertexIndex v, std::vector<Index>& cells) const {
   cells.clear();
   const Index start = cell_of_vertex_[v];
-  for (const std::size_t turn : {1U, 2U}) {  // first in one direction; at the rim in the other direction too
+  // Cells are visited in one direction around the vertex; if that ends at the rim, in the other direction too.
+  for (const std::size_t turn : {1U, 2U}) {
     Index at = start;
     while (at != no_index) {
       if (turn == 1 || at != start) cells.push_back(at);
@@ -182,7 +183,7 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
   const Vec2 a = points_[va], b = points_[vb];
   const Vec2 m{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)};
   if (m == a || m == b) return;
-  // Both cells at the line segment are removed; if rounding puts its midpoint beside the segment, the midpoint must
+  // The two cells at the segment are removed. Rounding may put the segment's midpoint beside it, but the midpoint must
   // still see all sides of the hole.
   const Index other = cells_[cell].neighbours[side];
   grow_cavity(m, cell, change);
@@ -207,7 +208,8 @@ void GrowingTriangulation::halve(Index cell, std::size_t side, Change& change) {
       const VertexIndex p = in.vertices[(i + 1) % 3], q = in.vertices[(i + 2) % 3];
       const bool is_piece = (p == va && q == vb) || (p == vb && q == va);
       if (is_piece || (in.neighbours[i] != no_index && is_in(in.neighbours[i]) && !in.lined[i])) continue;
-      if (orient2d(points_[p], points_[q], m) != Sign::positive) return;  // too narrow for doubles: left unchanged
+      // The hole is too narrow for doubles, so the segment is not split.
+      if (orient2d(points_[p], points_[q], m) != Sign::positive) return;
     }
   fill(m, std::array{va, vb}, change);
 }
@@ -231,7 +233,8 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     }
   points_.push_back(p);
   change.vertex = v;
-  std::map<VertexIndex, Index> starts, ends;  // new cells by the first and by the last vertex of their outer side
+  // New cells by the first and by the last vertex of their outer side.
+  std::map<VertexIndex, Index> starts, ends;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     Index row = static_cast<Index>(cells_.size());
     if (k < change.emptied.size()) {
@@ -250,7 +253,7 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     const CavityEdge& s = sides[k];
     const Index row = change.made[k];
     if (s.beyond != no_index) {
-      // The neighbouring cell still refers to a former cell: its side is found by the vertices.
+      // The neighbouring cell still refers to a removed cell, so its side is found by the vertices.
       Cell& beyond = cells_[s.beyond];
       for (std::size_t i = 0; i < 3; ++i)
         if (beyond.vertices[(i + 1) % 3] == s.b && beyond.vertices[(i + 2) % 3] == s.a) beyond.neighbours[i] = row;

@@ -12,16 +12,17 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles are counter-clockwise; side i is opposite vertex i. New edges never cross the constraint lines or the rim.
+/// A growing constrained Delaunay triangulation. Cells are counter-clockwise triangles; side i is opposite vertex i.
+/// New edges never cross the constraint lines or the rim.
 class GrowingTriangulation {
  public:
   struct Cell {
     Triangle vertices;
     std::array<Index, 3> neighbours;  ///< neighbouring cell across each side, no_index beyond the rim
     std::array<bool, 3> lined;        ///< whether each side is part of a constraint line or of the rim
-    Index zone;                       ///< number of the zone; cells made from a cell inherit it
+    Index zone;  ///< number of the cell's zone; new cells inherit it from the cells that they replace
   };
-  /// Zones are numbered from 0: maximal sets of cells connected across sides that are not on constraint lines.
+  /// Numbers the zones from 0: maximal sets of cells connected across sides that are not on constraint lines.
   explicit GrowingTriangulation(const LinedTriangulation& start);
 
   const std::vector<Vec2>& points() const { return points_; }
@@ -37,10 +38,10 @@ class GrowingTriangulation {
   /// Sets `cells` to the cells around a vertex, in no particular order.
   void star(VertexIndex v, std::vector<Index>& cells) const;
 
-  /// The changes that one insertion caused.
+  /// The changes to the cells that one insertion caused.
   struct Change {
     VertexIndex vertex = no_vertex;  ///< the inserted vertex; no_vertex if nothing was inserted
-    std::vector<Index> emptied;      ///< rows of removed cells; new cells reuse them first
+    std::vector<Index> emptied;      ///< indices of removed cells; new cells reuse them first
     std::vector<Index> made;
   };
   /// Inserts p inside cell `at`, or on a side of it. If p lies in the diametral circle of a constraint segment longer
@@ -53,7 +54,8 @@ class GrowingTriangulation {
   void grow_cavity(const Vec2& p, Index at, Change& change);
   void halve(Index cell, std::size_t side, Change& change);
   bool is_crowded(const Vec2& p, double distance, const Change& change) const;
-  /// `halved` contains the ends of the constraint segment whose midpoint is p, or is empty.
+  /// Fills the cavity with cells around p. `halved`, if not empty, has the ends of the constraint segment with midpoint
+  /// p.
   void fill(const Vec2& p, std::span<const VertexIndex> halved, Change& change);
   bool is_in(Index cell) const { return epoch_of_[cell] == epoch_; }
 
@@ -75,7 +77,7 @@ void GrowingTriangulation::walk(const Vec2& p, Index at, const Vec2& q, F&& f) c
     const Cell& cell = cells_[at];
     double nearest = 2;
     std::size_t side = 3;
-    for (std::size_t i = 0; i < 3; ++i) {  // among the sides that q is beyond, the first on the line to q
+    for (std::size_t i = 0; i < 3; ++i) {  // finds, among the sides that q is beyond, the first one on the line to q
       const Vec2 &a = points_[cell.vertices[(i + 1) % 3]], &b = points_[cell.vertices[(i + 2) % 3]];
       const double to_p = turn(a, b, p), to_q = turn(a, b, q);
       if (!(to_q < 0)) continue;

@@ -10,7 +10,7 @@ namespace {
 
 double distance(Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Points sorted by ascending x.
+/// Points sorted by ascending x, for range queries.
 class SortedPlaces {
  public:
   explicit SortedPlaces(std::vector<Vec2> places) : places_(std::move(places)), order_(places_.size()) {
@@ -20,7 +20,7 @@ class SortedPlaces {
     });
   }
   const std::vector<Vec2>& places() const { return places_; }
-  /// Calls `visit` with the row of each point whose x is in [from, to].
+  /// Calls `visit` with the index of each point whose x is in [from, to].
   template <class F>
   void for_each(double from, double to, F&& visit) const {
     auto at = std::lower_bound(order_.begin(), order_.end(), from,
@@ -33,7 +33,7 @@ class SortedPlaces {
   std::vector<std::size_t> order_;
 };
 
-/// Moves each vertex onto the first vertex within reach that is itself not moved.
+/// Moves each vertex of the lines onto the first vertex within reach that is itself not moved.
 void merge_vertices(std::vector<std::vector<Vec2>>& lines, double reach) {
   std::vector<Vec2> all;
   for (const std::vector<Vec2>& line : lines) all.insert(all.end(), line.begin(), line.end());
@@ -53,7 +53,7 @@ void merge_vertices(std::vector<std::vector<Vec2>>& lines, double reach) {
   }
 }
 
-/// Routes the segment p q through the points within reach of it, between its ends.
+/// Appends the segment pq to a line, routed through the points within reach of it between its ends.
 void lead_through(Vec2 p, Vec2 q, const SortedPlaces& sorted, double reach, std::vector<Vec2>& line) {
   const double length = distance(p, q);
   const Vec2 along{(q.x - p.x) / length, (q.y - p.y) / length};

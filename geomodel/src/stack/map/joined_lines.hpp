@@ -9,10 +9,9 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the lines with vertices merged that are at most `reach` apart, and with each segment routed through the
-/// vertices that are at most that far from it. Segments that lay side by side are then identical. Of merged vertices,
-/// the first one in the order of the lines is kept. Cost: vertices and segments times their logarithm, and for each
-/// segment the vertices within its range of x.
+/// Returns the lines after vertices at most `reach` apart were merged, and each segment was routed through the vertices
+/// that are at most that far from it. Segments that lay side by side are then identical. Of merged vertices, the first
+/// one in the order of the lines is kept. O(n log n), and for each segment the vertices within its range of x.
 std::vector<std::vector<Vec2>> join_lines(std::vector<std::vector<Vec2>> lines, double reach);
 
 }  // namespace geomesh::geomodel

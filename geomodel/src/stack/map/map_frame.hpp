@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The map, rotated so that the model volume's longest side lies along its first axis.
+/// Coordinates of the map, rotated so that the model volume's longest side lies along the first axis.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 class MapFrame {
  public:
-  /// Does not rotate if the outline is a box along the axes: coordinates are then unchanged.
+  /// Rotates the map, unless the outline is an axis-aligned box, whose coordinates remain unchanged.
   MapFrame(const std::vector<Vec2>& outline, bool is_box);
   Vec2 to_frame(const Vec2& p) const;
   Vec2 to_model(const Vec2& p) const;

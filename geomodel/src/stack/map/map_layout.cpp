@@ -10,10 +10,10 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Distance from constraint lines that is kept free of lattice points, as a share of the lattice spacing.
+// Distance around constraint lines that is kept free of lattice points, as a fraction of the lattice spacing.
 constexpr double room_about_lines = 0.4;
 constexpr double room_on_rim = 0.3;
-constexpr double shortest_edge = 0.08;  // shortest edge, as a share of the lattice spacing
+constexpr double shortest_edge = 0.08;  // shortest edge, as a fraction of the lattice spacing
 
 /// Returns the part of the segment p q within the bounds; ends that are clipped lie exactly on the bounds.
 std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b) {
@@ -48,7 +48,7 @@ std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lin
   return kept;
 }
 
-/// Finds whether places are near constraint lines, using a grid with the lattice spacing.
+/// Tests whether points are near constraint lines, using a grid with the lattice spacing.
 class Neighbourhood {
  public:
   Neighbourhood(const MapLayout& layout, const std::vector<std::vector<Vec2>>& lines)
@@ -104,7 +104,7 @@ void add_rim(const MapLayout& layout, const Neighbourhood& lines, std::vector<Ve
   }
 }
 
-/// Adds rows of points, every other row shifted by half of their spacing.
+/// Adds a triangular lattice of points: rows of which every other one is shifted by half the spacing.
 void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vector<Vec2>& points) {
   const MapBounds& b = layout.bounds;
   const auto n_rows =
@@ -121,8 +121,9 @@ void add_lattice(const MapLayout& layout, const Neighbourhood& lines, std::vecto
     }
 }
 
-/// Returns which points to merge because an edge between them is shorter than `least`, by the row of the point that is
-/// kept: a corner, else one on the rim, else the first. Returns nothing if there are none.
+/// Returns for each point the index of the point that replaces it, if an edge shorter than `least` connects them. Of
+/// two points, a corner of the bounds is kept, otherwise one on the rim, otherwise the first. Empty if no edge is that
+/// short.
 std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBounds& b, double least) {
   std::vector<VertexIndex> row(t.points.size());
   for (VertexIndex v = 0; v < row.size(); ++v) row[v] = v;
@@ -149,7 +150,7 @@ std::vector<VertexIndex> merged_rows(const LinedTriangulation& t, const MapBound
   return row;
 }
 
-/// Merges points that constraint lines put closer together than `least`, and triangulates again until there are none.
+/// Merges points that constraint lines put closer than `least`, and triangulates again until there are none.
 LinedTriangulation without_short_edges(LinedTriangulation t, const MapBounds& bounds, double least) {
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds; ++round) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The first triangulation of the map: its rim, a lattice of points, and the constraint lines.
+/// Makes the first triangulation of the map: its rim, a lattice of points, and the constraint lines.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 namespace geomesh::geomodel {
 
 struct MapLayout {
-  MapBounds bounds;                      ///< the rim lies exactly on these bounds
+  MapBounds bounds;                      ///< the rim of the triangulation lies exactly on these bounds
   double lattice = 1;                    ///< spacing of the lattice points
   std::vector<std::vector<Vec2>> lines;  ///< constraint lines, clipped at the rim
-  double joined_within = 0;              ///< lines that are at most this far apart are merged
-  /// Whether lines are kept exactly; if not, points that they put very close together are merged.
+  double joined_within = 0;              ///< constraint lines that are at most this far apart are merged
+  /// Whether constraint lines are kept exactly; if not, points that they put very close together are merged.
   bool keeps_lines = false;
 };
 

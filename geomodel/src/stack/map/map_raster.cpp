@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Largest move of a point, as a share of a piece of the divided curve, by which the areas on its sides are preserved.
+// Largest move of a point of a divided curve to preserve the areas beside it, as a fraction of a piece of the curve.
 constexpr double most_move = 0.25;
 
 }  // namespace
@@ -40,7 +40,7 @@ double MapRaster::between(Vec2 p) const {
 
 namespace {
 
-/// Calls f with each cell adjacent to `cell`.
+/// Calls f with each cell that shares a side with `cell`.
 template <class F>
 void for_neighbours(const MapRaster& r, std::size_t cell, F&& f) {
   const std::size_t i = cell % r.n_columns, j = cell / r.n_columns;
@@ -61,10 +61,10 @@ void smooth_line(std::vector<double>& values, std::size_t first, std::size_t n, 
   }
 }
 
-/// Connects the segments of marching triangles: each end is an edge of the lattice, shared by at most two segments.
+/// Connects the segments of marching triangles to curves. At most two segments end on one edge of the lattice.
 class CurveJoiner {
  public:
-  using Edge = std::pair<std::size_t, std::size_t>;  ///< two cells, the smaller index first
+  using Edge = std::pair<std::size_t, std::size_t>;  ///< an edge of the lattice: its two cells, the smaller index first
   void add(Edge from, Vec2 p, Edge to, Vec2 q) {
     place_[from] = p;
     place_[to] = q;
@@ -96,7 +96,7 @@ class CurveJoiner {
   std::map<Edge, bool> has_before_;
 };
 
-/// Adds the part of the zero curve in one triangle of cell centres, which is counter-clockwise.
+/// Adds the segment of the zero curve in one counter-clockwise triangle of cell centres.
 void add_crossing(const MapRaster& r, const std::array<std::size_t, 3>& cells, CurveJoiner& joiner) {
   const auto centre = [&](std::size_t cell) { return r.centre(cell % r.n_columns, cell / r.n_columns); };
   CurveJoiner::Edge ends[2];
@@ -107,7 +107,7 @@ void add_crossing(const MapRaster& r, const std::array<std::size_t, 3>& cells, C
     if ((va < 0) == (vb < 0)) continue;
     const double t = va / (va - vb);
     const Vec2 p = centre(a), q = centre(b);
-    // The curve leaves through the side along which values change from negative to positive.
+    // The curve leaves the triangle through the side along which values change from negative to positive.
     const std::size_t end = va < 0 ? 0 : 1;
     ends[end] = {std::min(a, b), std::max(a, b)};
     places[end] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
@@ -199,13 +199,13 @@ double twice_area(const std::vector<Vec2>& chain) {
 
 Vec2 on_piece(const Vec2& p, const Vec2& q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
 
-/// A point of a divided curve: on the curve's segment that ends at row `at`, at a fraction of it.
+/// A point of a divided curve: on the original curve's segment that ends at point `at`, at a fraction of it.
 struct Division {
   std::size_t at;
   double share;
 };
 
-/// Moves points so that the divided curve has the same area on each side as the original curve.
+/// Moves the points of the divided curve so that it has the same area on each side as the original curve.
 void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, const std::vector<Vec2>& curve,
                double length) {
   const std::size_t n = divided.size() - 1;  // pieces
@@ -216,7 +216,8 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
     std::vector<Vec2> chain{divided[k + 1], divided[k], of(from[k])};
     for (std::size_t i = from[k].at; i < from[k + 1].at; ++i) chain.push_back(curve[i]);
     chain.push_back(of(from[k + 1]));
-    twice[k] = -twice_area(chain);  // positive if the curve runs on the left of the segment
+    // Positive if the original curve runs on the left of the piece.
+    twice[k] = -twice_area(chain);
     lengths[k] = std::hypot(divided[k + 1].x - divided[k].x, divided[k + 1].y - divided[k].y);
   }
   const std::vector<Vec2> before = divided;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Values on a raster of the map, their smoothing, and the curves on which they are zero.
+/// Values on a raster of the map, their smoothing, and their zero curves.
 #pragma once
 
 #include <vector>
@@ -30,33 +30,33 @@ struct MapRaster {
   double at(std::size_t column, std::size_t row) const { return values[row * n_columns + column]; }
   /// Returns the cell that contains p or is nearest to it.
   std::size_t cell_of(Vec2 p) const;
-  /// Interpolates bilinearly between the centres of cells; beyond the rim the nearest one's value is used.
+  /// Interpolates bilinearly between the centres of cells; beyond the rim the value of the nearest cell is used.
   double between(Vec2 p) const;
 };
 
-/// Cells without a value take that of the nearest cell, counted in steps along rows and columns.
+/// Gives each cell without a value that of the nearest cell, counted in steps along rows and columns.
 void fill_from_neighbours(MapRaster& raster);
 
-/// Applies the binomial mean over three cells in each direction `passes` times. All cells must have values.
+/// Smooths the raster `passes` times by the binomial mean over three cells in each direction. All cells need values.
 void smooth(MapRaster& raster, int passes);
 
-/// Groups of cells, connected across sides, whose value is negative (`below`) or not.
+/// Groups of cells, connected across sides, whose values are all negative (if `below` is set), or all not negative.
 struct CellGroups {
-  std::vector<Index> group;  ///< group of each cell; no_index for cells whose value has the other sign
+  std::vector<Index> group;  ///< group of each cell; no_index for cells with the other sign
   std::vector<std::size_t> n_cells;
-  std::vector<double> least, greatest;  ///< least and greatest value of each group
+  std::vector<double> least, greatest;  ///< smallest and largest value of each group
 };
 CellGroups groups_of(const MapRaster& raster, bool below);
 
-/// Returns the curves on which the values, linear between the centres of cells, are zero, with negative values on their
-/// left. Closed curves end with their first point; open ones end at the rim of the raster.
+/// Returns the curves on which the raster's values, linear between the centres of cells, are zero, with negative values
+/// on their left. Closed curves end with their first point; open ones end at the rim of the raster.
 std::vector<std::vector<Vec2>> zero_curves(const MapRaster& raster);
 
-/// Returns the curve smoothed and divided into pieces of about `length`. The areas on its sides are preserved if no
-/// point has to move farther than a quarter of a piece for it. Ends do not move.
+/// Returns the curve smoothed and divided into pieces of about `length`. The areas on its sides are preserved unless a
+/// point would have to move farther than a quarter of a piece. The ends of an open curve do not move.
 std::vector<Vec2> smooth_curve(const std::vector<Vec2>& curve, double length);
 
-/// Returns the curve with each point moved to its left.
+/// Returns the curve with each point moved to its left by the distance `left`.
 std::vector<Vec2> beside(const std::vector<Vec2>& curve, double left);
 
 }  // namespace geomesh::geomodel

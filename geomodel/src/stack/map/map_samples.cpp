@@ -10,10 +10,10 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_for_plane = 6;
 constexpr std::size_t samples_a_bin = 3;
-// Share of the spacing: a place at most this far beside a surface is on its border.
+// Fraction of the sample spacing: a place at most this far beside a surface counts as on its border.
 constexpr double by_rounding = 1e-4;
 
-/// Sums for the normal equations of a plane around a centre.
+/// Sums for the normal equations of a plane that is fitted to samples around a centre.
 struct PlaneSums {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0, z = 0, xz = 0, yz = 0;
   void add(double px, double py, double pz) {

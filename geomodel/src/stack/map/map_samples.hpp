@@ -21,12 +21,12 @@ struct MapBounds {
   MapBounds grown(double by) const { return {{min.x - by, min.y - by}, {max.x + by, max.y + by}}; }
 };
 
-/// Distance between places of the map at which heights of horizons are compared: an eighth of the target size, so that
-/// no element fits between them, or more if there would be more than 250,000 of them.
+/// Returns the distance between places of the map at which heights of horizons are compared: an eighth of the target
+/// size, so that no element fits between them, or more if there would be more than 250,000 places.
 double step_between_places(const MapBounds& bounds, double size);
 
-/// All places within bounds where at least one of the surfaces has a vertex, each once, with the heights of all
-/// surfaces there. The surfaces must outlive this object.
+/// All places within bounds at which at least one of the surfaces has a vertex, each once, with the heights of all
+/// surfaces at the place. The surfaces must outlive this object.
 class MapSamples {
  public:
   MapSamples(const std::vector<const TriangulatedSurface*>& surfaces, const MapBounds& bounds);
@@ -39,15 +39,15 @@ class MapSamples {
   std::span<const double> heights(std::size_t sample) const {
     return {heights_.data() + sample * n_surfaces(), n_surfaces()};
   }
-  /// Returns how far beside a surface a place still counts as on its border.
+  /// Returns the distance beside a surface up to which a place counts as on the surface's border.
   double border_reach() const;
-  /// Computes the heights of the surfaces' triangles at any place.
+  /// Computes the height of each surface at any place, on its triangles.
   void heights_at(Vec2 p, std::span<double> heights) const;
-  /// Computes heights from planes fitted by least squares to the samples within `radius`; from the triangles if there
-  /// are fewer than six samples.
+  /// Computes the height of each surface at a place from a plane fitted by least squares to the samples within
+  /// `radius`; from the triangles if there are fewer than six samples.
   void fitted_heights(Vec2 p, double radius, std::span<double> heights) const;
   bool covers(std::size_t surface, Vec2 p) const { return locators_[surface]->find(p).count > 0; }
-  /// Returns whether more than one triangle of the surface lies strictly above some sample.
+  /// Returns whether at some sample more than one triangle of the surface lies strictly above or below the place.
   bool overhangs(std::size_t surface) const { return overhangs_[surface]; }
   /// Returns the approximate distance between samples.
   double spacing() const { return spacing_; }

@@ -8,11 +8,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr double small_slope = 0.035;  // slope of one horizon against the other: 2 degrees
-constexpr double shared = 1e-5;        // share of the size: surfaces closer than this coincide
+constexpr double small_slope = 0.035;  // largest slope of one horizon against another that counts as shallow: 2 degrees
+constexpr double shared = 1e-5;        // fraction of the target size: horizons closer than this coincide
 
-/// A row of the lattice. For each place and horizon it holds how far the lowest of the younger horizons lies above this
-/// horizon; NaN if the horizon or all younger ones are absent.
+/// One row of a lattice of places. For each place and horizon it holds how far the lowest of the younger horizons lies
+/// above that horizon; NaN if the horizon or all younger ones are absent.
 class Row {
  public:
   Row(const MapSamples& samples, std::size_t n_places) : n_(samples.n_surfaces()), over_(n_places * n_) {}
@@ -35,7 +35,7 @@ class Row {
   std::vector<double> over_;
 };
 
-/// Decides by the differences at a place and at the next ones along both axes.
+/// Returns whether two horizons cross at a small angle, from their height differences at three adjacent places.
 bool is_shallow(double here, double east, double north, double step, double size) {
   const double largest = std::max({std::abs(here), std::abs(east), std::abs(north)});
   const bool crosses = (here < 0) != (east < 0) || (here < 0) != (north < 0);

@@ -13,21 +13,22 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr int rounds = 20;
-constexpr int hops = 6;  // number of edges over which a round propagates corrections that vertices could not take
+constexpr int hops = 6;  // number of edges over which a round passes on corrections that vertices could not take
 constexpr double most_places = 1e5;
-// Largest distance between places in the cells of mean thicknesses, as a share of the cell.
+// Largest distance between sampled places, as a fraction of the cells of the thickness raster.
 constexpr double place_of_cell = 0.25;
-constexpr double fit_of_spacing = 2;        // radius in which the data are averaged, in distances between samples
-constexpr double fit_of_cell = 0.5;         // largest such radius, as a share of the cells of mean thicknesses
-constexpr double more_where_closing = 0.5;  // share of the least thickness
+constexpr double fit_of_spacing = 2;  // radius in which data are averaged, as a multiple of the sample spacing
+constexpr double fit_of_cell = 0.5;   // largest averaging radius, as a fraction of the cells of the thickness raster
+// Additional room of the moved horizon where a unit closes, as a fraction of the least thickness.
+constexpr double more_where_closing = 0.5;
 
-/// A place of the map, and the heights that data and rules give there; NaN: none.
+/// A place of the map, and the heights that data and rules give to the horizons there; NaN for absent horizons.
 struct RuledPlace {
   SheetLocator::Place at;
   std::vector<double> heights;
 };
 
-/// Returns the pairs of neighbours that coincide at a place, from the thickness averaged there.
+/// Returns the pairs of neighbouring horizons that coincide at the place p, according to the averaged thickness.
 MergedPairs merged_at(const std::vector<ThinArea>& areas, const Vec2& p) {
   MergedPairs merged = 0;
   for (std::size_t k = 0; k < areas.size(); ++k)
@@ -91,7 +92,7 @@ class Centring {
   }
 
  private:
-  /// Returns which horizon of a merged pair is moved.
+  /// Returns which horizon of a merged pair is moved onto the other.
   std::size_t giver(std::size_t pair) const { return options_.keepers[pair] == Keeper::younger ? pair + 1 : pair; }
   bool follows(VertexIndex v, std::size_t horizon) const {
     for (std::size_t k = 0; k + 1 < n_; ++k)
@@ -99,7 +100,7 @@ class Centring {
     return false;
   }
 
-  /// Extends the room of vertices that a triangle connects to a pinch-out line, for the horizon that is moved there.
+  /// Extends the room of vertices beside a pinch-out line, for the horizon that is moved where the unit closes.
   void leave_room_where_units_close() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (const VertexIndex w : neighbours_[v])
@@ -113,7 +114,7 @@ class Centring {
     room_.down[row] = std::max(room_.down[row], least);
   }
 
-  /// Horizons that share a vertex get the smaller of their allowed moves.
+  /// Gives horizons that share a vertex the smaller of their allowed moves.
   void share_room() {
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
       for (int way = 0; way < 2; ++way)
@@ -125,7 +126,7 @@ class Centring {
         }
   }
 
-  /// Returns the weight with which a vertex takes over what its neighbours could not take.
+  /// Returns the weight with which a vertex takes on corrections that its neighbours could not take.
   double taking(VertexIndex v, std::size_t horizon) const {
     return follows(v, horizon) ? 0 : weights_[v * n_ + horizon];
   }
@@ -147,7 +148,7 @@ class Centring {
     }
   }
 
-  /// Moves vertices by sums divided by weights, as far as allowed; returns the remainder of the sums.
+  /// Moves each vertex by its weighted mean distance, as far as allowed. Returns the remaining sums of distances.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -165,7 +166,7 @@ class Centring {
     return sums;
   }
 
-  /// Returns false if keeping the order would push a horizon farther than allowed.
+  /// Moves the horizons at v by at most `most`, in order. Returns false if one is pushed farther than allowed.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };
@@ -183,7 +184,7 @@ class Centring {
     return true;
   }
 
-  /// Distributes what is left at vertices among their neighbours.
+  /// Distributes the corrections that vertices could not take among their neighbours.
   std::vector<double> passed_on(const std::vector<double>& left) const {
     std::vector<double> passed(left.size(), 0);
     for (VertexIndex v = 0; v < neighbours_.size(); ++v)
@@ -199,11 +200,12 @@ class Centring {
   MapSheets& sheets_;
   const SheetOptions& options_;
   std::size_t n_;
-  std::vector<MergedPairs> merged_about_;  ///< for each vertex, the pairs that are merged in any triangle around it
+  /// For each vertex, the pairs of horizons that are merged in any triangle around it.
+  std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
-  std::vector<double> first_;           ///< heights before the first round
-  SheetRoom room_;                      ///< from there
-  std::vector<double> sums_, weights_;  ///< weighted sums of distances and sums of weights, for each vertex and horizon
+  std::vector<double> first_;           ///< heights of all vertices before the first round
+  SheetRoom room_;                      ///< allowed moves from the heights before the first round
+  std::vector<double> sums_, weights_;  ///< for each vertex and horizon: weighted sum of distances and sum of weights
   std::vector<RuledPlace> places_;
 };
 

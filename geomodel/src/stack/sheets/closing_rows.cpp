@@ -9,14 +9,14 @@
 namespace geomesh::geomodel {
 namespace {
 
-// An edge is cut at this share of its length at most, counted from the pinch-out line.
+// Largest fraction of an edge's length, from the pinch-out line, at which the edge is cut.
 constexpr double most_of_edge = 0.5;
 
 using Edge = std::pair<VertexIndex, VertexIndex>;  // the lesser first
 
 Edge edge_of(VertexIndex a, VertexIndex b) { return {std::min(a, b), std::max(a, b)}; }
 
-/// The row of triangles along the pinch-out lines of one pair of neighbouring horizons.
+/// The row of triangles along pinch-out lines in which the unit between a pair of neighbouring horizons closes.
 class ClosingRow {
  public:
   ClosingRow(MapSheets& sheets, const MapSamples& samples, const SheetOptions& options, double width, std::size_t pair)
@@ -36,7 +36,7 @@ class ClosingRow {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f)
       if (sheets_.merged[f] & bit_)
         for (const VertexIndex v : sheets_.triangles[f]) on_line_[v] = true;
-    // For each edge: whether a triangle beside it has the pair merged, and whether one has the unit.
+    // For each edge: whether the pair of horizons is merged in a triangle beside it, and whether it is separate in one.
     std::map<Edge, std::array<bool, 2>> sides;
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -51,8 +51,8 @@ class ClosingRow {
     }
   }
 
-  /// Returns the distance of q from the pinch-out line through vertex `from`: from those of the line's edges at `from`
-  /// that are on the side of q, else from the vertex itself.
+  /// Returns the distance of point q from the pinch-out line through vertex `from`. Only the line's edges at `from` on
+  /// the side of q count; if there are none, it is the distance from the vertex.
   double distance_from_line(VertexIndex from, const Vec2& q) const {
     const Vec2& p = sheets_.points[from];
     const double dx = q.x - p.x, dy = q.y - p.y;
@@ -68,7 +68,7 @@ class ClosingRow {
 
   bool is_cut(VertexIndex a, VertexIndex b) const { return on_line_[a] != on_line_[b]; }
 
-  /// Pairs that are merged beside an edge are also merged at the point where it is cut.
+  /// Collects the pairs that are merged in a triangle beside each edge, and hence at the point where the edge is cut.
   void join_pairs_of_edges() {
     for (std::size_t f = 0; f < sheets_.triangles.size(); ++f) {
       const Triangle& t = sheets_.triangles[f];
@@ -98,7 +98,7 @@ class ClosingRow {
     return v;
   }
 
-  /// Cuts a triangle with one or two vertices on the line across the two sides that meet in its single vertex.
+  /// Cuts a triangle with one or two vertices on the pinch-out line across the two sides that leave the line.
   void cut(std::size_t f) {
     const Triangle t = sheets_.triangles[f];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -131,8 +131,9 @@ class ClosingRow {
   const SheetOptions& options_;
   double width_;
   MergedPairs bit_;
-  std::vector<bool> on_line_;  // for points before the cut; both ends of every edge that is cut are among them
-  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;  // neighbours of each vertex along the pinch-out line
+  // whether each point from before the cut lies on the pinch-out line; both ends of every cut edge are such points
+  std::vector<bool> on_line_;
+  std::map<VertexIndex, std::vector<VertexIndex>> along_line_;
   std::map<Edge, MergedPairs> merged_beside_;
   std::map<Edge, VertexIndex> cuts_;
 };

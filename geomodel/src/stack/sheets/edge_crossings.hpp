@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds where edges of the data cross those of sheets in the map. Between these points and the vertices of both, the
-/// vertical distance is linear.
+/// Finds where edges of the input data cross edges of the ordered horizons in the map. The vertical distance between
+/// both is linear between these crossings and the vertices of both.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@ namespace geomesh::geomodel {
 /// The crossing of an edge of a horizon's data with a side of a triangle of the map.
 struct EdgeCrossing {
   std::size_t horizon;
-  Index cell;          ///< the cell that the edge leaves
+  Index cell;          ///< the triangle of the map that the edge leaves
   VertexIndex a, b;    ///< the side
-  double along;        ///< position of the crossing as a fraction of the way from a to b
-  double from_vertex;  ///< distance in m from the nearer of the two ends
+  double along;        ///< position of the crossing on the side, as a fraction of the way from a to b
+  double from_vertex;  ///< distance in m of the crossing from the nearer of a and b
   Vec2 place;
   double height;  ///< of the data
 };

@@ -12,21 +12,23 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Share of a sample's distance that must be caused by the vertices of its triangle.
+// Least fraction of a sample's distance, caused by the fits at vertices, at which a fit's radius is reduced.
 constexpr double vertex_is_off = 0.5;
-// Share of the spacing of samples: if the error is larger this close to a vertex, the vertex is wrong.
+// Fraction of the sample spacing within which crossings beside a vertex are ignored, since the vertex itself is off.
 constexpr double near_vertex = 0.25;
-constexpr int most_rounds = 4;              // rounds in which points are added where edges are too far away
-constexpr double beside_of_spacing = 0.02;  // share of the spacing of samples by which a vertex lies beside its sample
+constexpr int most_rounds = 4;  // most rounds of adding points where edges are too far from the data
+// Distance of a new vertex beside its sample, as a fraction of the sample spacing.
+constexpr double beside_of_spacing = 0.02;
 constexpr double golden_angle = 2.399963229728653;
-// Length from which a constraint segment may be halved, as a multiple of the spacing of samples.
+// Least length of a constraint segment that may be halved, as a multiple of the sample spacing.
 constexpr double shortest_of_spacing = 0.7;
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// For each zone, returns which pairs are merged, as the averaged thickness has it over most of the zone's area.
+/// Returns for each zone of the map the pairs of horizons that are merged in it, because their averaged thickness is
+/// too small over most of the zone's area.
 std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std::vector<ThinArea>& areas) {
   std::vector<MergedPairs> merged(map.n_zones(), 0);
   for (std::size_t k = 0; k < areas.size(); ++k) {
@@ -45,8 +47,7 @@ std::vector<MergedPairs> merged_zones(const GrowingTriangulation& map, const std
   return merged;
 }
 
-/// Sheets over one triangulation of the map: the heights of all horizons at its vertices, and the distances they may
-/// have from the data.
+/// All horizons over one triangulation of the map: their heights, and the allowed distances from the data.
 class Sheets {
  public:
   Sheets(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -60,7 +61,7 @@ class Sheets {
 
   MergedPairs merged(Index cell) const { return zone_merged_[map_.cells()[cell].zone]; }
 
-  /// Computes the heights at a new vertex from planes fitted to the samples within the radius.
+  /// Computes the heights of all horizons at a new vertex, from planes fitted to the samples within the radius.
   void add_vertex(VertexIndex v, double radius) {
     if (vertex_merged_.size() <= v) {
       vertex_merged_.resize(v + 1);
@@ -72,24 +73,24 @@ class Sheets {
     set_heights(v);
   }
 
-  /// Repeats the fit at the vertex with half of the radius.
+  /// Fits the planes at a vertex again, with half of the radius.
   void sharpen(VertexIndex v) {
     radius_[v] *= 0.5;
     set_heights(v);
   }
-  /// Returns the distance from the data at the vertex that is due to the fit alone, on one horizon.
+  /// Returns the distance of a horizon from its data at a vertex that is due to the fitted plane alone.
   double off_by_fit(VertexIndex v, std::size_t horizon) {
     if (radius_[v] == 0) return 0;
     return std::abs(heights_on_triangles(map_.points()[v], vertex_merged_[v])[horizon] - heights_[v * n_ + horizon]);
   }
-  /// Returns the settled heights of the given triangles.
+  /// Returns the heights on the input triangles at the place p, after they were put in order.
   std::span<const double> heights_on_triangles(const Vec2& p, MergedPairs merged) {
     samples_.heights_at(p, exact_);
     settle_column(exact_, merged, options_.keepers, options_.gap);
     return exact_;
   }
 
-  /// Returns the barycentric coordinates of p in a cell.
+  /// Returns the barycentric coordinates of the place p in a cell.
   std::array<double, 3> weights(Index cell, const Vec2& p) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const Vec2 &a = map_.points()[v[0]], &b = map_.points()[v[1]], &c = map_.points()[v[2]];
@@ -104,7 +105,7 @@ class Sheets {
   }
   const std::vector<double>& heights() const { return heights_; }
 
-  /// Returns the horizons that are moved at a pinch-out line which touches the cell from outside. Bit k: horizon k.
+  /// Returns, as bit k for horizon k, the horizons that are moved at a pinch-out line that touches the cell.
   std::uint64_t giving_way(Index cell) const {
     const Triangle& v = map_.cells()[cell].vertices;
     const MergedPairs about = vertex_merged_[v[0]] | vertex_merged_[v[1]] | vertex_merged_[v[2]];
@@ -119,9 +120,9 @@ class Sheets {
     return (1 - share_for_centring) * options_.allowed + (givers >> k & 1 ? options_.room_at_pinch_outs : 0);
   }
 
-  /// The difference of two triangulated surfaces is greatest at a vertex of one of them or where their edges cross in
-  /// the map. The given vertices are samples already, and the sheets' own vertices lie on the data or near a sample;
-  /// this finds the crossings that are farther away than allowed.
+  /// Returns the places where edges of the data and of the triangulation cross in the map and are farther apart than
+  /// allowed. The difference of two triangulated surfaces is largest at vertices or such crossings. The vertices need
+  /// no test: the input's are samples already, and those of the triangulation lie on the data or near a sample.
   std::vector<Vec2> crossings_off() {
     std::vector<Vec2> off;
     for_each_crossing(map_, samples_, [&](const EdgeCrossing& at) {
@@ -162,14 +163,14 @@ class Sheets {
   std::size_t n_;
   const GrowingTriangulation& map_;
   std::vector<MergedPairs> zone_merged_;
-  std::vector<MergedPairs> vertex_merged_;  ///< for each vertex, the pairs merged in any cell around it
-  std::vector<double> radius_;              ///< radius of the fit for each vertex; 0: the height of the given triangles
+  std::vector<MergedPairs> vertex_merged_;  ///< for each vertex, the pairs of horizons merged in any cell around it
+  std::vector<double> radius_;              ///< radius of the fit at each vertex; 0 for heights on the input triangles
   std::vector<double> heights_;             ///< settled; per vertex
   std::vector<Index> star_;
   std::vector<double> exact_;
 };
 
-/// The samples with their settled heights, by the cell that contains them.
+/// The samples in each cell, with their heights after they were put in order.
 class HeldSamples {
  public:
   HeldSamples(const MapSamples& samples, const SheetOptions& options, const GrowingTriangulation& map,
@@ -192,7 +193,7 @@ class HeldSamples {
 
   const std::vector<Index>& of(Index cell) const { return by_cell_[cell]; }
   double target(Index sample, std::size_t k) const { return targets_[sample * n_ + k]; }
-  /// Moves the samples of the removed cells to the new ones.
+  /// Moves the samples of removed cells to the new cells.
   void redistribute(const Sheets& sheets, std::size_t n_cells, const GrowingTriangulation::Change& change) {
     std::vector<Index> moving;
     for (const Index cell : change.emptied) {
@@ -221,7 +222,7 @@ class HeldSamples {
   std::vector<double> targets_;  ///< per sample
 };
 
-/// Runs the approximation: the sample with the largest relative distance is handled first.
+/// Approximates the horizons by inserting vertices, first at the sample with the largest relative distance.
 class Approximation {
  public:
   Approximation(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
@@ -253,7 +254,7 @@ class Approximation {
   }
 
   struct Worst {
-    double excess;  ///< distance divided by the allowed distance
+    double excess;  ///< a sample's distance divided by the allowed distance
     Index cell, version, sample;
     bool operator<(const Worst& other) const {
       return excess != other.excess ? excess < other.excess : cell > other.cell;
@@ -264,7 +265,7 @@ class Approximation {
     return std::abs(sheets_.height(cell, w, k) - held_.target(sample, k));
   }
 
-  /// Queues the cell if one of its samples is farther away than allowed.
+  /// Queues a cell if one of its samples is farther from the approximation than allowed.
   void measure(Index cell) {
     Worst worst{1, cell, ++version_[cell], no_index};
     const std::uint64_t givers = sheets_.giving_way(cell);
@@ -285,15 +286,15 @@ class Approximation {
     const Triangle& v = map_.cells()[worst.cell].vertices;
     const double side = std::sqrt(twice_area(map_.points()[v[0]], map_.points()[v[1]], map_.points()[v[2]]));
     map_.add(p, at, shortest_of_spacing * samples_.spacing(), change_);
-    if (change_.vertex == no_vertex) return;  // at a vertex, or in a cell too narrow for doubles
+    if (change_.vertex == no_vertex) return;  // nothing inserted: p is at a vertex, or the cell is too narrow
     take_change();
     sheets_.add_vertex(change_.vertex, fit_of_edge * std::min(lattice_, side));
     for (const Index cell : change_.made) measure(cell);
-    // A constraint segment elsewhere may have been split instead, so the sample must be handled again.
+    // A constraint segment in other cells may have been split instead, so the sample must be handled again.
     if (std::find(change_.made.begin(), change_.made.end(), worst.cell) == change_.made.end()) measure(worst.cell);
   }
 
-  /// Returns where a vertex is inserted for a sample, and the cell there.
+  /// Returns the place at which a vertex is inserted for a sample, and the cell that contains the place.
   std::pair<Vec2, Index> place_for(const Worst& worst) const {
     const Vec2 p = samples_.place(worst.sample);
     if (beside_ == 0) return {p, worst.cell};
@@ -303,7 +304,7 @@ class Approximation {
     return at == no_index ? std::pair(p, worst.cell) : std::pair(beside, at);
   }
 
-  /// Repeats the fit, with half of the radius, at the vertex that contributes most to the sample's distance. Returns
+  /// Repeats the fit, with half of the radius, at the vertex that contributes most to a sample's distance. Returns
   /// false if the vertices contribute little.
   bool sharpen(const Worst& worst) {
     const Triangle v = map_.cells()[worst.cell].vertices;
@@ -333,7 +334,7 @@ class Approximation {
     version_.resize(map_.cells().size(), 0);
   }
 
-  /// Inserts vertices at the crossings of edges that are too far away. Returns false if there are none.
+  /// Inserts vertices at the crossings of edges that are too far from the data. Returns false if there are none.
   bool add_where_edges_are_off() {
     const std::vector<Vec2> off = sheets_.crossings_off();
     for (const Vec2& p : off) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// All horizons of a stack over one triangulation of the map, with as few triangles as the tolerance allows.
+/// Approximates all horizons over one triangulation of the map, with as few triangles as the tolerance allows.
 #pragma once
 
 #include <vector>
@@ -12,38 +12,39 @@
 
 namespace geomesh::geomodel {
 
-/// Share of the allowed distance by which any vertex may move after the sheets were approximated
+/// Fraction of the allowed distance that the approximation leaves for later moves of vertices
 /// (stack/sheets/sheet_room.hpp).
 inline constexpr double share_for_centring = 0.15;
 
-/// Radius within which heights are averaged at a vertex, as a share of the length of its edges.
+/// Radius within which heights are averaged at a vertex, as a fraction of the length of its edges.
 inline constexpr double fit_of_edge = 0.35;
 
 struct SheetOptions {
-  Keepers keepers;                ///< one a pair
-  double allowed = 0;             ///< largest vertical distance from the settled heights of samples, in m
-  double gap = 0;                 ///< least thickness at vertices where a pair is not merged, in m
-  double room_at_pinch_outs = 0;  ///< additional distance allowed in triangles that touch a pinch-out line, in m
-  /// Whether vertices are placed a little beside samples: otherwise the edges of sheets that are approximated
-  /// separately from data on one grid would nearly coincide.
+  Keepers keepers;     ///< one a pair
+  double allowed = 0;  ///< largest vertical distance in m from the samples' heights after they were put in order
+  double gap = 0;      ///< least thickness in m at vertices at which a pair of neighbouring horizons is not merged
+  double room_at_pinch_outs = 0;  ///< additional distance in m allowed in triangles that touch a pinch-out line
+  /// Whether vertices are placed a little beside samples. Otherwise the edges of surfaces that are approximated
+  /// separately from data on the same grid would nearly coincide.
   bool beside_samples = false;
 };
 
-/// Sheets over one triangulation: all horizons have the same vertices in the map, so that none crosses another.
+/// All horizons of a stack over one triangulation. They share vertices in the map, so that none crosses another.
 struct MapSheets {
   std::vector<Vec2> points;
-  std::vector<double> heights;  ///< heights of all horizons for each point; NaN where a horizon is absent
+  std::vector<double> heights;  ///< heights of all horizons at each point; NaN where a horizon is absent
   std::vector<Triangle> triangles;
   std::vector<MergedPairs> merged;  ///< per triangle
   std::size_t n_horizons = 0;
   double height(VertexIndex v, std::size_t horizon) const { return heights[v * n_horizons + horizon]; }
 };
 
-/// Greedy insertion (after Garland and Heckbert 1995) at the place where any horizon is farthest from its data,
-/// relative to what is allowed there. A vertex has the height of a plane fitted to the samples around it. The radius of
-/// the fit shrinks if the fit itself causes the distance; with radius zero the vertex lies on the given triangles.
-/// Finally the crossings of edges in the map are examined, since the difference is linear between them and the
-/// vertices. Cost: nearly linear in the samples. Distances are at most (1 - `share_for_centring`) of those allowed.
+/// Approximates all horizons by greedy insertion (after Garland and Heckbert 1995) of vertices at the place where any
+/// horizon is farthest from its data, relative to the distance allowed there. The height at a vertex is that of a plane
+/// fitted to the samples around it. The radius of the fit shrinks if the fit itself causes the distance; with radius
+/// zero the vertex lies on the input triangles. Finally the crossings of edges in the map are examined, since the
+/// difference is linear between them and the vertices. Distances are at most (1 - `share_for_centring`) of those
+/// allowed. Cost: nearly linear in the samples.
 MapSheets approximate_sheets(const MapSamples& samples, const MapLayout& layout, const std::vector<ThinArea>& areas,
                              const SheetOptions& options);
 

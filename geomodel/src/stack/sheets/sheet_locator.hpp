@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the triangle of settled sheets over a place of the map, and heights on it.
+/// Finds the triangle of the ordered horizons' common triangulation over a place of the map, and the heights on it.
 #pragma once
 
 #include "rules/planar/map_locator.hpp"
@@ -10,15 +10,15 @@ namespace geomesh::geomodel {
 
 class SheetLocator {
  public:
-  /// The sheets must outlive this object.
+  /// Precondition: `sheets` must outlive this object.
   explicit SheetLocator(const MapSheets& sheets);
 
   struct Place {
-    Index triangle = no_index;  ///< row of the triangle; no_index beside the sheets
+    Index triangle = no_index;  ///< index of the triangle; no_index outside the triangulation
     std::array<double, 3> weights{};
   };
   Place find(const Vec2& p) const;
-  /// Returns the height of a horizon, or NaN if it is absent there.
+  /// Returns the height of a horizon at a place, or NaN if it is absent there.
   double height(const Place& at, std::size_t horizon) const;
 
  private:

@@ -72,7 +72,8 @@ class RoomFinder {
     }
   }
 
-  /// Uses the height of the data itself if it is within the allowed distance, else the height by the rules.
+  /// Limits the moves of both ends of a side by its crossing with an edge of the data. The height of the data counts if
+  /// it is within the allowed distance, otherwise the height after the rules were applied.
   void look_at(const EdgeCrossing& at) {
     const std::size_t k = at.horizon;
     const double z = (1 - at.along) * sheets_.height(at.a, k) + at.along * sheets_.height(at.b, k);
@@ -87,7 +88,7 @@ class RoomFinder {
     bound(at.b, k, off, most);
   }
 
-  /// Returns the distance that the approximation allows in the triangle.
+  /// Returns the distance from the data that the approximation allows a horizon in the triangle.
   double allowed(Index cell, std::size_t horizon) const {
     const Triangle& v = sheets_.triangles[cell];
     const MergedPairs about = (merged_about_[v[0]] | merged_about_[v[1]] | merged_about_[v[2]]) & ~sheets_.merged[cell];
@@ -118,7 +119,7 @@ class RoomFinder {
   const SheetOptions& options_;
   std::size_t n_;
   GrowingTriangulation map_;
-  std::vector<MergedPairs> merged_about_;  ///< for each vertex, the pairs merged in any triangle around it
+  std::vector<MergedPairs> merged_about_;  ///< for each vertex, the pairs of horizons merged in any triangle around it
   std::vector<double> column_;
   SheetRoom room_;
 };

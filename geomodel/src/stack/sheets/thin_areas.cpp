@@ -11,19 +11,20 @@ namespace {
 
 constexpr double cells_a_size = 4;
 constexpr std::uint32_t few_samples = 4;  // of a cell
-constexpr int places_a_side = 3;          // number of places per side of a cell that has few samples
+constexpr int places_a_side = 3;          // number of sampled places per side of a cell that contains few samples
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
-constexpr double least_squares = 2;       // least area of an island, in squares of the size
-constexpr double surely_thin = 0.75;      // share of the least thickness below which a unit is certainly too thin
-constexpr double surely_thick = 1.5;      // share of the least thickness above which a unit is certainly thick enough
-constexpr double kept_however_small = 3;  // multiple of the least thickness from which an island is kept however small
-constexpr double line_piece = 0.7;        // of the size
-constexpr double led_from = 0.12;         // of the size
-constexpr double same_line = 0.35;        // of the size
+constexpr double least_squares = 2;   // least area of an island, as a multiple of the squared target size
+constexpr double surely_thin = 0.75;  // fraction of the least thickness below which a unit is certainly too thin
+constexpr double surely_thick = 1.5;  // multiple of the least thickness above which a unit is certainly thick enough
+// Multiple of the least thickness from which an island of the unit is kept whatever its area.
+constexpr double kept_however_small = 3;
+constexpr double line_piece = 0.7;  // of the size
+constexpr double led_from = 0.12;   // of the size
+constexpr double same_line = 0.35;  // of the size
 
-/// Averages each horizon's height over evenly spaced places of one cell; if some horizon is absent at all of them, uses
-/// the heights at the centre.
+/// Averages each horizon's height over evenly spaced places of one cell. If some horizon is absent at each place, the
+/// heights at the cell's centre are used.
 void average_places(const MapSamples& samples, const MapRaster& like, std::size_t cell, std::vector<MapRaster>& means) {
   const Vec2 centre = like.centre(cell % like.n_columns, cell / like.n_columns);
   std::vector<double> heights(means.size()), sums(means.size(), 0);
@@ -40,7 +41,7 @@ void average_places(const MapSamples& samples, const MapRaster& like, std::size_
   for (std::size_t k = 0; k < sums.size(); ++k) means[k].values[cell] = n == 0 ? heights[k] : sums[k] / n;
 }
 
-/// Returns the mean of each horizon's height over each cell's samples, or over places if there are few samples.
+/// Returns each horizon's mean height over the samples in each cell, or over evenly spaced places if there are few.
 std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& like) {
   const std::size_t n = samples.n_surfaces();
   std::vector<MapRaster> means(n, like);
@@ -49,7 +50,7 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const std::size_t cell = like.cell_of(samples.place(s));
     const std::span<const double> heights = samples.heights(s);
-    // Uses only samples at which all horizons are present, so that the means of neighbours represent the same places.
+    // Uses only samples with all horizons, so that the means of neighbours represent the same places.
     const bool complete = std::none_of(heights.begin(), heights.end(), [](double h) { return std::isnan(h); });
     if (!complete) continue;
     for (std::size_t k = 0; k < n; ++k) means[k].values[cell] += heights[k];
@@ -69,7 +70,7 @@ std::vector<MapRaster> cell_means(const MapSamples& samples, const MapRaster& li
   return means;
 }
 
-/// Returns the smoothed thickness between neighbours, negative where horizons cross.
+/// Returns the smoothed thickness between neighbouring horizons, negative where they cross.
 std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
   std::vector<MapRaster> result;
   for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
@@ -84,8 +85,7 @@ std::vector<MapRaster> thicknesses(const std::vector<MapRaster>& heights) {
   return result;
 }
 
-/// Corrects thicknesses for the order of the horizons: if a horizon is moved, the thickness of the next unit changes
-/// too.
+/// Corrects thicknesses for the order of horizons: moving one changes the thickness of its neighbouring unit, too.
 void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   if (thickness.empty()) return;
   std::vector<double> heights(thickness.size() + 1);
@@ -97,7 +97,7 @@ void put_in_order(std::vector<MapRaster>& thickness, const Keepers& keepers) {
   }
 }
 
-/// Reverses the sign of groups of cells that are too small to be kept; returns their number.
+/// Reverses the sign of connected groups of cells that are too small to be kept; returns their number.
 std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
   const double cell = excess.step * excess.step, least = least_squares * options.size * options.size;
   const auto turn = [&](bool below, auto&& stays) {
@@ -127,7 +127,7 @@ std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
 
 double distance(const Vec2& p, const Vec2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Returns the earlier point nearest to p within reach, else p.
+/// Returns the point of `earlier` that is nearest to p, if it is within reach, otherwise p itself.
 Vec2 snapped(const Vec2& p, const std::vector<Vec2>& earlier, double reach) {
   Vec2 best = p;
   for (const Vec2& q : earlier)
@@ -135,7 +135,7 @@ Vec2 snapped(const Vec2& p, const std::vector<Vec2>& earlier, double reach) {
   return best;
 }
 
-/// Routes the line through all points that it passes closer than `reach`, so that lines meet in points or are disjoint.
+/// Routes a line through all points closer to it than `reach`, so that lines meet in points or are disjoint.
 std::vector<Vec2> led_through(const std::vector<Vec2>& line, const std::vector<Vec2>& points, double reach) {
   std::vector<Vec2> led{line.front()};
   for (std::size_t i = 1; i < line.size(); ++i) {
@@ -155,7 +155,8 @@ std::vector<Vec2> led_through(const std::vector<Vec2>& line, const std::vector<V
   return led;
 }
 
-/// Draws the pinch-out lines of all pairs: smooth, in pieces of about the size, meeting in points or disjoint.
+/// Draws the pinch-out lines of all pairs of horizons. The lines are smooth, consist of pieces of about the target
+/// size, and either meet in points or are disjoint.
 void draw_lines(std::vector<ThinArea>& areas, double size, double shift) {
   std::vector<Vec2> points;
   for (ThinArea& area : areas) {

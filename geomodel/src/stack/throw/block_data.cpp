@@ -11,7 +11,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// The triangles of one block and those of every block, with their rows in the horizon.
+/// The triangles of one block and those that belong to every block, with their indices in the horizon.
 struct BlockRows {
   TriangulatedSurface surface;
   std::vector<Index> rows;
@@ -30,7 +30,7 @@ std::vector<BlockRows> split(const TriangulatedSurface& horizon, const std::vect
   return blocks;
 }
 
-/// Decides whether other blocks lie above or below a triangle.
+/// Decides whether triangles of other blocks lie above or below a triangle.
 class Overlaps {
  public:
   Overlaps(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given)
@@ -39,7 +39,8 @@ class Overlaps {
   }
   std::vector<BlockRows>& blocks() { return blocks_; }
 
-  /// Compares given triangles only with given ones, and others with triangles made by rules too.
+  /// Returns whether a triangle of another block lies above or below triangle t. An original triangle is compared with
+  /// original ones only, a triangle made by rules with all.
   bool is_under_another(Index t) const {
     const Triangle& v = horizon_.triangles[t];
     std::array<Vec2, 3> p;

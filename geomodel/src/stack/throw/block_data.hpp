@@ -11,20 +11,21 @@ namespace geomesh::geomodel {
 
 /// A horizon of a stack. A horizon without throw consists of `single` only.
 struct BlockData {
-  /// Triangles with no other block above or below; given ones may have made triangles of another block above or below.
+  /// Triangles without triangles of another block above or below; those made by rules do not count for original ones.
   TriangulatedSurface single;
   std::vector<Index> block_of_single{};  ///< block of each triangle, as in BuiltRows
-  /// Each block, with the triangles of every block and its extension through its faults.
+  /// All triangles of each block, including those that belong to every block and the block's extension through its
+  /// faults.
   std::vector<TriangulatedSurface> blocks{};
   bool has_throw() const { return !blocks.empty(); }
 };
 
-/// Collects the data of a horizon. `block_of` is as in BuiltRows; if empty, the horizon has no throw. Triangles from
-/// `n_given` on were made by rules. Overlaps are tested at a few places per triangle. Cost: about linear in triangles
-/// times blocks.
+/// Collects the data of a horizon, divided into blocks. `block_of` is as in BuiltRows; if empty, the horizon has no
+/// throw. Triangles from index `n_given` on were made by rules. Overlaps are tested at a few places per triangle. Cost:
+/// about linear in triangles times blocks.
 BlockData block_data(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given);
 
-/// Returns whether each block, as given, has one height over each place of the map.
+/// Returns whether the original triangles of each block have one height over each place of the map.
 bool is_single_valued_by_block(const TriangulatedSurface& horizon, const std::vector<Index>& block_of, Index n_given);
 
 }  // namespace geomesh::geomodel

@@ -43,7 +43,7 @@ class BlockHeights {
     if (const auto on = locators_[block]->height(p)) return *on;
     return carried_[block]->at({p.x, p.y, 0}, {0, 0}, furthest_carried * edges_[block]).value_or(nan);
   }
-  /// Returns the only block that is present at a place; no_index if there is none.
+  /// Returns the block of a place of the map at which only one block is present; no_index if there are several or none.
   Index single_block(const Vec2& p) const {
     const Index t = single_.find(p).triangle;
     return t == no_index ? no_index : data_.block_of_single[t];
@@ -62,7 +62,7 @@ double area_of(const MapSheets& sheets, const Triangle& t) {
   return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
 }
 
-/// Determines which triangles of the sheets lie in strips along faults, and how each relates to one horizon with throw.
+/// Determines which triangles of the map lie in strips along faults, and their blocks of one horizon with throw.
 class StripTriangles {
  public:
   StripTriangles(const MapSheets& sheets, const StripInput& input) : sheets_(sheets), in_(input) {
@@ -85,7 +85,7 @@ class StripTriangles {
   bool in_strip(std::size_t t) const { return in_strip_[t]; }
   bool has_throw(std::size_t k) const { return heights_[k] != nullptr; }
   bool is_of_every(std::size_t k, std::size_t t) const { return crossing_[k][t] == Crossing::continuation; }
-  /// Returns one block if the triangle crosses no fault, else those on both sides; none if it belongs to every block.
+  /// Returns the blocks of a triangle: one, or those on both sides of a fault it crosses; none if it is of every block.
   const std::vector<Index>& blocks(std::size_t k, std::size_t t) const { return blocks_[k][t]; }
   const BlockHeights& heights(std::size_t k) const { return *heights_[k]; }
 
@@ -102,8 +102,8 @@ class StripTriangles {
     return false;
   }
 
-  /// Determines what each triangle crosses at the mean height of its blocks; for faults also at the lowest or highest
-  /// height. `about` lists the blocks by vertex, where they are known.
+  /// Determines whether each triangle crosses a fault or a fault's extension, at the mean height of the blocks around
+  /// it; for faults also at the lowest or highest height. `about` lists the blocks by vertex, if they are known.
   void cross(std::size_t k, const std::vector<std::set<Index>>& about) {
     std::array<TriangulatedSurface, 3> surfaces;
     for (TriangulatedSurface& s : surfaces) s.triangles = sheets_.triangles;
@@ -122,8 +122,8 @@ class StripTriangles {
       if (crossing_[k][t] == Crossing::fault) in_strip_[t] = 1;
   }
 
-  /// Returns the mean, lowest and highest height of the blocks around the vertex, else of those that reach it, else of
-  /// all. If the horizon has a single height there, it replaces the mean.
+  /// Returns the mean, lowest and highest height of the blocks around a vertex; else of those that reach it; else of
+  /// all. If the horizon has a single height at the vertex, that replaces the mean.
   std::array<double, 3> mean_and_ends(std::size_t k, VertexIndex v, const std::set<Index>& about) const {
     const Vec2& p = sheets_.points[v];
     const double settled = sheets_.height(v, k);
@@ -143,8 +143,7 @@ class StripTriangles {
     return n > 0 ? std::array<double, 3>{sum / n, least, most} : std::array<double, 3>{0, 0, 0};
   }
 
-  /// Returns the blocks of the triangles around each vertex of triangles that cross a fault, or are next to one that
-  /// does, if there are several.
+  /// Returns the blocks around each vertex of triangles that cross a fault, or of triangles next to these.
   std::vector<std::set<Index>> blocks_about(std::size_t k) const {
     std::vector<std::set<Index>> about(sheets_.points.size());
     for (int ring = 0; ring < 2; ++ring) {
@@ -165,7 +164,7 @@ class StripTriangles {
     share_where_crossed(k);
   }
 
-  /// Triangles connected without crossing a fault belong to the block that is present alone over most of their area.
+  /// Assigns triangles connected without crossing a fault to the block that is present alone over most of their area.
   void label_parts(std::size_t k) {
     const std::size_t n = sheets_.triangles.size();
     const auto counts = [&](std::size_t t) { return crossing_[k][t] == Crossing::none; };
@@ -192,7 +191,7 @@ class StripTriangles {
     }
   }
 
-  /// A triangle that crosses a fault, or is enclosed by such triangles, belongs to all blocks around it; where faults
+  /// Assigns a triangle that crosses a fault, or is enclosed by such triangles, to all blocks around it; where faults
   /// meet, also to those around its neighbours.
   void share_where_crossed(std::size_t k) {
     std::vector<std::size_t> crossed;
@@ -216,21 +215,21 @@ class StripTriangles {
 
   const MapSheets& sheets_;
   const StripInput& in_;
-  std::vector<std::unique_ptr<BlockHeights>> heights_;   ///< for each horizon; null if it has no throw
+  /// Heights of each horizon's blocks; null for horizons without throw.
+  std::vector<std::unique_ptr<BlockHeights>> heights_;
   std::vector<char> in_strip_;                           ///< per triangle
-  std::vector<std::vector<Crossing>> crossing_;          ///< for each horizon and triangle
+  std::vector<std::vector<Crossing>> crossing_;          ///< the kind of crossing, for each horizon and triangle
   std::vector<std::vector<std::vector<Index>>> blocks_;  ///< the same
 };
 
-/// One block of each horizon (no_throw for those without), all on the same sides of the faults that they have in
-/// common.
+/// One block of each horizon (no_throw for those without throw), all on the same sides of common faults.
 using BlocksOnOneSide = std::vector<Index>;
 
 class SideFinder {
  public:
   explicit SideFinder(const std::vector<HorizonFaults>& faults) : faults_(faults) {}
-  /// Returns all sides for which each horizon's block is among those given; horizons without blocks there have
-  /// no_index.
+  /// Returns all combinations of one block per horizon, out of the given blocks, that lie on the same sides of common
+  /// faults; a horizon without any block has no_index.
   std::vector<BlocksOnOneSide> sides_of(const std::vector<std::vector<Index>>& blocks) const {
     std::vector<BlocksOnOneSide> sides;
     BlocksOnOneSide side;
@@ -273,7 +272,7 @@ class SideFinder {
   const std::vector<HorizonFaults>& faults_;
 };
 
-/// Builds the strips of all horizons.
+/// Builds all horizons with throw in the strips along their faults.
 class BothSides {
  public:
   BothSides(MapSheets& sheets, const StripInput& input)
@@ -294,11 +293,10 @@ class BothSides {
   using Key = std::tuple<VertexIndex, std::size_t, Index>;  ///< vertex, horizon, block
   struct Copy {
     double height = nan;
-    bool is_fixed = false;  ///< whether this is the settled height, shared with triangles that have one height
+    bool is_fixed = false;  ///< whether the height is the settled one, which triangles with a single height share
   };
 
-  /// Sets vertices of triangles with one height to that height, on the side of these triangles; beyond the end of a
-  /// fault on every side.
+  /// Keeps the single height at vertices of triangles outside the strips along faults, and beyond the ends of faults.
   void fix_single() {
     for (std::size_t k = 0; k < n_; ++k) {
       if (!strips_.has_throw(k)) continue;
@@ -340,7 +338,7 @@ class BothSides {
     copy.height = is_own ? sheets_.height(v, k) : strips_.heights(k).height(b, p);
   }
 
-  /// If a triangle that belongs to every block has the vertex, all of its blocks get the same height.
+  /// Gives all blocks the same height at a vertex of a triangle that belongs to every block.
   void join_beyond_ends(VertexIndex v, std::size_t k, const std::set<Index>& blocks) {
     if (!of_every_.contains({v, k})) return;
     double height = sheets_.height(v, k), sum = 0;
@@ -364,7 +362,8 @@ class BothSides {
     return at != copies_.end() && at->second.is_fixed;
   }
 
-  /// A unit whose mean thickness over a triangle is too small is removed on that side.
+  /// Merges the horizons of a unit whose mean thickness over a triangle is too small, separately on each side of
+  /// faults.
   void merge_thin() {
     std::vector<std::vector<Index>> blocks(n_);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t) {
@@ -424,7 +423,7 @@ class BothSides {
     }
   }
 
-  /// Restores the height of horizons that keep their place, and puts all others between their kept neighbours.
+  /// Restores the height of horizons that must not move, and puts all others between those.
   static void hold(const std::vector<double>& given, const std::vector<char>& stays, std::vector<double>& heights) {
     double most = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < heights.size(); ++k) {
@@ -440,7 +439,7 @@ class BothSides {
     }
   }
 
-  /// Vertices that belong to no triangle with one height get the mean of their copies.
+  /// Gives vertices without a single height the mean height of their copies on the sides of faults.
   void fill_means() {
     std::vector<char> is_held(sheets_.points.size(), 0);
     for (std::size_t t = 0; t < sheets_.triangles.size(); ++t)
@@ -476,7 +475,7 @@ class BothSides {
 
   struct Assembly {
     std::size_t horizon;
-    std::map<VertexIndex, VertexIndex> single;                   ///< rows of vertices with one height
+    std::map<VertexIndex, VertexIndex> single;  ///< for each vertex with a single height, its new point
     std::map<std::pair<VertexIndex, Index>, VertexIndex> sided;  ///< and of copies
   };
 
@@ -519,7 +518,7 @@ class BothSides {
   std::map<Key, Copy> copies_;
   std::set<Key> settled_;
   std::set<std::pair<VertexIndex, std::size_t>> of_every_;  ///< vertices and horizons
-  /// Blocks at vertices of the strips, for each horizon.
+  /// For each vertex of the strips along faults and each horizon, the blocks around the vertex.
   std::map<VertexIndex, std::vector<std::set<Index>>> blocks_at_;
   std::set<std::tuple<VertexIndex, std::size_t, Index, Index>> merged_;
 };

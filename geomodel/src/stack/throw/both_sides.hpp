@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Settled sheets in the strips along faults with throw: each horizon is built from both sides, in the right order on
-/// each.
+/// Builds the horizons with throw in the strips along their faults: from both sides, in the right order on each side.
 #pragma once
 
 #include <vector>
@@ -17,11 +16,11 @@ namespace geomesh::geomodel {
 /// The faults of a horizon with throw.
 struct HorizonFaults {
   std::vector<ThrowFault> faults{};
-  std::vector<Index> rows{};  ///< rows of the faults' surfaces, by which common faults of two horizons are recognised
+  std::vector<Index> rows{};  ///< indices of the faults' surfaces, by which two horizons' common faults are recognised
   std::vector<std::vector<bool>> sides{};  ///< for each block: whether it lies above each of the faults
 };
 
-/// The input from which strips are made; all of it must outlive the call.
+/// The input for horizons in strips along faults. All referenced data must outlive the call.
 struct StripInput {
   const std::vector<BlockData>& horizons;    ///< in the frame
   const std::vector<HorizonFaults>& faults;  ///< faults of each horizon, in model coordinates
@@ -34,24 +33,25 @@ struct StripInput {
 /// One horizon with throw, in the coordinate frame of the map.
 struct SidedHorizon {
   std::vector<Vec3> points;
-  /// Counter-clockwise triangles; first those with one height, then those with two sides.
+  /// Counter-clockwise triangles: first those with a single height, then those that exist on both sides of a fault.
   std::vector<Triangle> triangles;
   std::vector<Index> block;  ///< block of each triangle, as in BuiltRows
-  Index n_single = 0;        ///< number of triangles with one height
-  double area = 0;           ///< area of the strips in the map
-  double largest_move = 0;   ///< largest move in the strips that was needed to restore the order
+  Index n_single = 0;        ///< number of triangles with a single height
+  double area = 0;           ///< area in the map of the strips along faults
+  double largest_move = 0;   ///< largest move in the strips along faults that restoring the order required
   Vec3 place;
-  /// Largest move against the rules, by which the horizon keeps its place and another one, which has no throw there,
-  /// should have been moved.
+  /// Largest move that violates the rules: by these the horizon keeps its height and another one, which has no throw at
+  /// that place, should have been moved.
   double largest_against_rule = 0;
 };
 
-/// A triangle that crosses a fault is present once on each side of it. Its vertices have the heights of the block on
-/// that side. They are put in order with the blocks of other horizons on the same sides of all common faults. A horizon
-/// that has no throw there keeps its place. Vertices of triangles with one height keep that height. Triangles that
-/// cross the extension of a fault beyond its tip belong to every block and have one height. If the sheets have no
-/// height in the strips, the mean of both sides is used. Horizons without throw have an empty entry in the result.
-/// Cost: about linear in the strips' triangles times the blocks that reach them.
+/// Makes horizons with throw in the strips along their faults. A triangle that crosses a fault exists once on each side
+/// of it, with the heights of the block on that side. These heights are put in order with those of the blocks of other
+/// horizons on the same sides of all common faults. A horizon without throw in the strip keeps its height. Vertices
+/// shared with triangles that have a single height keep that height. Triangles that cross the extension of a fault
+/// beyond its tip belong to every block and have one height. Where `sheets` has no height in the strips, it gets the
+/// mean of both sides. Horizons without throw have an empty entry in the result. Cost: about linear in the strips'
+/// triangles times the blocks that reach them.
 std::vector<SidedHorizon> make_both_sides(MapSheets& sheets, const StripInput& input);
 
 }  // namespace geomesh::geomodel

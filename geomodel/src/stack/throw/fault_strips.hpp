@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Strips of the map along faults with throw, in which horizons are built from both sides.
+/// Finds strips of the map along faults with throw, in which horizons are built from both sides.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,15 @@
 namespace geomesh::geomodel {
 
 struct FaultStrips {
-  MapRaster inside;                         ///< negative inside the strips
-  std::vector<std::vector<Vec2>> outlines;  ///< smooth outlines of the strips, in pieces of about the size
-  bool is_open = false;                     ///< whether a horizon with throw is entirely absent somewhere
+  MapRaster inside;                         ///< raster of the map, negative inside the strips along faults
+  std::vector<std::vector<Vec2>> outlines;  ///< smooth outlines of the strips, in pieces of about the target size
+  bool is_open = false;                     ///< whether a horizon with throw is entirely absent at some place
   bool any() const { return !outlines.empty(); }
   bool holds(Vec2 p) const { return any() && inside.between(p) < 0; }
 };
 
-/// Finds where blocks of any of the horizons overlap in the map, or where no single block is present, and adds a
-/// margin: a fraction of the size, so that on the outline each horizon has data.
+/// Finds the strips along faults: places of the map where blocks of a horizon overlap or none is present, with a
+/// margin. The margin is a fraction of the target size, so that on the outline each horizon has data.
 FaultStrips find_fault_strips(const std::vector<BlockData>& horizons, const MapBounds& bounds, double size);
 
 }  // namespace geomesh::geomodel

@@ -17,10 +17,10 @@ struct BlockPlaces {
   const MapBounds& bounds;
 };
 
-/// Checks places where only one block was given. The block must still be present and have triangles that cross no
-/// fault. Returns true if that fails for more than a fiftieth of the places, which lie on a grid of 48 by 48 over the
-/// bounds. Also returns true if a block has no such triangles although it lies on its own side of all faults at some
-/// place.
+/// Returns whether triangles of the target size lose blocks of a horizon. At places where only one block was present,
+/// that block must still be present and have triangles that cross no fault. The result is true if that fails at more
+/// than a fiftieth of the places, which lie on a grid of 48 by 48 over the bounds, or if a block has no such triangles
+/// although it lies on its own side of all faults at some place.
 bool loses_blocks(const BlockData& before, const SidedHorizon& after, const BlockPlaces& places);
 
 }  // namespace geomesh::geomodel
