@@ -207,7 +207,7 @@ CommandLine parse_mesh(int argc, const char* const* argv) {
     return line;
   }
   check_stage(stop_after);
-  geomodel::format_name_of(output);  // rejects an unknown extension
+  geomodel::format_name_of(output);  // throws an error if the extension of the output is unknown
   for (const std::string& input : inputs) {
     check_file_exists(input);
     request.inputs.emplace_back(input);
@@ -252,7 +252,7 @@ CommandLine parse_delaunay(int argc, const char* const* argv) {
     return line;
   }
   check_file_exists(points);
-  geomodel::format_name_of(output);  // rejects an unknown extension
+  geomodel::format_name_of(output);  // throws an error if the extension of the output is unknown
   geomodel::DelaunayRequest request;
   request.points = points;
   request.output = output;

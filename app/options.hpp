@@ -28,8 +28,8 @@ struct CheckCommand {
   std::filesystem::path mesh, project;
   std::vector<std::filesystem::path> surfaces;
   bool delaunay = false, solver = false;
-  double within = -1;        ///< negative: the project's tolerance is used
-  double displacement = -1;  ///< displacement by rounding; negative: the value that the checker computes
+  double within = -1;        ///< largest distance of surfaces from the input; negative: the project's tolerance
+  double displacement = -1;  ///< largest displacement of surfaces by rounding; negative: computed from the mesh
   std::optional<std::filesystem::path> report;
 };
 struct ConvertCommand {

@@ -22,8 +22,8 @@ namespace geomesh::app {
 
 enum class Verbosity { quiet, normal, verbose };
 enum class ProgressStyle {
-  lines,     ///< only finished stages are printed
-  terminal,  ///< the line of the running stage is also redrawn in place
+  lines,     ///< one line is printed for each finished stage
+  terminal,  ///< lines of finished stages are printed, and that of the running stage is redrawn in place
   json,      ///< JSON objects whose `event` is stage, progress or log
 };
 
@@ -61,13 +61,13 @@ class Progress {
   Verbosity verbosity_;
   ProgressStyle style_;
   Colours colours_;
-  std::mutex mutex_;  ///< protects all members below, and standard error
+  std::mutex mutex_;  ///< held while the members below or standard error are used
   std::condition_variable ends_;
   bool ended_ = false;
-  std::string stage_, note_;   ///< the note contains what the stage has counted
-  std::string remark_;         ///< the last remark about a surface, which is shown if it is the only one
-  std::size_t n_remarks_ = 0;  ///< number of remarks of the stage so far
-  bool is_held_ = false;       ///< whether the stage has ended and its line waits for others of the same step
+  std::string stage_, note_;   ///< the running stage, and the text of what it has counted
+  std::string remark_;         ///< last remark of the stage about a surface, printed if the stage makes only one
+  std::size_t n_remarks_ = 0;  ///< number of remarks about surfaces in the running stage
+  bool is_held_ = false;       ///< whether the stage has ended, and the next one may continue its line
   int percent_ = -1;           ///< shown percentage of the stage, which never decreases
   std::size_t done_ = 0, total_ = 0;
   std::size_t first_done_ = 0;  ///< count at the time `counted_since_`, from which rate and remaining time are computed
@@ -75,7 +75,7 @@ class Progress {
     std::string cause, first;  ///< warning
     std::size_t count = 0;
   };
-  std::vector<Kind> warnings_;  ///< warnings not printed yet, in the order of the first of each cause
+  std::vector<Kind> warnings_;  ///< warnings not printed yet, grouped by cause
   Clock::time_point start_, last_drawn_, counted_since_;
   std::thread ticker_;
 };

@@ -51,7 +51,7 @@ class Divider {
   }
   double faces(std::size_t t, unsigned i) const {
     if (is_constrained(t, i)) return 0;
-    const Corners at = face(t, i);  // the same order from both sides, so that results are equal to the last bit
+    const Corners at = face(t, i);  // sorted, so that both tetrahedra at the face compute the same number
     const Vec3 &a = model_.mesh.points[at[0]], &b = model_.mesh.points[at[1]], &c = model_.mesh.points[at[2]];
     const Vec3 n = cross(b - a, c - a);
     const double h = model_.size.at((1.0 / 3) * (a + b + c), model_.component[t]);
@@ -68,7 +68,7 @@ class Divider {
     }
     return weights;
   }
-  /// Moves a tetrahedron that protrudes from its part to the neighbouring part, as no element would fit its wedge.
+  /// Moves each tetrahedron that has two or more faces on another part, and more than on its own, to that part.
   void smooth() {
     constexpr unsigned rounds = 4;
     for (unsigned round = 0; round < rounds; ++round)

@@ -10,8 +10,8 @@
 
 namespace geomesh::app {
 
-/// Returns the rank of each tetrahedron. Parts have about equally many elements; cuts follow surfaces where possible,
-/// since triangles on surfaces exist on both sides anyway. Throws as geomodel::parts_by_metis.
+/// Divides the sparse mesh among the ranks and returns the rank of each tetrahedron. Parts have about equally many
+/// elements. Borders between parts follow surfaces if possible, since triangles on surfaces are kept anyway.
 std::vector<std::int32_t> divide(const SparseModel& model, int n_ranks);
 
 }  // namespace geomesh::app

@@ -13,7 +13,7 @@ namespace geomesh::app {
 
 namespace {
 
-/// The midpoints of a list of edges, as new points.
+/// Appends the midpoints of a sorted list of edges to the points of a mesh, and finds the midpoint of an edge.
 class Middles {
  public:
   Middles(std::vector<Vec3>& points, std::vector<Edge> edges) : first_(static_cast<VertexIndex>(points.size())) {

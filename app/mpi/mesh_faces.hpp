@@ -12,8 +12,8 @@ namespace geomesh::app {
 /// A face that only one tetrahedron of this rank has.
 struct OpenFace {
   Index cell;
-  unsigned opposite;  ///< vertex of the cell opposite the face
-  Triangle vertices;  ///< counter-clockwise as seen from the cell
+  unsigned opposite;  ///< position in its cell (0 to 3) of the vertex opposite the face
+  Triangle vertices;  ///< corners of the face, counter-clockwise as seen from its cell
 };
 
 struct InnerFace {
@@ -24,14 +24,14 @@ struct InnerFace {
 /// Inner and open faces of a part. O(n log n). Throws InternalError if a face has three tetrahedra, or two on one side.
 struct MeshFaces {
   enum class Which { all, at_border };
-  /// `at_border` restricts the search to faces whose corners may all be on the outside, if the mesh has this
-  /// information; all open faces are among them.
+  /// `at_border` searches only faces whose corners may all lie on the outside of the mesh, if the mesh stores which
+  /// points may lie there. All open faces (those of one tetrahedron only) are among them.
   explicit MeshFaces(const RankMesh& mesh, Which which = Which::all);
   std::vector<OpenFace> open;  ///< by cell
 
-  /// Returns the corners of open faces, ascending.
+  /// Returns the corners, ascending, of all faces that only one tetrahedron has.
   std::vector<VertexIndex> open_corners() const;
-  /// Calls visit(InnerFace) for each inner face, in the order of their corners.
+  /// Calls visit(InnerFace) for each face that two tetrahedra share, in the order of the faces' corners.
   template <class Visit>
   void for_each_inner(const Visit& visit) const {
     for (const Use& use : uses_)
@@ -41,7 +41,7 @@ struct MeshFaces {
  private:
   /// One use of a face by a tetrahedron; two uses make an inner face.
   struct Use {
-    std::uint64_t low;  ///< two smallest corners of the face
+    std::uint64_t low;  ///< the two corners with the smallest vertex numbers, packed into one number
     VertexIndex high;
     Index code;  ///< index of the cell times four, plus that of the face
     Index other = no_index;
@@ -50,7 +50,7 @@ struct MeshFaces {
       return {static_cast<VertexIndex>(low >> 32), static_cast<VertexIndex>(low & 0xFFFFFFFFu), high};
     }
   };
-  std::vector<Use> uses_;  // one use of each inner face
+  std::vector<Use> uses_;  // for each face of two tetrahedra, its use by one of them
 };
 
 }  // namespace geomesh::app

@@ -28,7 +28,7 @@ class StagedFiles {
  public:
   StagedFiles(fs::path stem, const Ranks& ranks)
       : stem_(std::move(stem)), folder_(stem_.parent_path() / ("." + stem_.filename().string() + ".unfinished")) {
-    ranks.wait_for_all();  // nothing is created before all ranks have something to write
+    ranks.wait_for_all();  // no folder is created before all ranks have meshed their parts
     if (ranks.rank() == 0) {
       fs::create_directories(stem_.parent_path());
       fs::remove_all(folder_);
@@ -56,7 +56,7 @@ class StagedFiles {
     if (ranks.rank() == 0) fs::remove_all(folder_);
     ranks.wait_for_all();
     if (failure) std::rethrow_exception(failure);
-    if (has_failed) ranks.wait_for_all();  // waits until the failed rank has ended all
+    if (has_failed) ranks.wait_for_all();  // waits until the rank that failed has ended the program on all ranks
     return named;
   }
 

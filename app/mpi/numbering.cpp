@@ -27,7 +27,7 @@ struct GhostCell {
   std::array<std::int64_t, 4> points{};
 };
 
-/// Ghost points and tetrahedra that one rank sends to another.
+/// Points and tetrahedra at the border between two ranks, of which one rank sends copies (ghosts) to the other.
 struct GhostMessage {
   std::vector<GhostCell> cells;
   std::vector<GhostPoint> points;
@@ -114,7 +114,7 @@ GlobalNumbers find_numbers(const RankModel& model, const RankMesh& mesh, const M
   return numbers;
 }
 
-/// Returns the mesh data that all parts share.
+/// Returns a mesh with the data that the file of every rank contains: the model's points, faces, curves and names.
 geomodel::ModelMesh mesh_of_model(const RankModel& model, const GlobalNumbers& numbers) {
   geomodel::ModelMesh out;
   const geomodel::ModelMesh& in = model.sparse.mesh;

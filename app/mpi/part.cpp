@@ -25,7 +25,7 @@ class BorderHalver {
   BorderHalver(RankMesh& mesh, const SizeField& size, std::vector<bool> stays)
       : mesh_(mesh), size_(size), stays_(std::move(stays)), cells_at_(mesh.points.size()) {}
 
-  /// `border` contains triangles between parts; `kept` are sorted edges that are not halved.
+  /// Halves long edges. `border` contains the triangles between parts, `kept` the edges, sorted, that are not halved.
   void run(const std::vector<OpenFace>& border, const std::vector<Edge>& kept) {
     kept_ = &kept;
     std::vector<bool> at_border(mesh_.points.size(), false);
@@ -48,13 +48,13 @@ class BorderHalver {
                     "a tetrahedron between two ranks is too flat to be divided; take another number of ranks");
     }
   }
-  /// Returns the tetrahedra that were divided.
+  /// Returns the tetrahedra that were divided because an edge on the border between ranks was halved.
   const std::set<Index>& touched() const { return touched_; }
 
  private:
   struct LongEdge {
     double squared_length;
-    Vec3 low, high;  // positions of the edge's ends
+    Vec3 low, high;  // positions of the two ends of the edge, in increasing order
     Edge ends;
     bool operator<(const LongEdge& o) const {
       if (squared_length != o.squared_length) return squared_length < o.squared_length;
@@ -124,7 +124,7 @@ class BorderHalver {
   const SizeField& size_;
   std::vector<bool> stays_;  // for each point: whether it is a point of the model
   const std::vector<Edge>* kept_ = nullptr;
-  std::vector<std::vector<Index>> cells_at_;  // cells at each point of the border
+  std::vector<std::vector<Index>> cells_at_;  // for each point on the border between ranks, the tetrahedra that have it
   struct BorderTriangle {
     Triangle corners;
     Index component;
@@ -219,8 +219,8 @@ RankMesh tetrahedra_of_rank(const SparseModel& model, const std::vector<std::int
 /// moved. These and their neighbours are marked if they are as small as requested, or have only points of the model.
 /// Tetrahedra in `divided` have changed since and are not marked.
 void settle(RankMesh& mesh, const RankModel& model, const std::set<Index>& divided) {
-  constexpr double poor = 30;       // angle in degrees, close to that which the serial program repairs
-  constexpr double as_asked = 1.6;  // largest edge, as a multiple of the target size
+  constexpr double poor = 30;       // dihedral angle in degrees below which a tetrahedron counts as poor
+  constexpr double as_asked = 1.6;  // largest edge of a tetrahedron that is small enough, in target sizes
   std::vector<bool> is_about(mesh.points.size(), false);
   const auto corners = [&](const Tetrahedron& t) {
     return std::array{mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], mesh.points[t[3]]};

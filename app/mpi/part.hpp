@@ -21,7 +21,7 @@ class ModelPoints {
   std::size_t size() const { return rows_.size(); }
   /// Returns the rows of the model's points in the sparse mesh, ascending.
   const std::vector<VertexIndex>& rows() const { return rows_; }
-  /// Returns the number of the model's point at a place, or `none`.
+  /// Returns the number of the model's point with exactly these coordinates, or `none`.
   std::uint32_t number_at(const Vec3& place) const {
     const auto found = number_.find(place);
     return found == number_.end() ? none : found->second;
@@ -47,10 +47,10 @@ struct ModelSimplices {
   Index face_of(const Corners& corners) const;
 };
 
-/// The sparse model together with search structures.
+/// The model as a mesh with few tetrahedra, with tables that find its points and faces by their coordinates or corners.
 struct RankModel {
   explicit RankModel(SparseModel given);
-  /// The sparse model, with surfaces halved SparseModel::halvings times and its original tetrahedra.
+  /// The model as a mesh with few tetrahedra. The edges of its surfaces have been halved SparseModel::halvings times.
   SparseModel sparse;
   ModelPoints points;
   ModelSimplices simplices;

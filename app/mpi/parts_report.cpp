@@ -25,8 +25,8 @@ double first_percentile(const PartShapes& shapes) {
   return 0;
 }
 
-/// Combines the verdicts of all ranks, except counts relative to the median time step. Places of elements do not
-/// include their rows, which differ between ranks.
+/// Combines the predictions of all ranks for solvers: minima, maxima and sums. Numbers that depend on the median time
+/// step of all elements are left out.
 geomodel::SolverVerdict of_all(const std::vector<geomodel::SolverVerdict>& by_rank) {
   geomodel::SolverVerdict all;
   for (const geomodel::SolverVerdict& v : by_rank) {

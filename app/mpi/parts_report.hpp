@@ -16,7 +16,7 @@ namespace geomesh::app {
 
 /// Shapes on one rank, or summed over ranks. Plain data.
 struct PartShapes {
-  static constexpr std::size_t n_bins = 1800;  ///< number of bins of a tenth of a degree
+  static constexpr std::size_t n_bins = 1800;  ///< bins of the histogram of dihedral angles, each of 0.1 degrees
   std::uint64_t n = 0;
   double least_dihedral = 180, greatest_dihedral = 0, least_radius_ratio = 1;
   double sum_min_dihedral = 0, sum_radius_ratio = 0, sum_mean_ratio = 0;

@@ -46,7 +46,7 @@ class Ranks {
     }
     return from;
   }
-  /// Returns the data of all ranks, by rank.
+  /// Sends the bytes `own` of each rank to all ranks, and returns the bytes of every rank, in the order of ranks.
   std::vector<Bytes> gather_all(const Bytes& own) const;
   template <class T>
   std::vector<T> gather_all(const T& own) const {

@@ -17,7 +17,7 @@ namespace geomesh::app {
 struct SparseModel {
   /// The verified mesh. Its faces and edges of curves, halved `halvings` times, are those of the fine mesh.
   geomodel::ModelMesh mesh;
-  std::vector<Index> component;  ///< component of each tetrahedron, on which target sizes depend
+  std::vector<Index> component;  ///< for each tetrahedron the connected part of its region, on which sizes depend
   SizeField size;                ///< as requested
   unsigned halvings = 0;         ///< number of times that all edges are halved before surfaces have the target sizes
 };

@@ -54,13 +54,13 @@ class Takers {
   }
 
   unsigned round_;
-  std::map<std::vector<std::int32_t>, Cut> cuts_;  // the cut for each pair of ranks
+  std::map<std::vector<std::int32_t>, Cut> cuts_;  // for each pair of ranks, the plane that divides their common border
 };
 
-/// For each point of the part, whether it has been between ranks in every round.
+/// For each point of a rank's mesh, whether it has lain on a border between ranks in every round so far.
 using Pending = std::vector<bool>;
 
-/// Tetrahedra that are sent to another rank.
+/// Tetrahedra, with their points, that are sent to another rank, which will improve them.
 struct Parcel {
   std::vector<Vec3> points;
   std::vector<std::uint8_t> is_pending, may_be_outside;
@@ -105,11 +105,11 @@ class ParcelFiller {
   std::vector<VertexIndex> row_, used_;
 };
 
-/// Adds parcels to a mesh: points at the same position are merged.
+/// Adds tetrahedra received from other ranks to a mesh, and merges points at the same position.
 class Joiner {
  public:
   Joiner(RankMesh& mesh, Pending& pending) : mesh_(mesh), pending_(pending) {}
-  /// Registers a point that is in the mesh already.
+  /// Records the position of point v of the mesh, so that a received point at this position is merged with it.
   void know(VertexIndex v) { at_.try_emplace(mesh_.points[v], v); }
   void add(const Parcel& parcel) {
     std::vector<VertexIndex> row;
@@ -137,7 +137,7 @@ class Joiner {
   ByPlace<VertexIndex> at_;
 };
 
-/// Removes the tetrahedra that some rank takes. Those that this rank takes come back with the parcels of its strip.
+/// Removes the tetrahedra that a rank will improve. Those that this rank improves are added again afterwards.
 void drop_taken(RankMesh& mesh, const std::vector<std::int32_t>& takers) {
   std::size_t n = 0;
   for (std::size_t c = 0; c < takers.size(); ++c) {
@@ -201,8 +201,8 @@ class StripImprover {
     return model_.simplices.face_of(sorted_corners({numbers[0], numbers[1], numbers[2]})) != no_index;
   }
 
-  /// Returns the corners of faces between ranks that lie on no surface. In the first round all are pending except
-  /// points of the model. In later rounds only points that are still pending are returned.
+  /// Returns the corners of faces on borders between ranks, without faces on surfaces. The first round omits points of
+  /// the model; later rounds return only points that were on a border between ranks in every round before.
   std::vector<VertexIndex> points_between_ranks(bool is_first) {
     const MeshFaces faces(mesh_, MeshFaces::Which::at_border);
     std::vector<bool> is_between(mesh_.points.size(), false);
@@ -218,8 +218,8 @@ class StripImprover {
     return found;
   }
 
-  /// Returns the rank that takes each tetrahedron, or `nobody` for those beyond the layers. If the points of a
-  /// tetrahedron name several ranks, the lowest of them takes it.
+  /// Returns the rank that will improve each tetrahedron; `nobody` for tetrahedra that are more than `layers` layers
+  /// away from a border between ranks. If several ranks are possible, the lowest improves the tetrahedron.
   std::vector<std::int32_t> takers_of_cells(std::vector<std::int32_t> taker_at) const {
     std::vector<std::int32_t> of_cell(mesh_.tetrahedra.size(), nobody);
     for (unsigned layer = 0; layer < layers; ++layer) {
@@ -239,8 +239,8 @@ class StripImprover {
     return of_cell;
   }
 
-  /// Sends tetrahedra to the ranks that take them. Those that this rank receives are its strip, which is improved and
-  /// added to the mesh. Returns the number of tetrahedra in the strip before it is improved.
+  /// Sends tetrahedra to the ranks that improve them. This rank improves those that it receives, and adds them to its
+  /// mesh. Returns the number of received tetrahedra.
   std::size_t exchange_and_improve(const std::vector<std::int32_t>& takers, const RefineOptions& options,
                                    const RunContext& context) {
     const auto n_ranks = static_cast<std::size_t>(ranks_.size());
@@ -279,7 +279,8 @@ class StripImprover {
     return n;
   }
 
-  /// Returns the improved strip. Pending points remain pending if they have not moved, like all on the strip's border.
+  /// Improves the tetrahedra of a strip. Points that do not move, as on the strip's border, keep their mark as
+  /// `pending`.
   Parcel improved(RankMesh strip, const Pending& pending, RefineOptions options, const RunContext& context) const {
     ByPlace<bool> was_pending;
     for (VertexIndex v = 0; v < pending.size(); ++v)

@@ -40,7 +40,7 @@ class FaceChecks {
   FaceChecks(const RankModel& model, const RankMesh& mesh, const std::vector<std::uint32_t>& number)
       : model_(model), mesh_(mesh), number_(number) {}
 
-  /// Checks the open faces. Returns how many of them are between ranks.
+  /// Checks the faces that only one tetrahedron of this rank has. Returns how many have a tetrahedron on another rank.
   std::size_t check_open(const std::vector<OpenFace>& open, const std::vector<Across>& across) {
     std::size_t n_between = 0;
     for (std::size_t k = 0; k < open.size(); ++k) {

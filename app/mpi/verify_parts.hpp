@@ -10,10 +10,10 @@
 
 namespace geomesh::app {
 
-/// Results for all ranks together.
+/// Counts and volumes of the verified mesh, summed over all ranks.
 struct VerifiedParts {
   std::size_t n_tetrahedra = 0;
-  std::size_t n_faces_between_ranks = 0;  ///< faces between ranks, matched bit by bit
+  std::size_t n_faces_between_ranks = 0;  ///< faces with tetrahedra on two ranks, which have equal coordinates
   std::vector<double> volume_of_region;   ///< volume of each region, by region id - 1
 };
 

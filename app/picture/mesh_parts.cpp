@@ -131,7 +131,7 @@ vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::functio
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const bool again = (i > 0 && faces[i - 1].sorted == faces[i].sorted) ||
                        (i + 1 < faces.size() && faces[i + 1].sorted == faces[i].sorted);
-    if (again) continue;  // a face between two visible cells
+    if (again) continue;  // a face that two visible cells share is not drawn
     rows.push_back(faces[i].as_seen);
     values.push_back(value_of(faces[i].cell));
   }

@@ -20,7 +20,7 @@ namespace geomesh::picture {
 
 struct MeshFile {
   vtkSmartPointer<vtkUnstructuredGrid> cells;
-  vtkSmartPointer<vtkPolyData> faces;  ///< contents of NAME.faces.vtp; null if there is none
+  vtkSmartPointer<vtkPolyData> faces;  ///< faces on surfaces, from NAME.faces.vtp; null if there is no such file
   std::map<int, std::string> region_names, surface_names;
   geomodel::GivenColours colours;   ///< colours of the project, from NAME.report.json if it exists
   std::vector<int> region_of_cell;  ///< region of each cell; 0 if the file has no regions
@@ -33,14 +33,14 @@ MeshFile read_mesh_file(const std::filesystem::path& file);
 vtkSmartPointer<vtkPolyData> outside_of(const MeshFile& mesh, const std::function<bool(vtkIdType)>& wanted,
                                         const std::function<double(vtkIdType)>& value_of);
 
-/// Returns the tetrahedra with their region as cell array `value`.
+/// Returns the tetrahedra with a cell array `value`, by which they are coloured, that holds their region's id.
 vtkSmartPointer<vtkUnstructuredGrid> with_region_values(const MeshFile& mesh);
 
 /// The side of a vertical plane to which its normal points.
 struct HalfSpace {
   std::array<double, 2> origin, normal;
 };
-/// Returns the part of the cells in the half space, cut along the plane.
+/// Cuts cells along a plane and returns the part on one side of it.
 vtkSmartPointer<vtkUnstructuredGrid> beyond(vtkUnstructuredGrid* grid, const HalfSpace& half);
 
 vtkSmartPointer<vtkPolyData> outside_of(vtkUnstructuredGrid* grid);

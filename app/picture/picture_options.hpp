@@ -12,7 +12,7 @@ enum class View {
   regions,   ///< the whole model, coloured by region
   cut,       ///< the model without the quarter nearest to the camera, cut along planes
   elements,  ///< the model without the quarter nearest to the camera, cut along whole elements
-  exploded,  ///< units moved apart vertically
+  exploded,  ///< rock units drawn with vertical gaps between them
   surfaces,  ///< horizons, faults and bodies with the edges of their faces, without sides of the box
   quality,   ///< whole elements, coloured by the smallest dihedral angle
 };

@@ -11,7 +11,7 @@
 
 namespace geomesh::picture {
 
-/// Formats the vertical exaggeration: "5", "2.5".
+/// Returns the factor of vertical exaggeration as text, such as "5" or "2.5".
 std::string scale_words(double scale);
 
 /// Returns the vertical exaggeration that is used if the command line gives none, the same as on the HTML page.

@@ -15,7 +15,7 @@ from .model import Model
 
 
 def _box_of_extent(extent):
-    """Converts [x0, x1, y0, y1, z0, z1] to corners."""
+    """Converts a box given as [x0, x1, y0, y1, z0, z1] to its two corners."""
     x0, x1, y0, y1, z0, z1 = (float(v) for v in extent)
     return [[x0, y0, z0], [x1, y1, z1]]
 
@@ -124,9 +124,9 @@ class _Sequence:
 
     def __init__(self, model):
         self.model = model
-        self._column = []  # The units and horizons added so far: unit, horizon, unit, ... horizon.
-        self._reaching = None  # The unit above, if its base is below its whole domain: it then has the next base.
-        self._is_complete = False  # Whether nothing in the box is older.
+        self._column = []  # Names of the units and horizons added so far, alternately, from the youngest unit on.
+        self._reaching = None  # Unit that extends below its domain, so that the next base is its base; or None.
+        self._is_complete = False  # Whether the units added so far fill the box down to its bottom.
 
     def add(self, unit, name, parts, values, value, above=(), below=()):
         """Adds the base of a unit unless the field has no such value where it is valid; returns whether it was added.
@@ -207,7 +207,7 @@ def _fields_of_gempy(geo_model, extent, column):
 
 
 class _FeatureField:
-    """Evaluates a feature of LoopStructural, also beyond unconformities."""
+    """The scalar field of a feature of LoopStructural as a function, also beyond unconformities that bound it."""
 
     def __init__(self, model, feature):
         self.model, self.feature = model, feature
@@ -281,14 +281,14 @@ def _bounds_of(feature, names):
 def _add_loop_horizons(model, strata, isovalues, values, parts):
     names = [feature.name for feature in strata]
     bounds = {feature.name: _bounds_of(feature, names) for feature in strata}
-    # (unit, feature, value) of each surface; the unit whose base is not known yet; the name of each surface
+    # (unit, feature, value) of each surface; a unit for which no base has been found yet; names of the surfaces
     surfaces, open_unit, name_of = [], None, {}
     for group in names:
         units = {value: unit for of, unit, value in isovalues if of == group}
         cut = {value for found in bounds.values() for key in ("above", "below") for of, value in found[key] if of == group}
         lowest = [value for value in units if not numpy.isfinite(value)]
         if lowest and cut and min(cut) < min((v for v in units if numpy.isfinite(v)), default=numpy.inf):
-            units[min(cut)] = units.pop(lowest[0])  # an unconformity is the base of the group
+            units[min(cut)] = units.pop(lowest[0])  # the unconformity is the base of the lowest unit of the group
         for value in sorted(set(units) | cut, reverse=True):
             if not numpy.isfinite(value):
                 if open_unit is not None:
@@ -305,7 +305,7 @@ def _add_loop_horizons(model, strata, isovalues, values, parts):
                 for key in ("above", "below")}
         own = {key: [at for of, at in bounds[group][key] if of == group] for key in ("above", "below")}
         if any(value < at for at in own["above"]) or any(value > at for at in own["below"]):
-            continue  # the feature's own unconformity has removed this surface
+            continue  # the surface lies on the removed side of the unconformity that bounds its feature
         sequence.add(unit, name_of[group, value], parts[group], values[group], value, **kept)
     model.column = sequence.column(open_unit or "basement")
 
@@ -336,7 +336,7 @@ def surfaces_of_gmsh(gmsh, entities=None):
     """
     found = []
     for dimension, tag in (gmsh.model.getEntities(2) if entities is None else entities):
-        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # 2: triangles of three nodes
+        _, nodes = gmsh.model.mesh.getElementsByType(2, tag)  # gmsh's element type 2: triangles of three nodes
         if len(nodes) == 0:
             continue
         tags, coordinates, _ = gmsh.model.mesh.getNodes(dimension, tag, True)

@@ -9,7 +9,7 @@ import numpy
 
 
 class Lattice(NamedTuple):
-    """A regular grid of nodes."""
+    """A regular 3D grid of nodes: origin, spacing and counts along x, y, z."""
     origin: Any  # the first node
     spacing: Any  # along x, y, z
     shape: Tuple[int, int, int]
@@ -173,7 +173,7 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
     for side in itertools.product((True, False), repeat=len(faults)):
         nodes = numpy.ones(values.shape, dtype=bool)
         for fault, is_positive in zip(faults, side):
-            rounding = 1e-9 * numpy.abs(fault.values).max()  # a node on the fault has the value of one side or the other
+            rounding = 1e-9 * numpy.abs(fault.values).max()  # nodes this near to a fault belong to neither side
             nodes &= (fault.values > rounding) if is_positive else (fault.values < -rounding)
         if not numpy.isfinite(values[nodes]).any():
             continue
@@ -191,6 +191,6 @@ def parts_at_faults(lattice: Lattice, values: Any, own: Sequence[FaultField], ev
 
 
 def takes(values: Any, value: float, nodes: Any) -> bool:
-    """Returns whether the values on some nodes lie on both sides of a given value."""
+    """Returns whether a field's values at the given nodes lie on both sides of `value`."""
     known = values[nodes & numpy.isfinite(values)]
     return known.size > 0 and bool(known.min() < value < known.max())

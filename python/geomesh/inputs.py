@@ -27,7 +27,7 @@ def as_points(points: Any) -> npt.NDArray[numpy.float64]:
 
 def as_triangles(triangles: Any) -> Any:
     array = numpy.asarray(triangles)
-    if array.ndim == 2 and array.shape[1] == 4:  # quadrangles, as in grids and OBJ files
+    if array.ndim == 2 and array.shape[1] == 4:  # each quadrangle is split into two triangles
         array = split_quadrangles(array)
     return array
 

@@ -354,7 +354,7 @@ def _is_rows(thing: Any) -> bool:
 
 
 def _size_function(size: Size) -> Tuple[Any, Optional[SizeFunction]]:
-    """Returns the part of a size that belongs into the project, and the function in it."""
+    """Divides the argument `size`: returns the value of `size` for the project file, and the size function or None."""
     if callable(size):
         return None, size
     if isinstance(size, dict) and callable(size.get("background")):

@@ -46,7 +46,7 @@ class Lines:
 
 
 def progress_of(progress: Union[bool, Progress, None]) -> Optional[Progress]:
-    """Returns the function that the run calls. True: a bar, or lines if tqdm is not installed."""
+    """Returns the progress function of a run: the argument itself; for True a bar, or lines if tqdm is not installed."""
     if progress is not True:
         return progress or None
     try:

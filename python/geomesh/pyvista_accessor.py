@@ -68,7 +68,7 @@ def register(pyvista: Any) -> None:
     if known is None or hasattr(known, "geomesh"):
         return
     own = getattr(pyvista, "register_dataset_accessor", None)
-    if own is not None:  # PyVista's own registration, if its version has one
+    if own is not None:  # newer versions of PyVista can register accessors
         own("geomesh", known)(Accessor)
     else:
         known.geomesh = property(Accessor)

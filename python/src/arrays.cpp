@@ -16,7 +16,7 @@ template <class Number>
 bool fits(Number value) {
   if constexpr (std::is_signed_v<Number>)
     if (value < 0) return false;
-  return static_cast<std::uint64_t>(value) < no_vertex - 1;  // the last two index values have special meanings
+  return static_cast<std::uint64_t>(value) < no_vertex - 1;  // the last two rows mean "none" and "infinite"
 }
 
 template <class Number>

@@ -14,13 +14,13 @@ namespace {
 /// Polygons as lists of loops (the outer one first), each a list of rows of points.
 using Polygons = std::vector<std::vector<std::vector<VertexIndex>>>;
 
-/// The complex in the form of numpy arrays.
+/// A piecewise linear complex as passed from Python: points, facets, segments, regions and holes in arrays.
 struct PlcArguments {
   PointArray points;
   std::vector<Triangle> triangles;
-  Polygons polygons;  ///< facets given as polygons, instead of triangles
+  Polygons polygons;  ///< used instead of `triangles` if facets are polygons
   py::array segments;
-  PointArray regions, holes;  ///< points inside the parts to be numbered or left out
+  PointArray regions, holes;  ///< points inside the regions that get numbers, and inside those that are left out
 };
 
 PiecewiseLinearComplex make_plc(const PlcArguments& a) {

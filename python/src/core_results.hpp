@@ -29,7 +29,7 @@ DelaunayResult without_ghosts(PointArray points, DelaunayTetrahedralization&& wh
 struct MeshResult {
   ConstrainedTetrahedralization mesh;
   std::vector<std::string> warnings;
-  py::dict statistics;  ///< must be made while the interpreter's lock is held
+  py::dict statistics;  ///< a Python object, to be made only while the interpreter's lock is held
 };
 
 py::dict statistics_of(const ConstrainedTetrahedralization& mesh);

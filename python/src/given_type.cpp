@@ -15,13 +15,12 @@ namespace {
 
 using geomodel::FileContents;
 
-/// Returns an owner that is kept alive by the arrays that view the contents.
+/// Returns a Python object that keeps the contents in memory as long as numpy arrays that view them exist.
 py::capsule owner_of(const Given& given) {
   auto* const held = new std::shared_ptr<const FileContents>(given.contents);
   return {held, [](void* p) { delete static_cast<std::shared_ptr<const FileContents>*>(p); }};
 }
 
-/// Returns (name, points, triangles) of each surface.
 py::list surfaces_of(const Given& given) {
   const py::capsule owner = owner_of(given);
   py::list list;
@@ -30,7 +29,7 @@ py::list surfaces_of(const Given& given) {
   return list;
 }
 
-/// Returns (name, points) of each object.
+/// Returns (name, points) of each point set or other named object of an input.
 template <class Object>
 py::list points_of(const Given& given, const std::vector<Object>& objects) {
   const py::capsule owner = owner_of(given);

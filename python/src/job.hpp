@@ -24,7 +24,7 @@ namespace geomesh::python {
 
 namespace py = pybind11;
 
-/// Arguments of a caller in Python besides the data.
+/// Callbacks and number of threads that a caller in Python passes to every function that does long work.
 struct JobRequest {
   py::object progress = py::none();  ///< called as progress(stage, done, total); total is 0 if it is not known
   py::object log = py::none();       ///< called as log(level, text): "debug", "info", "warning"
@@ -40,7 +40,7 @@ class Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  /// Runs `work(context)`; rethrows its exceptions.
+  /// Runs `work(context)` in a thread of its own, waits for its end and rethrows its exceptions.
   template <class Work>
   auto run(Work&& work) {
     using Result = decltype(work(std::declval<const RunContext&>()));

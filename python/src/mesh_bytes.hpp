@@ -10,7 +10,7 @@
 
 namespace geomesh::python {
 
-/// Encodes everything in the result. O(size of the mesh).
+/// Encodes the result of a job, with its mesh, as bytes. O(size of the mesh).
 std::string bytes_of(const geomodel::JobResult& result);
 
 /// Decodes a result from bytes. Throws Error{usage} if the bytes were made by another version, or are damaged.

@@ -51,7 +51,7 @@ Given grid(const std::string& name, const HeightArray& heights, const std::array
   return share(given_grid(name, g));
 }
 
-/// Arguments of a project job besides the project.
+/// Options with which Python runs a project: callbacks, size function, and output folder.
 struct RunArguments {
   JobRequest job;
   py::object size_function;  ///< None, or f(x, y, z) in the project's coordinates
@@ -88,7 +88,7 @@ JobResult run(const RunArguments& arguments, const ProjectOfJob& project) {
   return job.run([&](const RunContext& context) { return run_project(request, context); });
 }
 
-/// A function object makes one field, for any number of surfaces that use it.
+/// Each function object of Python becomes one field, which all surfaces that use it share.
 GivenFields given_fields(const py::dict& functions, Job& job) {
   std::map<PyObject*, std::shared_ptr<FieldFunction>> known;
   GivenFields fields;

@@ -31,7 +31,7 @@ unsigned count(const std::string& key, const py::handle& value, unsigned most) {
   return static_cast<unsigned>(n);
 }
 
-/// Converts {"F1": {"thickness": 20, "layers": 2}} to fault zones.
+/// Converts a dict of fault zones, such as {"F1": {"thickness": 20, "layers": 2}}, to the library's options.
 std::vector<FaultZone> zones(const py::dict& given) {
   std::vector<FaultZone> list;
   for (const auto& [fault, keys] : given) {

@@ -51,7 +51,7 @@ def test_a_loopstructural_model_gives_its_surfaces_with_pieces_of_one_name_joine
 
 def test_surfaces_of_a_gmsh_model_come_with_the_names_of_their_physical_groups():
     points, triangles = sheet(lambda x, y: -500 + 0 * x)
-    tags = numpy.arange(len(points)) * 3 + 5  # the numbers of nodes in gmsh are arbitrary
+    tags = numpy.arange(len(points)) * 3 + 5  # numbers of nodes in gmsh need not be consecutive
     order = numpy.random.default_rng(1).permutation(len(points))
     of_mesh = Of(getElementsByType=lambda kind, tag: (numpy.arange(len(triangles)), tags[triangles].ravel()),
                  getNodes=lambda dim, tag, boundary: (tags[order], points[order].ravel(), []))
@@ -233,7 +233,7 @@ def test_values_of_one_side_of_a_fault_are_continued_as_the_polynomial_that_they
     near = x - 0.6 * z < 2.5
     found = continued(numpy.where(near, linear, numpy.nan))
     beside = near.copy()
-    for axis in range(3):  # nodes that share a cell with a known one
+    for axis in range(3):  # add nodes that share a grid cell with a node of known value
         beside |= numpy.roll(beside, 1, axis) | numpy.roll(beside, -1, axis)
     inside = (slice(1, -1),) * 3
     assert numpy.abs(found - linear)[inside][beside[inside]].max() < 1e-9

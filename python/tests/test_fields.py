@@ -28,7 +28,7 @@ class Fields(unittest.TestCase):
         centres = points[cells].mean(axis=1)
         rows = numpy.random.default_rng(1).choice(len(centres), size=min(20000, len(centres)), replace=False)
         value = fold(*centres[rows].T)
-        tolerance = 80 / 40 * 1.3  # the field's slope is at most 1.3
+        tolerance = 80 / 40 * 1.3  # the gradient of the folded field has at most length 1.3
         names = numpy.array([mesh.names[r] if isinstance(mesh.names, dict) else None for r in numpy.asarray(mesh.region)[rows]])
         wanted = numpy.where(value > 30, "a", numpy.where(value > -60, "b", "c"))
         clear = (abs(value - 30) > tolerance) & (abs(value + 60) > tolerance)

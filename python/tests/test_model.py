@@ -119,11 +119,11 @@ def test_objects_of_other_packages_are_understood_by_their_attributes():
     class Of:
         def __init__(self, **attributes):
             self.__dict__.update(attributes)
-    forms = [Of(points=points, faces=flat),                                   # PyVista
-             Of(points=points, cells=[Of(type="triangle", data=triangles)]),  # meshio
-             Of(vertices=points, edges=triangles),                            # GemPy
-             Of(vertices=points, triangles=triangles, name="x"),              # LoopStructural
-             Of(vertices=points, faces=triangles),                            # trimesh
+    forms = [Of(points=points, faces=flat),                                   # attributes as in PyVista,
+             Of(points=points, cells=[Of(type="triangle", data=triangles)]),  # in meshio,
+             Of(vertices=points, edges=triangles),                            # in GemPy,
+             Of(vertices=points, triangles=triangles, name="x"),              # in LoopStructural
+             Of(vertices=points, faces=triangles),                            # and in trimesh
              (points, triangles)]
     expected = layered().mesh()
     for form in forms:

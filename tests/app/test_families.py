@@ -31,6 +31,11 @@ class Families(ProgramTest):
     def test_thrusts_that_repeat_horizons(self):
         self.assert_right("thrust")
 
+    def test_horizons_that_end_on_a_thrust_or_salt_at_a_low_angle(self):
+        """Some metres from the thrust or salt, but hundreds of metres before it along themselves, horizons ended in the open."""
+        self.assert_right("ramp_thrust", (4,))
+        self.assert_right("salt_sheet", (5,))
+
     def test_faults_that_cross_and_meet_each_other(self):
         """Sheets of two blocks lie at one height in the second one: beyond the fault between them they were merged, which left a hole."""
         self.assert_right("conjugate")

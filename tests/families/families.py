@@ -16,6 +16,7 @@ from deposits import Channel, Lens  # noqa: E402
 from growth import GrowthFault  # noqa: E402
 from holes import FaultHoles, Holes  # noqa: E402
 from intrusions import Intrusion  # noqa: E402
+from low_angles import RampThrust, SaltSheet  # noqa: E402
 from measured import NoisyGrid, SparsePicks  # noqa: E402
 
 
@@ -349,7 +350,7 @@ FAMILIES = {"short_grids": ShortGrids, "salt_gaps": SaltGaps, "thrust": Thrust, 
             "dying_fault": DyingFault, "unconformity": Unconformity, "thin_beds": ThinBeds, "recumbent": Recumbent,
             "noisy_grid": NoisyGrid, "growth_fault": GrowthFault, "sparse_picks": SparsePicks,
             "channel": Channel, "intrusion": Intrusion, "lens": Lens, "holes": Holes,
-            "fault_holes": FaultHoles}
+            "fault_holes": FaultHoles, "ramp_thrust": RampThrust, "salt_sheet": SaltSheet}
 
 if __name__ == "__main__":
     form = sys.argv[4] if len(sys.argv) > 4 else "bare"

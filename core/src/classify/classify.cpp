@@ -39,10 +39,10 @@ class Components {
   /// Returns the live subfacets ordered by facet, so that the numbers of components and the output do not depend on the
   /// order in which recovery created subfacets.
   const std::vector<Index>& subfacets() const { return subfacets_; }
-  /// Returns the mesh face of each of `subfacets()`, seen from its upper side.
+  /// Returns for each of subfacets() its face in the mesh, as a face of the cell above it.
   const std::vector<FaceRef>& faces_above() const { return above_; }
 
-  /// Returns the region seed in each component, or no_index.
+  /// Returns for each component of the mesh the row of the region seed inside it, or no_index.
   std::vector<Index> seeds() const {
     std::vector<Index> out(n_, no_index);
     for (const auto& seed : plc_.region_seeds) {
@@ -208,7 +208,7 @@ class Arrays {
     for (VertexIndex v = 0; v < is_on.size(); ++v)
       if (!is_on[v] && out_.origin[v] != VertexOrigin::input) out_.origin[v] = VertexOrigin::inside;
   }
-  /// Returns whether at least one cell around the edge is kept. If none is, both ends of the edge may still be kept.
+  /// Returns whether the output contains at least one cell around the subsegment.
   bool is_kept_edge(Index subsegment) const {
     const Subsegment& s = model_.constraints.subsegments[subsegment];
     recover::EdgeRing ring;
@@ -221,8 +221,8 @@ class Arrays {
   DeclaredModel& model_;
   const Components& components_;
   ConstrainedTetrahedralization& out_;
-  std::vector<VertexIndex> point_;  ///< row of each vertex in the output
-  std::vector<Index> tetrahedron_;  ///< row of each cell in the output
+  std::vector<VertexIndex> point_;  ///< for each vertex of the mesh, its row in the output
+  std::vector<Index> tetrahedron_;  ///< for each cell of the mesh, its row in the output
 };
 
 }  // namespace

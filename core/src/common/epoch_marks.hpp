@@ -13,7 +13,7 @@ namespace geomesh {
 /// Use one object per thread. Calls take constant time unless the table grows; at most half of its slots are used.
 class EpochMarks {
  public:
-  /// Takes all marks off.
+  /// Clears the marks of all cells or vertices.
   void begin() {
     n_ = 0;
     if (++epoch_ < epochs) return;
@@ -40,7 +40,7 @@ class EpochMarks {
 
  private:
   struct Entry {
-    std::uint32_t index = 0, stamp = 0;  ///< `stamp` is twice the epoch, plus 1 if marked
+    std::uint32_t index = 0, stamp = 0;  ///< `stamp`: 2 * (epoch of the entry) + (1 if `index` is marked)
   };
   static constexpr std::uint32_t epochs = std::uint32_t{1} << 31;
   static constexpr unsigned first_bits = 9;
@@ -48,7 +48,7 @@ class EpochMarks {
   bool is_of_epoch(const Entry& e) const { return e.stamp >> 1 == epoch_; }
   static bool is_on(const Entry& e) { return (e.stamp & 1u) != 0; }
 
-  /// Returns the slot of item i in the table, or the free slot where it would be inserted.
+  /// Returns the slot of the hash table that holds the mark of item i, or the free slot where it would be inserted.
   std::size_t place_of(std::uint32_t i) const {
     const std::size_t mask = table_.size() - 1;
     std::size_t at = (i * 0x9E3779B1u) >> (32 - bits_);

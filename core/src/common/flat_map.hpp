@@ -21,13 +21,13 @@ class SimplexMap {
  public:
   using Key = std::array<VertexIndex, N>;
 
-  /// Returns no_index if the key is absent.
+  /// Returns the value stored for these vertices, in any order; no_index if there is none.
   Index find(const Key& vertices) const {
     if (slots_.empty()) return no_index;
     const Slot& slot = slots_[place_of(sorted(vertices))];
     return slot.value >= erased ? no_index : slot.value;
   }
-  /// Overwrites an existing entry.
+  /// Stores the value of these vertices, in any order, in place of any earlier value.
   void insert(const Key& vertices, Index value) {
     if (2 * (n_used_ + 1) > slots_.size()) grow_to(std::max<std::size_t>(16, 2 * slots_.size()));
     const Key key = sorted(vertices);
@@ -93,7 +93,6 @@ class DirectedEdgeSet {
   using Edge = std::array<VertexIndex, 2>;
 
   bool contains(const Edge& e) const { return !slots_.empty() && slots_[place_of(pack(e))] != empty; }
-  /// Inserts the edge and returns whether it was not in the set before.
   bool insert(const Edge& e) {
     if (2 * (n_ + 1) > slots_.size()) grow();
     const std::size_t i = place_of(pack(e));

@@ -12,7 +12,7 @@ namespace geomesh {
 class Random {
  public:
   explicit constexpr Random(std::uint32_t seed = 1) : state_(seed) {}
-  /// Returns one of 2^8 values.
+  /// Returns a random number from 0 to 255.
   constexpr unsigned byte() { return advance() >> 24; }
   /// Returns a number below n, which is at most 2^16.
   constexpr unsigned below(unsigned n) { return (advance() >> 16) % n; }

@@ -314,7 +314,7 @@ void CavityInsertion<Space, Shared>::link_by_map(VertexIndex v) {
     write_cell(k, v);
     const auto& u = boundary_[k].vertices;
     for (unsigned j = 0; j < dimension; ++j) {
-      // 3D: face j lies on the edge from vertex j + 1 to j + 2. 2D: face j lies on the other vertex.
+      // Face j of the new cell contains the edge of the boundary face opposite its vertex j; in 2D, its other vertex.
       const VertexIndex a = u[(j + 1) % dimension], b = dimension == 3 ? u[(j + 2) % dimension] : a;
       const FaceRef face(cavity_[k], j);
       const auto [at, is_new] =

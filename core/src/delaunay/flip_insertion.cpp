@@ -227,7 +227,7 @@ bool FlipInsertion::try_2_to_3(FaceRef f, FaceRef outer) {
   for (unsigned j = 0; j < 4; ++j)
     if (j != f.face()) new_.push_back(substituted(w, w[j], d));
   if (!all_positive()) return false;
-  // With a vertex at infinity the orientations do not show whether v and d are connected already.
+  // Orientations of cells with the infinite vertex do not show whether the new edge of the flip exists already.
   const bool infinite = has_infinite(w) || d == infinite_;
   if (infinite && adjacent(f.cell(), w[f.face()], d)) return false;
   replace();

@@ -21,8 +21,8 @@ struct PlaneProjection {
   }
 };
 
-/// Predicates like those of Space3 for exactly coplanar points. Orientations are those of a projection along an axis
-/// that is not parallel to the plane.
+/// The exact orientation and conflict predicates for triangulating exactly coplanar points in space. Orientations are
+/// those of a projection along an axis that is not parallel to the plane.
 class PlaneSpace {
  public:
   static constexpr int dimension = 2;

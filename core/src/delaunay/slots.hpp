@@ -41,9 +41,9 @@ class SlotSource {
   void give_back(CellIndex c) { free_.push_back(c); }
   void raise_limit(CellIndex limit) { limit_ = limit; }
 
-  /// Returns the number after the last slot of the used blocks.
+  /// Returns the end of the last block of cell slots that this source has begun to use.
   CellIndex used_end() const { return block_end_; }
-  /// Returns the slots of this source below `end` that no cell uses: freed ones, followed by those never used.
+  /// Returns the cell slots below `end` that this source owns and no cell uses: freed ones, then those never used.
   std::vector<CellIndex> unused(CellIndex end) const {
     std::vector<CellIndex> r = free_;
     CellIndex c = next_, stop = block_end_;

@@ -25,7 +25,7 @@ inline std::vector<VertexIndex> merge_twins(const std::vector<Twin>& twins, Poin
     if (other < kept) std::swap(kept, other);
     representative[other] = kept;
   }
-  // A stored id is replaced only by lesser ones, so in ascending order each reference is final when it is followed.
+  // Each id refers to itself or to a lesser id of an equal point, which is final already in ascending order of ids.
   for (VertexIndex i = 0; i < n; ++i) representative[i] = representative[representative[i]];
   return representative;
 }

@@ -21,7 +21,7 @@ namespace geomesh {
 /// A cavity that is stored in a list and in marks of the caller, which are set for exactly the cells in the list.
 class Cavity {
  public:
-  /// Starts with the cells `bases`, which remain in the cavity. The mesh must not change while the cavity is used.
+  /// Starts a cavity with the cells `bases`, which are never removed from it. The mesh must not change meanwhile.
   Cavity(const TetMesh& mesh, EpochMarks& marks, std::vector<CellIndex>& cells, std::span<const CellIndex> bases)
       : mesh_(mesh), marks_(marks), cells_(cells), bases_(bases) {
     cells_.assign(bases.begin(), bases.end());
@@ -36,7 +36,6 @@ class Cavity {
     cells_.push_back(c);
   }
 
-  /// Removes the cell in row i of the list from the cavity.
   void erase(std::size_t i) {
     marks_.unmark(cells_[i]);
     cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -55,9 +54,9 @@ class Cavity {
       }
   }
 
-  /// Removes cells with a border face for which sees(face) is false, then cells with such faces that have become border
-  /// because of the removals, and finally cells that are separated from the bases. Faces for which may_cross is false
-  /// count as border, except those for which is_inner(face) is true. Returns false if a base would have to be removed.
+  /// Repeatedly removes cells of the cavity with a face on its border for which sees(face) is false, then cells that
+  /// this separates from the initial cells. A face for which may_cross is false counts as on the border, unless
+  /// is_inner(face) is true. Returns false if an initial cell would have to be removed.
   template <class MayCross, class IsInner, class Sees>
   bool shrink(const MayCross& may_cross, const IsInner& is_inner, const Sees& sees) {
     std::vector<CellIndex> given_up;

@@ -57,7 +57,7 @@ class EditableMesh {
   void begin_star(VertexIndex v, EpochMarks& marks, std::vector<CellIndex>& out) const;
   void grow_star(VertexIndex v, std::size_t k, EpochMarks& marks, std::vector<CellIndex>& out) const;
 
-  /// The end of a walk from cell to cell towards a point.
+  /// The result of a walk from cell to cell towards a point: why and in which cell it ended.
   struct Walk {
     enum class End { found, outside, at_barrier, too_long };
     End end;
@@ -87,8 +87,8 @@ class EditableMesh {
       mesh_.free_cell(c);
     });
   }
-  /// Does the same as exchange() for changes that are made concurrently: the table of faces belongs to the caller, and
-  /// free(cell) frees the removed cells.
+  /// Replaces cells by others with the same border, with a table of faces of the caller, so that several threads can
+  /// exchange different cells at once. free(cell) frees a removed cell.
   template <class Make, class NoteNeighbor, class Free>
   void exchange_by(FacePairing<FaceMark>& pairing, std::span<const CellIndex> removed, std::size_t n_added,
                    const Make& make, const NoteNeighbor& note_neighbor, const Free& free);

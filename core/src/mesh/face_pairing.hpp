@@ -18,7 +18,7 @@ struct FaceKey {
   friend constexpr auto operator<=>(const FaceKey&, const FaceKey&) = default;
 };
 
-/// The key of the face opposite vertex i.
+/// Returns the hash key of the face of a tetrahedron opposite its vertex i.
 inline FaceKey face_key(const Tetrahedron& t, unsigned i) {
   const VertexIndex a = t[face_vertices[i][0]], b = t[face_vertices[i][1]], c = t[face_vertices[i][2]];
   const VertexIndex less = a < b ? a : b, more = a < b ? b : a;
@@ -34,9 +34,9 @@ class FacePairing {
  public:
   enum class Role : std::uint8_t {
     outer,   ///< face of a kept cell, or of no cell if it is on the outside
-    inner,   ///< face between two removed cells, of which only the mark waits
-    added,   ///< face of a new cell
-    linked,  ///< face that has been linked with its equal
+    inner,   ///< face between two removed cells; its mark waits for an equal new face
+    added,   ///< face of a new cell that has not met an equal face
+    linked,  ///< face whose cell has been linked with the cell across it
   };
   struct Entry {
     FaceKey key;
@@ -46,7 +46,7 @@ class FacePairing {
     std::uint32_t epoch = 0;
   };
 
-  /// Begins an exchange of at most `n_faces` faces.
+  /// Empties the table, and makes room for the at most `n_faces` faces of one exchange of cells.
   void begin(std::size_t n_faces) {
     const std::size_t size = std::bit_ceil(n_faces + 1);
     if (entries_.size() < size) entries_.assign(size, Entry{}), epoch_ = 0;
@@ -85,7 +85,7 @@ class FacePairing {
     e.role = Role::linked;
     return &met_;
   }
-  /// Number of faces of kept cells (outer) and of new cells (added) that have not found an equal face.
+  /// Numbers of faces of kept cells (outer) and of new cells (added) for which no equal face has been found yet.
   std::size_t n_outer_waiting() const { return n_outer_; }
   std::size_t n_added_waiting() const { return n_added_; }
 
@@ -96,7 +96,7 @@ class FacePairing {
     return entries_[i];
   }
 
-  std::vector<Entry> entries_;  ///< entries of other epochs are free
+  std::vector<Entry> entries_;  ///< hash table; entries of earlier exchanges (other epochs) count as free
   std::size_t mask_ = 0, n_outer_ = 0, n_added_ = 0;
   std::uint32_t epoch_ = 0;
   Entry met_;

@@ -18,7 +18,7 @@ constexpr std::uint8_t even_orders[4][3][4] = {{{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 
                                                {{2, 0, 1, 3}, {2, 1, 3, 0}, {2, 3, 0, 1}},
                                                {{3, 0, 2, 1}, {3, 2, 1, 0}, {3, 1, 0, 2}}};
 
-/// New order of the local vertices of a cell.
+/// An even permutation of a cell's four vertices.
 struct Order {
   std::uint8_t first = 0, rotation = 0;
   unsigned operator[](unsigned i) const { return even_orders[first][rotation][i]; }

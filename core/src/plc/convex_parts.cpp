@@ -36,7 +36,7 @@ class PartFinder {
   }
 
  private:
-  /// Returns whether the polygon remains convex at the vertex of corner c without the edge with the sides c and d.
+  /// Returns whether removing an edge, whose two sides are c and d, leaves a convex angle at the vertex of corner c.
   bool stays_convex(Index c, Index d) const {
     const VertexIndex before = patch_.vertex(previous_[c]), after = patch_.vertex(next_[next_[d]]);
     return before != after && patch_.turn(before, patch_.vertex(c), after) != Sign::negative;

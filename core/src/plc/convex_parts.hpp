@@ -17,7 +17,7 @@ struct ConvexPart {
   /// Vertices in the orientation of the patch's triangles; angles of 180 degrees are allowed.
   std::vector<VertexIndex> border;
   std::vector<Index> triangles;       ///< triangles of the patch, ascending
-  std::vector<InnerEdge> left_out{};  ///< removed edges between these triangles
+  std::vector<InnerEdge> left_out{};  ///< removed edges: those between two triangles of the part
 };
 
 /// Returns the convex parts of the patch, ordered by their smallest triangle. `segments` are edges that must be kept,

@@ -16,7 +16,7 @@ namespace geomesh {
 /// Points, segments and seeds are those of the original complex, in the same rows.
 struct MergedFacets {
   PiecewiseLinearComplex plc;
-  std::vector<Index> first{0};  ///< facet m of `plc` represents members[first[m]] .. members[first[m + 1] - 1]
+  std::vector<Index> first{0};  ///< merged facet m is made of members[first[m]] .. members[first[m + 1] - 1]
   /// Facets of the complex before merging. The first of each patch is the smallest, and orients the merged facet.
   std::vector<Index> members;
 

@@ -16,7 +16,7 @@ struct EdgeUse {
   VertexIndex a, b;  ///< a < b
   Index facet;
   VertexIndex apex;
-  /// Sort key of uses with the same `a`: by b, then by facet.
+  /// Returns a sort key of this use of an edge a-b by a facet: uses with equal a are sorted by b, then by facet.
   std::uint64_t order() const { return std::uint64_t{b} << 32 | facet; }
 };
 
@@ -37,7 +37,7 @@ class EdgeUses {
     has_inner_items_.assign(plc_.n_facets(), false);
     for (const auto& s : plc_.facet_segments) has_inner_items_[s.facet] = true;
     for (const auto& p : plc_.facet_points) has_inner_items_[p.facet] = true;
-    // Sorts the uses by their first vertex in one pass, then the few uses of each vertex.
+    // Sorts the uses of edges by facets by the edge's smaller vertex in one pass, then the few uses of each vertex.
     std::vector<Index> end(plc_.points.size() + 2, 0);
     for_each_use([&](VertexIndex a, VertexIndex b, Index, VertexIndex) { ++end[std::min(a, b) + 2]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
@@ -105,7 +105,7 @@ class PatchFinder {
     });
   }
 
-  /// Returns whether all patches together are far from Delaunay.
+  /// Returns whether the triangulations of all plane patches, taken together, are far from Delaunay.
   bool are_far_from_delaunay(double most_crossings) {
     std::vector<Index> begin(plc_.n_facets() + 1, 0);
     for (Index& f : facet_of_inner_edge_) ++begin[(f = find(f)) + 1];
@@ -159,7 +159,7 @@ class PatchFinder {
   std::span<const Index> provenance_;
   EdgeUses edges_;
   std::vector<Index> patch_;  ///< union-find over facets
-  std::vector<Index> row_;    ///< row in patches_ of the patch that begins with each facet
+  std::vector<Index> row_;    ///< for each facet that is the first of its patch, the patch's row in patches_
   std::vector<CoplanarPatch> patches_;
   std::vector<InnerEdge> inner_edges_;      ///< of all patches
   std::vector<Index> facet_of_inner_edge_;  ///< one of the two facets at each inner edge

@@ -83,8 +83,8 @@ class FacetTriangulator {
     }
     out_.deviation = 0.5 * (high - low);
   }
-  /// Returns a triangulation of the points in space if they are exactly planar, so that a facet that is already present
-  /// in the mesh equals its draft triangulation. Otherwise the projections of the points are triangulated.
+  /// Returns a triangulation of the points in space if they are exactly planar, with the same ties as in 3D, so that it
+  /// equals the faces of a facet that is already in the mesh. Otherwise the projections of the points are triangulated.
   ConstrainedTriangulation plane_of(const Vec3& normal) const {
     const PlaneProjection projection = projection_along(normal);
     std::vector<Vec3> points;

@@ -21,7 +21,7 @@ struct FacetPolygon {
 };
 
 struct FacetTriangulation {
-  std::vector<Triangle> triangles;  ///< triangles in the orientation of the outer loop
+  std::vector<Triangle> triangles;  ///< triangles with the orientation of the facet's outer loop
   bool exactly_planar = false;
   double deviation = 0;  ///< largest distance of a vertex from the mean plane; zero if exactly planar
 };

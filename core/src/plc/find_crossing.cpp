@@ -16,7 +16,7 @@ namespace {
 
 struct Item {
   Box3 box;
-  VertexIndex a = no_vertex, b = no_vertex, c = no_vertex;  ///< c is no_vertex for an edge
+  VertexIndex a = no_vertex, b = no_vertex, c = no_vertex;  ///< corners of a triangle, or ends a-b of an edge without c
   Index facet = no_index;
 };
 
@@ -24,14 +24,14 @@ class CrossingSearch {
  public:
   explicit CrossingSearch(const PiecewiseLinearComplex& plc) : plc_(plc) {}
 
-  /// Returns the crossings of the first edge that has any.
+  /// Returns the crossings of the first edge that crosses any triangle.
   std::vector<PlcCrossing> first() {
     const search::ClosestPointTrees tree = prepare();
     std::vector<PlcCrossing> crossings;
     for (std::size_t k = 0; k < edges_.size() && crossings.empty(); ++k) append_of(edges_[k], tree, crossings);
     return crossings;
   }
-  /// Returns all crossings, ordered by edge, then by facet.
+  /// Returns all crossings of an edge with a triangle, sorted by edge, then by facet.
   std::vector<PlcCrossing> all(unsigned threads) {
     constexpr std::size_t chunk = 2048;
     const search::ClosestPointTrees tree = prepare();
@@ -70,7 +70,7 @@ class CrossingSearch {
     return out;
   }
   void collect() {
-    // Whether each facet has points or segments inside, at which other facets and segments may end.
+    // For each facet, whether it has points or segments inside. Other facets and segments may end at these.
     std::vector<bool> has_parts(plc_.n_facets(), false);
     for (const auto& p : plc_.facet_points) has_parts[p.facet] = true;
     for (const auto& s : plc_.facet_segments) has_parts[s.facet] = true;

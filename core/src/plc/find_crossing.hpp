@@ -14,7 +14,7 @@ namespace geomesh {
 /// A segment or an edge of a facet, and a triangular facet, that meet outside shared vertices and edges.
 struct PlcCrossing {
   VertexIndex a = no_vertex, b = no_vertex;  ///< the edge
-  Index edge_facet = no_index;               ///< the facet to which it belongs, or no_index for a separate segment
+  Index edge_facet = no_index;               ///< the facet to which the edge belongs; no_index for a separate segment
   Index facet = no_index;                    ///< the facet met
 };
 
@@ -22,7 +22,7 @@ struct PlcCrossing {
 /// triangles with points or segments inside, were checked when recovery triangulated them. O(n log n) plus the pairs
 /// whose boxes overlap along the longest axis.
 std::optional<PlcCrossing> find_crossing(const PiecewiseLinearComplex& plc);
-/// Returns all crossings, ordered by edge, then facet.
+/// Returns all crossings of an edge with a triangular facet of the complex, sorted by edge, then by facet.
 std::vector<PlcCrossing> find_crossings(const PiecewiseLinearComplex& plc, unsigned threads = 1);
 
 /// Finds the first crossing of a complex when it is first requested, and remembers it.

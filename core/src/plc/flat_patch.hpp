@@ -23,14 +23,14 @@ class FlatPatch {
   /// leaves no axis along which the plane can be projected. `points` must outlive the patch.
   static std::optional<FlatPatch> of(std::span<const Vec3> points, std::vector<Triangle> triangles);
 
-  /// Returns whether the given triangle has the opposite orientation to the first one.
+  /// Returns whether a triangle of the patch was reversed, so that all triangles have the orientation of the first.
   bool is_turned(Index triangle) const { return is_turned_[triangle]; }
   Index n_triangles() const { return static_cast<Index>(triangles_.size()); }
-  /// Returns the triangle with its new orientation.
+  /// Returns the vertices of triangle t of the patch, in the orientation that all its triangles have in common.
   const Triangle& triangle(Index t) const { return triangles_[t]; }
   VertexIndex vertex(Index corner) const { return triangles_[corner / 3][corner % 3]; }
-  /// The edge that begins at `corner` is reversed in the triangle on its other side. Returns the corner of that
-  /// triangle at which the reversed edge begins, or no_index on the border.
+  /// Returns the corner at which the edge that begins at `corner` begins, reversed, in the adjacent triangle; no_index
+  /// if the edge is on the border of the patch.
   Index opposite(Index corner) const { return opposite_[corner]; }
   /// Returns positive if a, b, c have the orientation of the triangles.
   Sign turn(VertexIndex a, VertexIndex b, VertexIndex c) const { return turn(a, b, points_[c]); }

@@ -15,7 +15,7 @@ namespace geomesh {
 /// A change of frame that permutes and reverses axes, which is exact in doubles.
 struct AxisFrame {
   std::array<std::uint8_t, 3> axis{0, 1, 2};  ///< axis i of the model is the caller's axis[i], times direction[i]
-  std::array<double, 3> direction{1, 1, 1};   ///< 1 or -1 for each axis
+  std::array<double, 3> direction{1, 1, 1};   ///< -1 for each axis of the model that is reversed, else 1
 
   /// Converts p from the caller's frame to that of the model; -0 becomes 0.
   Vec3 enter(const Vec3& p) const {
@@ -40,8 +40,8 @@ struct ModelNames {
   std::vector<VertexIndex> vertex;
   std::vector<Index> facet;
   std::vector<Index> segment;
-  std::vector<std::uint8_t> facet_is_reversed;    ///< whether the outer loop is reversed with respect to the caller's
-  std::vector<std::uint8_t> segment_is_reversed;  ///< whether the ends are exchanged with respect to the caller's
+  std::vector<std::uint8_t> facet_is_reversed;    ///< whether a facet's outer loop is the reverse of the caller's
+  std::vector<std::uint8_t> segment_is_reversed;  ///< whether a segment's ends are in reverse of the caller's order
 
   /// Returns whether the upper side of facet f, by its loop in the model's frame, is its lower side for the caller.
   bool swaps_sides(Index f) const { return (facet_is_reversed[f] != 0) != frame.mirrors(); }

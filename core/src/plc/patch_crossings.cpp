@@ -65,7 +65,7 @@ class PatchCrossings {
                                       VertexIndex new_apex) const {
     const std::pair key{std::min(a, b), std::max(a, b)};
     const auto side = std::ranges::lower_bound(edges, key, {}, [](const InnerEdge& e) { return std::pair{e.a, e.b}; });
-    if (side == edges.end() || side->a != key.first || side->b != key.second) return true;  // on the patch's border
+    if (side == edges.end() || side->a != key.first || side->b != key.second) return true;  // on the border
     const VertexIndex beyond = side->apex == apex ? side->other_apex : side->apex;
     return is_locally_delaunay(a, b, apex, beyond) && is_locally_delaunay(a, b, new_apex, beyond);
   }
@@ -93,7 +93,7 @@ class PatchCrossings {
       }
   }
 
-  /// Projects along the axis in which the largest triangle's normal is longest.
+  /// Projects a polygon along the axis in which the normal of its largest triangle is longest.
   PlaneProjection projection(std::span<const InnerEdge> edges) const {
     Vec3 normal;
     for (const InnerEdge& e : edges)
@@ -127,7 +127,7 @@ class PatchCrossings {
   std::span<const Vec3> points_;
   std::span<const InnerEdge> edges_;
   std::span<const Index> first_;
-  std::vector<VertexIndex> vertices_;  ///< vertices of the current patch
+  std::vector<VertexIndex> vertices_;  ///< vertices of the patch that is being triangulated
   std::vector<VertexIndex> row_;       ///< row of each point in vertices_; undefined for points of other patches
 };
 

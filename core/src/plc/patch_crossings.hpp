@@ -13,7 +13,7 @@ namespace geomesh {
 /// An edge between two coplanar triangles.
 struct InnerEdge {
   VertexIndex a, b;              ///< a < b
-  VertexIndex apex, other_apex;  ///< apexes of the two triangles
+  VertexIndex apex, other_apex;  ///< third vertices of the two triangles that share the edge
 };
 
 /// Largest number of edges of a triangulation of n points that a segment between two of them can cross. Each crossed

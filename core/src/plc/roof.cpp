@@ -119,7 +119,8 @@ class RoofBuilder {
     }
     return true;
   }
-  /// Returns a point from the triangle towards the centre of its circumcircle, at most half as far as the border.
+  /// Returns a point on the line from the triangle's centroid to the centre of its circumcircle: that centre, unless it
+  /// is too near the polygon's border; then a point at half of the centroid's distance from the border.
   Vec3 towards(const Triangle& t, const Vec3& centre) const {
     const Vec3 from = (1.0 / 3) * (flat_[t[0]] + flat_[t[1]] + flat_[t[2]]);
     double part = 1;
@@ -165,14 +166,14 @@ class RoofBuilder {
     return out;
   }
 
-  std::vector<Vec3> points_;            ///< corners, followed by inner points
+  std::vector<Vec3> points_;            ///< corners of the polygon, followed by inner points
   std::size_t n_;                       ///< of corners
   std::array<std::size_t, 3> base_{};   ///< corners
-  std::size_t axis_ = 0;                ///< axis along which the plane is projected
-  bool is_turned_ = false;              ///< whether the corners have the opposite orientation to the polygon
+  std::size_t axis_ = 0;                ///< axis along which the polygon is projected
+  bool is_turned_ = false;              ///< whether the stored corners are in reverse of the polygon's order
   std::vector<VertexIndex> given_row_;  ///< by corner
   std::vector<Vec3> flat_;              ///< the points, projected
-  std::vector<Vec3> inward_;            ///< inward unit normal of each side, projected
+  std::vector<Vec3> inward_;            ///< inward unit normal of each side of the polygon, in the projection
 };
 
 }  // namespace

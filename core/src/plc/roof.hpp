@@ -17,8 +17,8 @@
 namespace geomesh {
 
 struct Roof {
-  std::vector<Vec3> inner;   ///< inner points, exactly in the plane of the polygon
-  std::vector<double> rise;  ///< distance of each inner point from the border, projected along the axis
+  std::vector<Vec3> inner;   ///< points added inside the polygon, exactly in its plane
+  std::vector<double> rise;  ///< distance of each inner point from the polygon's border, in the projection
   /// Triangles, oriented like the polygon. Their vertices are the polygon's corners, followed by inner points.
   std::vector<Triangle> triangles;
 };

@@ -49,7 +49,7 @@ inline Estimate orient2d(double ax, double ay, double bx, double by, double cx, 
   return {ux * vy - uy * vx, orient2d_factor * x * y};
 }
 
-/// Computes differences from d, so that d should be the point that changes from call to call.
+/// Computes the determinant of orient3d, from the differences of a, b and c to d, and its error bound.
 template <class P, class Q>
 inline Estimate orient3d(const P& a, const P& b, const P& c, const Q& d) {
   const double ax = a.x - d.x, ay = a.y - d.y, az = a.z - d.z;

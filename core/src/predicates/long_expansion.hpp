@@ -17,7 +17,7 @@ namespace geomesh::exact {
 class LongExpansion {
  public:
   LongExpansion() = default;
-  LongExpansion(double x) { append(x); }  // NOLINT: a double is an expansion
+  LongExpansion(double x) { append(x); }  // NOLINT: implicit, because a double is an expansion of one term
 
   const std::vector<double>& terms() const { return terms_; }
   bool is_zero() const { return terms_.empty(); }
@@ -34,7 +34,7 @@ class LongExpansion {
   /// Returns the magnitude of the smallest nonzero term; 0 if there is none.
   double least_term() const { return terms_.empty() ? 0 : std::fabs(terms_.front()); }
 
-  /// Returns an approximation of this number without the terms below `least`.
+  /// Returns the sum of the terms whose magnitude is at least `least`, which approximates this number.
   LongExpansion without_below(double least) const {
     LongExpansion out;
     for (const double t : terms_)

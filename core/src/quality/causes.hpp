@@ -29,7 +29,7 @@ class CauseFinder {
 
  private:
   const MeetingAngle& angle_at(VertexIndex v);
-  bool explain_by_angle(WorstElement& w);  ///< returns whether an input angle is the cause
+  bool explain_by_angle(WorstElement& w);  ///< returns whether an input angle makes the element bad
   void explain_by_gap(WorstElement& w) const;
   /// Returns whether a curve runs along the edge and would leave the tolerance if either end of the edge were removed.
   bool is_between_bends(const ShortEdge& e) const;
@@ -50,8 +50,8 @@ class CauseFinder {
 /// Returns the least dihedral angle (degrees) of the tetrahedron a b c d if it is below `bad_angle`, otherwise nothing.
 std::optional<double> angle_if_bad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double bad_angle);
 
-/// Returns the rows among `judged` of elements that are below the bad angle and not imposed by the input, the worst
-/// first. O(n), plus the cost of CauseFinder.
+/// Returns those tetrahedra in `judged` that have a dihedral angle below the bad angle although no feature of the input
+/// imposes it, the worst first. O(n), plus the cost of CauseFinder.
 std::vector<Index> unforced_bad_elements(const ConstrainedTetrahedralization& mesh, const QualityOptions& options,
                                          const InputCreases& creases, std::span<const Index> judged);
 

@@ -34,18 +34,18 @@ double dual_piece(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& apex,
   return 0.5 * along * up;
 }
 
-/// Vertices in [from, to), and the parts of dual faces of edges whose first vertex is one of them.
+/// The vertices in [from, to), and the parts of dual faces of edges whose vertex of lower index is one of them.
 struct Window {
   std::size_t from, to;
-  std::vector<std::size_t>& end_of;  ///< for each vertex of the window, the end of its parts in `parts`
+  std::vector<std::size_t>& end_of;  ///< for each vertex in [from, to), the end of its range in `parts`
   std::vector<Part>& parts;
-  // Uses unsigned arithmetic, in which vertices below `from` wrap around to large numbers.
+  // If v is below `from`, the unsigned difference wraps around to a large number, so one comparison is enough.
   bool has(VertexIndex v) const { return v - from < to - from; }
 };
 
-/// Adds the parts in tetrahedron t of dual faces of edges whose first vertex is in the window.
+/// For each edge of tetrahedron t whose vertex of lower index is in the window, adds the part of its dual face in t.
 void add_parts(std::span<const Vec3> points, const Tetrahedron& t, Window& window) {
-  // Combines the four tests so that there is one branch instead of four.
+  // The tests of the four vertices are combined with |, so that there is one branch instead of four.
   if (!(window.has(t[0]) | window.has(t[1]) | window.has(t[2]) | window.has(t[3]))) return;
   const auto centre = circumcentre(points[t[0]], points[t[1]], points[t[2]], points[t[3]]);
   if (!centre) return;
@@ -88,12 +88,12 @@ std::vector<std::array<VertexIndex, 2>> border_edges(std::span<const Tetrahedron
 
 void for_each_dual_face(std::span<const Vec3> points, std::span<const Tetrahedron> tetrahedra,
                         const std::function<void(const DualFace&)>& use) {
-  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // number of parts, by the first vertex of the edge
+  std::vector<std::uint32_t> n_parts_at(points.size(), 0);  // parts of dual faces, by lower vertex of their edge
   for (const Tetrahedron& t : tetrahedra)
     for (const auto& e : edge_vertices) ++n_parts_at[std::min(t[e[0]], t[e[1]])];
   constexpr std::size_t n_windows = 16, least_at_once = 1 << 12;
   const std::size_t at_once = std::max(least_at_once, 6 * tetrahedra.size() / n_windows);
-  // Reserves memory for the largest window, so that it is never reallocated.
+  // The list of parts is as long as the largest window of vertices needs, so that it is never reallocated.
   std::vector<Part> parts(
       points.empty()
           ? 0

@@ -16,10 +16,10 @@ namespace geomesh {
 
 namespace {
 
-/// Number of blocks of vertices. A block in use takes 48 bytes per tetrahedron, divided by this number.
+/// Number of blocks of vertices whose edges are measured in parallel. Each takes 48 / n_blocks bytes per tetrahedron.
 constexpr std::size_t n_blocks = 8;
 
-/// A combination of group and component that some tetrahedron has.
+/// A group (for statistics) and a component that some tetrahedron belongs to.
 struct Part {
   Index group, component;
   friend auto operator<=>(const Part&, const Part&) = default;
@@ -148,8 +148,8 @@ class EdgeBlock {
     add(0, least);
   }
 
-  /// Returns the mean of the target sizes at both ends, as remeshing does. The size at the lower vertex is remembered,
-  /// because consecutive edges share this vertex.
+  /// Returns the target size of an edge: the mean of the target sizes at its ends. The size at the lower vertex is
+  /// remembered, because consecutive edges share this vertex.
   double size_of_edge(VertexIndex lower, VertexIndex upper, Index component) {
     if (size_here_.component != component || !(size_here_.size > 0))
       size_here_ = {component, sizes_.at(lower, component)};
@@ -164,7 +164,7 @@ class EdgeBlock {
     double size;  ///< 0: not known
   } size_here_{no_index, 0};
   std::size_t begin_;
-  std::vector<std::size_t> first_;  // first use in uses_ of each lower vertex
+  std::vector<std::size_t> first_;  // for each lower vertex, the position in uses_ of its first edge
   std::vector<Use> uses_;
   std::vector<EdgeLengths> lengths_;
 };

@@ -21,7 +21,7 @@ Distribution& result_of(ShapeStatistics& statistics, ShapeMeasure which);
 
 /// Statistics of a set of tetrahedra without percentiles, which can be combined from parts.
 struct ShapeSums {
-  ShapeStatistics counts;  ///< histograms, the number of tetrahedra and their volume
+  ShapeStatistics counts;  ///< statistics in which only histograms, number of tetrahedra and volume are set
   std::array<double, n_shape_measures> sum{}, least, greatest;
   std::size_t n_below_10 = 0, n_above_24_85 = 0;
 
@@ -53,12 +53,12 @@ class ShapeTable {
  private:
   using Step = std::uint16_t;
   std::size_t values_a_row(ShapeMeasure which) const { return which == ShapeMeasure::solid_angle ? 4 : 1; }
-  /// Returns the step of the value with a given rank among those in `rows`, and the number of values in lower steps.
+  /// Returns the 16-bit value of the given rank among the tetrahedra in `rows`, and the number of lower values.
   std::pair<Step, std::size_t> step_at(std::size_t rank, ShapeMeasure which, std::span<const Index> rows) const;
 
   std::span<const Vec3> points_;
   std::span<const Tetrahedron> tetrahedra_;
-  std::array<std::vector<Step>, n_shape_measures> steps_;  // steps by measure, then by row and corner of the tetrahedra
+  std::array<std::vector<Step>, n_shape_measures> steps_;  // 16-bit steps by measure, tetrahedron and corner
 };
 
 }  // namespace geomesh

@@ -71,8 +71,8 @@ SizeField grown_from_forced(const std::vector<ShortEdge>& edges, const SizeField
   return {std::move(sources), {.gradation = size.limits().gradation}};
 }
 
-/// Share of the size grown from imposed edges that the edges of well-shaped elements have. Shorter edges are not
-/// excused by an imposed edge nearby.
+/// A short edge counts as caused by an edge nearby that the input imposes if it has at least this share of the size
+/// that grows from that edge by the gradation.
 constexpr double share_of_grown = 0.5;
 
 /// Marks edges as imposed that are long enough for their distance from an edge that the input imposes.

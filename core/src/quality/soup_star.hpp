@@ -60,8 +60,8 @@ class SoupStars {
   Vec3 direction(VertexIndex v, VertexIndex to) const { return mesh_.points[to] - mesh_.points[v]; }
   void compare_edges(VertexIndex v, MeetingAngle& least) const;
   void compare_edge_with_fan(VertexIndex v, const SoupEdge& edge, const Fan& fan, MeetingAngle& least) const;
-  /// Measures the dihedral angle at sides that two fans of triangles share. If a fan is compared with itself, these are
-  /// feature edges around which its triangles are connected.
+  /// Measures the dihedral angle at each edge at v that borders two fans (triangles of one patch around v). If both are
+  /// the same fan, these are feature edges within it.
   void compare_fans(VertexIndex v, const Fan& a, const Fan& b, MeetingAngle& least) const;
 
   const ConstrainedTetrahedralization& mesh_;

@@ -87,8 +87,8 @@ bool GapFinder::leaves_segment(VertexIndex v, const Vec3& step, const Vec3* norm
   return false;
 }
 
-/// Follows the segment that begins at the end of the path with the edge `first`, and returns its other end. Points
-/// added to the segment do not end it; a corner, a turn, or the start of the path does.
+/// Follows a straight segment from the vertex way.to along the edge `first`, and returns its other end. The segment
+/// continues at points that meshing has added to it; it ends at a corner, at a turn, or at the vertex way.from.
 VertexIndex GapFinder::end_of_segment(const Way& way, const SoupEdge& first) const {
   VertexIndex before = way.to, at = first.other;
   while (at != way.from && mesh_.input_vertex[at] == no_vertex) {

@@ -39,7 +39,7 @@ class GapFinder {
   /// A path from a vertex to the nearest point of a part at another vertex.
   struct Way {
     VertexIndex from, to;
-    Vec3 inside;  ///< a point of the element
+    Vec3 inside;  ///< centroid of the element; facets are seen from it
   };
   void to_facets(const Way& way, double above, Gap& best) const;
   void to_segments(const Way& way, double above, Gap& best) const;

@@ -92,7 +92,7 @@ class ClosestPointTrees {
   void for_each_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, [&](Index row) { visit(items_[row]); });
   }
-  /// Calls visit(row) for the same items as for_each_in(). The row refers to items() and to prepared().
+  /// Calls visit(row) for the items of a group near the box, where `row` is an item's row in items() and prepared().
   template <class Visit>
   void for_each_row_in(const Box3& box, Index group, Visit visit) const {
     if (has_group(group)) visit_in(roots_[group], box, visit);

@@ -13,13 +13,14 @@ namespace {
 
 using Polygon = std::vector<Vec3>;
 
-constexpr std::size_t few = 24;      ///< a piece with at most this many items near it is cut without being halved first
-constexpr std::size_t most_cut = 4;  ///< number of nearest items along whose sides cuts are tried
-/// number of pieces allowed for each item near a piece, in addition to pieces_besides
+constexpr std::size_t few = 24;      ///< a triangle with more items of the set near it is halved before it is cut
+constexpr std::size_t most_cut = 4;  ///< a piece is cut along the sides of one of this many nearest triangles
+/// A triangle may be cut into pieces_besides pieces, and pieces_per_item more for each triangle of the set near it.
 constexpr std::size_t pieces_per_item = 8;
 constexpr std::size_t pieces_besides = 200;
-constexpr double least_piece = 1.0 / 64;  ///< least radius of a piece, as a share of the limit
-/// points within this share of the piece's radius from a plane count as on the plane
+constexpr double least_piece =
+    1.0 / 64;  ///< pieces of a smaller radius, relative to the distance limit, are not halved
+/// corners of a piece that are nearer to a cutting plane than this share of its radius count as on the plane
 constexpr double on_plane = 1e-9;
 
 double distance_to(const Vec3& p, const PreparedTriangle* t) { return distance(p, t->closest_to(p)); }
@@ -41,7 +42,7 @@ double radius_about(const Vec3& centre, const Points& points) {
 }
 
 struct Plane {
-  Vec3 point, normal;  ///< a point, and the unit normal to the side on which the item lies
+  Vec3 point, normal;  ///< a point of the plane; the unit normal, towards the triangle whose side it passes
 };
 
 /// Returns planes perpendicular to a triangle through its sides (perpendicular to a line segment through its ends).
@@ -157,7 +158,7 @@ bool CoverProver::covers_large(const Corners& item) {
     look_at(centre, d);
     if (d + r <= limit_) return true;
     if (d > limit_) return fails_at(centre, d);
-    // Even if many items are near the piece, one of them may be within the limit of all corners of the piece.
+    // One of the many triangles near the piece may be within the limit of all its corners, which proves the piece.
     const bool is_small = r <= least_piece * limit_;
     const auto has_all = [&](const PreparedTriangle* other) {
       return std::all_of(item.begin(), item.end(), [&](const Vec3& p) { return distance_to(p, other) <= limit_; });

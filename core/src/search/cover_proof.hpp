@@ -21,21 +21,21 @@ namespace geomesh::search {
 struct Cover {
   /// True if the whole item is within the limit. Otherwise its point `place` is not, or the proof failed there.
   bool is_proven = false;
-  /// Largest distance of the points examined: corners, midpoints of sides, centroid, corners and centroids of pieces.
+  /// Largest distance from the set of the examined points of the item: corners, midpoints of sides, centroids of
+  /// pieces.
   double farthest = 0;
-  Vec3 place;  ///< place of the largest distance; if not proven, the point in question
+  Vec3 place;  ///< point at the largest distance; if nothing is proven, the point where the proof failed
 };
 
-/// Proves that items lie within a limit of a set. An object must be used by one thread only. The rounding of cuts and
-/// distances (some ulps of the coordinates) is not accounted for, so callers must reserve a share of the limit for it.
+/// Proves that triangles or line segments lie within a distance limit of a set of others; for one thread only. Callers
+/// must reserve a share of the limit for rounding errors of cuts and distances, some ulps of the coordinates.
 class CoverProver {
  public:
-  /// `open_edges` are those of the items of `set` (find_open_edges). With them, pieces over smooth surfaces need no
-  /// cuts.
+  /// `open_edges` (from find_open_edges) lets triangles over smooth parts of the set be proven without being cut.
   CoverProver(const ClosestPointTrees& set, double limit, std::span<const std::uint8_t> open_edges = {})
       : set_(set), limit_(limit), open_edges_(open_edges) {}
 
-  /// Sets the distance limit of the following proofs.
+  /// Sets the largest distance from the set that later proofs allow.
   void set_limit(double limit) { limit_ = limit; }
 
   /// Tries to prove that `item` lies within the limit of a group of the set. A line segment has its last two corners
@@ -50,7 +50,7 @@ class CoverProver {
   /// Halves a large item and searches the set again for each half, until few items of the set are near. The proof fails
   /// if this takes too many halves.
   bool covers_large(const Corners& item);
-  /// Tries to prove that a convex piece lies within the limit of the items of near_ in `rows`.
+  /// Tries to prove that a convex piece lies within the distance limit of a set of triangles, given as rows of near_.
   bool covers(const Polygon& piece, std::vector<Index> rows);
   bool covers_by_cuts(const Polygon& piece, const std::vector<Index>& rows);
   bool covers_halves(const Polygon& piece, const std::vector<Index>& rows);

@@ -38,22 +38,22 @@ class DistanceProver {
   /// if the proof fails after halving down to a 16th of the limit or into a hundred pieces. O(pieces * set).
   bool is_within(const Corners& triangle, std::span<const SheetTriangle> set);
   bool is_within(const Corners& triangle, std::span<const Corners> set);
-  /// Returns a triangle of the set if the last proof succeeded at once because the set is one smooth surface over all
-  /// of the proven triangle (test d); otherwise no_index. The normals of the set's triangles over the proven one then
-  /// all differ by less than 53 degrees from its normal, or all from its reversed normal.
+  /// Returns a triangle of the set if the last call of is_within() succeeded without halving because the set is one
+  /// smooth surface over all of the triangle; otherwise no_index. The normals of the set's triangles there then all
+  /// differ by less than 53 degrees from the triangle's normal, or all from its reversed normal.
   Index sheet_row() const { return sheet_row_; }
 
  private:
   struct Spot {
     double distance;
-    Vec3 point;  ///< point of the set's triangle that is nearest to a corner
+    Vec3 point;  ///< point of a triangle of the set that is nearest to a corner of the piece
   };
   /// A triangle of the set that may be near a piece, and its points nearest to the corners of that piece.
   struct Candidate {
     Index row;
     std::array<Spot, 3> at;
   };
-  /// The range in candidates_ of the candidates of one piece. Those of the half that is being examined follow it.
+  /// Rows in candidates_ of the triangles near one piece. Those near the half that is being examined follow them.
   struct Range {
     std::size_t first, last;
   };
@@ -61,7 +61,7 @@ class DistanceProver {
   bool has_corner_beyond(Range range) const;
   bool by_one_triangle(Range range) const;
   bool by_two_triangles(Range range);
-  /// Returns a triangle of the set if the set is one smooth surface over all of the piece (test d); otherwise no_index.
+  /// Returns a triangle of the set if the set is one smooth surface over all of the piece; otherwise no_index.
   Index find_sheet(const Corners& piece, Range range) const;
   bool by_pair(const Candidate& x, const Candidate& y, std::size_t corner_at_y) const;
   Spot spot(const Vec3& p, Index row) const;
@@ -69,8 +69,8 @@ class DistanceProver {
   double limit_;
   std::span<const SheetTriangle> set_;
   std::vector<Candidate> candidates_;
-  std::vector<std::size_t> by_two_;  // candidates that are near two corners
-  std::vector<Spot> centres_;  // for each candidate: its point nearest to the midpoint of the piece's longest edge
+  std::vector<std::size_t> by_two_;  // triangles of the set within the limit of two corners of the piece
+  std::vector<Spot> centres_;        // for each candidate triangle, its point nearest to the middle of the longest edge
   std::size_t n_pieces_ = 0;
   Index sheet_row_ = no_index;
 };

@@ -18,13 +18,13 @@ namespace geomesh::search {
 /// triangles share their corners. No result depends on what is remembered.
 class RecentPlaces {
  public:
-  /// Remembers at most `n_places` places; this number is above 0.
+  /// Makes a cache for at most `n_places` places with their values; `n_places` must be above 0.
   explicit RecentPlaces(std::size_t n_places = 1024) : known_(n_places) {}
   struct Known {
     Vec3 place;
-    double value = -1;  ///< negative if no value is known
+    double value = -1;  ///< function value at `place`; negative if none is stored
   };
-  /// Returns the value at p. If it is unknown, value_at(last) computes it; `last` is the previous place with its value.
+  /// Returns the function's value at p, stored or from value_at(last); `last` is the previous place with its value.
   template <class ValueAt>
   double at(const Vec3& p, const ValueAt& value_at) {
     const std::array bits{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y),

@@ -40,18 +40,18 @@ class ReferenceSurfaces {
   /// Returns the unit normal of the reference at its point nearest to p. `item` is the item of that point.
   virtual Vec3 normal(Index item, const Vec3& p) const = 0;
 
-  /// Returns whether all of the triangle is proven to be within the limit. It is used for single changes of a mesh and
-  /// may give up early. If the reference is known to be one smooth surface over all of the triangle, `over` receives
-  /// the item of one of its points, otherwise no_index.
+  /// Returns whether all of a triangle is proven to be within distance `limit` of the group. It is used for single
+  /// changes of a mesh and may give up early. If the group is known to be one smooth surface over all of the triangle,
+  /// `over` receives the item of one of the surface's points, otherwise no_index.
   virtual bool within(const Corners& triangle, Index group, double limit, Index& over) const = 0;
-  /// Answers all questions without giving up early.
+  /// Decides for each given triangle or line segment, without giving up early, whether it is within a limit of a group.
   virtual void within(std::span<DistanceQuestion> questions) const = 0;
 
   /// Returns triangles or line segments that approximate the reference up to deviation_of_pieces(). A mesh that covers
   /// the pieces within a limit covers the reference within the sum of the limit and the deviation.
   virtual const std::vector<Piece>& pieces() const = 0;
   virtual double deviation_of_pieces() const { return 0; }
-  /// Calls visit for the pieces of a group near the box.
+  /// Calls visit(piece) for the triangles or line segments of a group in the box, and for some near it.
   virtual void visit_pieces(const Box3& box, Index group, const std::function<void(const Piece&)>& visit) const = 0;
   /// Returns whether the group has points in the box and the cosine of the angle between each of their normals and the
   /// mean normal is at least `least_cosine`.

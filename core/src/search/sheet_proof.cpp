@@ -79,7 +79,7 @@ bool SheetProof::is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_
   return false;
 }
 
-/// Returns whether a part of the segment is inside F by more than rounding.
+/// Returns whether a part of the segment p-q is inside triangle F by more than rounding errors.
 bool SheetProof::has_within(const Point& p, const Point& q) const {
   double first = 0, last = 1;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -93,7 +93,7 @@ bool SheetProof::has_within(const Point& p, const Point& q) const {
 
 Over SheetProof::judge(const SheetTriangle& t) {
   const auto& corners = t.triangle->corners();
-  // alternately the polygon before and after it is cut at a side of F
+  // the part of the surface's triangle over F is found by cutting it at F's sides, from one array into the other
   std::array<std::array<Point, most_corners>, 2> parts;
   if (is_beside(corners, parts[0])) return Over::nothing;
   for (std::size_t i = 0; i < 3; ++i) parts[0][i].height = dot(corners[i] - corners_[0], normal_);

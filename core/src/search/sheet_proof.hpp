@@ -28,33 +28,33 @@ struct SheetTriangle {
 /// open if exactly two items of a group share it and are inclined to each other by less than 35 degrees. O(n log n).
 std::vector<std::uint8_t> find_open_edges(std::span<const ClosestPointTrees::Item> items);
 
-/// The result of the proof for one triangle of the surface.
+/// Relation of one triangle of a surface to triangle F, which is to be proven within a distance limit of the surface.
 enum class Over : std::uint8_t {
-  nothing,  ///< the projection of the triangle does not meet F
-  part,     ///< the part over F satisfies all conditions
-  border,   ///< the part over F has an open edge, is too steep, or is farther than the limit
+  nothing,  ///< projected along F's normal, the surface's triangle does not meet F
+  part,     ///< the triangle's part over F is within the limit, not steep, and has no open edge
+  border,   ///< the triangle's part over F is beyond the limit, too steep, or has an open edge
 };
 
-/// Proof that a triangle F is within a limit of a surface.
+/// Proof that a triangle F is within a distance limit of a surface.
 class SheetProof {
  public:
-  /// The parts of the surface over `triangle` must be within `limit` of its plane.
+  /// Starts a proof that `triangle` (F) is within `limit` of a surface.
   SheetProof(const std::array<Vec3, 3>& triangle, double limit);
-  /// Returns whether the triangle has an area.
+  /// Returns whether F has an area, without which nothing can be proven.
   bool is_possible() const { return is_possible_; }
   Over judge(const SheetTriangle& t);
-  /// Returns whether all of F is within the limit, provided that no triangle of the surface over F is `border`.
+  /// Returns whether all of F is within the limit of the surface, if none of the surface's triangles was `border`.
   bool is_proven() const { return has_seed_; }
 
  private:
-  /// A point, given by its distances inwards from the three sides of F and by its distance from F's plane.
+  /// A point, given by its distances inwards from the three sides of triangle F and by its distance from F's plane.
   struct Point {
     std::array<double, 3> inside;
     double height;
   };
   static constexpr std::size_t most_corners = 8;  ///< capacity for the corners of a triangle that is cut at three sides
-  /// Returns whether all of the triangle t is beyond one side of F. Otherwise `part` receives the distances of its
-  /// corners from all sides of F.
+  /// Returns whether a triangle t of the surface is entirely beyond one side of triangle F. Otherwise `part` receives
+  /// the distances of its corners from all sides of F.
   bool is_beside(const std::array<Vec3, 3>& t, std::array<Point, most_corners>& part) const;
   bool has_within(const Point& p, const Point& q) const;
 

@@ -9,7 +9,7 @@ namespace geomesh {
 
 namespace {
 
-/// Share of the limit that is proven. The rest is left for rounding in the distances and cuts.
+/// Share of the distance limit with which proofs work. The rest covers rounding errors of computed distances.
 constexpr double proven_share = 1 - 1e-6;
 
 std::vector<search::ClosestPointTrees::Item> items_of(std::span<const Vec3> points,

@@ -16,7 +16,7 @@ namespace geomesh::search {
 class TriangleSurfaces final : public ReferenceSurfaces {
  public:
   TriangleSurfaces() = default;
-  /// The pieces are all triangles, or all line segments. `normals` (unit length) are only for normal() and is_even().
+  /// `pieces` are triangles of surfaces, or segments of curves; `normals`, which may be missing, their unit normals.
   TriangleSurfaces(std::vector<Piece> pieces, std::size_t n_groups, std::vector<Vec3> normals = {});
 
   ClosestPoint closest(const Vec3& p, Index group,
@@ -24,7 +24,7 @@ class TriangleSurfaces final : public ReferenceSurfaces {
     return trees_.closest(p, group, limit);
   }
   Vec3 normal(Index item, const Vec3&) const override { return item < normals_.size() ? normals_[item] : Vec3{}; }
-  /// Takes O(log n + number of pieces near the triangle).
+  /// O(log n + k) for n triangles of all surfaces, k of them near the given triangle.
   bool within(const Corners& triangle, Index group, double limit, Index& over) const override;
   void within(std::span<DistanceQuestion> questions) const override;
   const std::vector<Piece>& pieces() const override { return trees_.items(); }
@@ -37,10 +37,10 @@ class TriangleSurfaces final : public ReferenceSurfaces {
   struct Scratch {
     DistanceProver prover{0};
     std::vector<SheetTriangle> nearby;
-    std::vector<Index> rows;  // row in the trees of each triangle in `nearby`
+    std::vector<Index> rows;  // for each triangle in `nearby`, its row in trees_
   };
   ClosestPointTrees trees_;
-  std::vector<std::uint8_t> open_edges_;  // open edges of the pieces (find_open_edges); empty for line segments
+  std::vector<std::uint8_t> open_edges_;  // mask of open edges of each triangle (find_open_edges); empty for curves
   std::vector<Vec3> normals_;
   mutable tbb::enumerable_thread_specific<Scratch> scratch_;
 };

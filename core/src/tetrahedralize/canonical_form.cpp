@@ -54,7 +54,7 @@ bool begin_at_least(std::span<VertexIndex> loop) {
 /// The loops of a complex with renumbered vertices, each from its smallest vertex, and the order of facets by them.
 class TurnedLoops {
  public:
-  /// `local` contains the new number of each vertex of the complex.
+  /// `local` contains the number in the canonical form of each point of the complex.
   TurnedLoops(const PiecewiseLinearComplex& plc, const std::vector<VertexIndex>& local) : plc_(plc) {
     turned_.reserve(plc.loop_vertices.size());
     for (const VertexIndex v : plc.loop_vertices) turned_.push_back(local[v]);
@@ -213,8 +213,8 @@ class Builder {
 
   const PiecewiseLinearComplex& plc_;
   CanonicalForm out_;
-  std::vector<VertexIndex> local_;   ///< new number of each of the caller's points
-  std::vector<Index> row_of_facet_;  ///< new row of each of the caller's facets
+  std::vector<VertexIndex> local_;   ///< number in the canonical form of each of the caller's points
+  std::vector<Index> row_of_facet_;  ///< row in the canonical form of each of the caller's facets
 };
 
 }  // namespace

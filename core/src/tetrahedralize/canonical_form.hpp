@@ -37,7 +37,7 @@ ConstrainedTetrahedralization in_callers_terms(ConstrainedTetrahedralization mes
 /// Sorted.
 std::vector<Index> facets_in_callers_terms(std::vector<Index> facets, const ModelNames& names);
 
-/// Translates the data of an error about the canonical form. Its text needs no translation (recover/messages.hpp).
+/// Converts an error's rows and coordinates to the caller's model; its text needs no conversion (recover/messages.hpp).
 Error in_callers_terms(const Error& error, const ModelNames& names);
 
 }  // namespace geomesh

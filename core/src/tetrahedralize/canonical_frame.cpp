@@ -92,7 +92,7 @@ class FrameChoice {
     for (const VertexIndex v : used_) sum += hash_of_point(f, v);
     return sum;
   }
-  /// Facets are hashed by their edges, the other items by their vertices.
+  /// Returns a sum of hashes of the facets, by their edges, and of segments and points, by their vertices.
   Hash signature_of_items(const AxisFrame& f) const {
     std::vector<Hash> of_point(plc_.points.size());
     for (const VertexIndex v : used_) of_point[v] = hash_of_point(f, v);
@@ -118,7 +118,7 @@ class FrameChoice {
   const std::vector<VertexIndex>& used_;
   Box3 box_;
   double scale_ = 1;
-  std::array<std::array<Hash, 2>, 3> ends_{};  ///< for each axis: signature from its low end, and from its high end
+  std::array<std::array<Hash, 2>, 3> ends_{};  ///< hashes of the model as seen from each axis' low end and high end
 };
 
 }  // namespace

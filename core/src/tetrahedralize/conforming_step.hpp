@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Meshing in conforming mode with another step for the recovery of segments and facets.
+/// Meshing in conforming mode with a function of the caller's that recovers segments and facets.
 #pragma once
 
 #include <functional>

@@ -109,8 +109,8 @@ class Translator {
   ConstrainedTetrahedralization& mesh_;
   const ModelNames& names_;
   const PiecewiseLinearComplex& plc_;
-  std::vector<VertexIndex> row_;           ///< new row of each point of the canonical form's mesh
-  std::vector<VertexIndex> row_of_input_;  ///< row in the mesh of each point of plc_
+  std::vector<VertexIndex> row_;           ///< row in the returned mesh of each point of the mesh of the canonical form
+  std::vector<VertexIndex> row_of_input_;  ///< row in the mesh of each point of the complex
 };
 
 std::shared_ptr<const MeshExcerpt> excerpt_in_callers_terms(const std::shared_ptr<const MeshExcerpt>& excerpt,

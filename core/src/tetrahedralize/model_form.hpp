@@ -28,7 +28,7 @@ class ModelForm {
   void merge(const RunContext& context);
 
   const PiecewiseLinearComplex& given_;
-  CanonicalForm form_;  ///< form of the merged complex if something is merged
+  CanonicalForm form_;  ///< canonical form of the model, with coplanar facets merged where that was worthwhile
   std::optional<CanonicalForm> before_merging_;
   std::optional<MergedFacets> merged_;  ///< of before_merging_
   ModelNames names_;

@@ -12,7 +12,7 @@
 namespace geomesh {
 
 enum class SteinerPlaces {
-  /// Steiner points are doubles from the start, which may lead to a dead end. For conforming mode and single attempts.
+  /// Steiner points have double coordinates from the start. For conforming mode and single attempts; may fail.
   rounded,
   /// Steiner points are exactly on their segments and facets until everything is recovered, and are rounded at the end,
   /// so that recovery always terminates.
@@ -20,7 +20,7 @@ enum class SteinerPlaces {
 };
 
 enum class InsertionOrder {
-  all_at_once,  ///< the start triangulation has all vertices
+  all_at_once,  ///< all vertices of the model are inserted before anything is recovered
   /// Items that earlier attempts found hard are recovered first, and the other vertices are inserted afterwards.
   hard_parts_first,
 };
@@ -30,14 +30,14 @@ struct Attempt {
   SteinerPlaces places = SteinerPlaces::rounded;
   InsertionOrder order = InsertionOrder::all_at_once;
 
-  /// Returns in a few words how the attempt differs from those before it.
+  /// Returns a short text for the log: how this attempt at recovery differs from those before it.
   const char* difference() const;
 };
 
-/// Returns attempt `number`. `hard_parts` contains what earlier attempts have learned.
+/// Returns the settings of attempt `number`. `hard_parts` contains what earlier attempts have found hard to recover.
 Attempt attempt_of(unsigned number, const RecoverOptions& options, const recover::HardPartsFirst& hard_parts);
 
-/// Returns the next attempt; nothing after the last.
+/// Returns the settings of the next attempt at recovery; nothing if this was the last one allowed.
 std::optional<Attempt> attempt_after(const Attempt& attempt, const RecoverOptions& options,
                                      const recover::HardPartsFirst& hard_parts);
 

@@ -91,7 +91,7 @@ StartTriangulation RecoveryRun::start(const Attempt& attempt) {
 RecoveryOutcome RecoveryRun::recover() {
   CrossingsOf crossings(plc_);
   Attempt attempt = attempt_of(0, options_.recover, hard_parts_);
-  std::optional<Error> refusal;  // the last dead end with an excerpt of the mesh, or else the last one
+  std::optional<Error> refusal;  // last error with an excerpt of the mesh or of invalid input, else the last one
   for (unsigned n_made = 1;; ++n_made) {
     StartTriangulation from = n_made == 1 ? std::move(*first_start_) : start(attempt);
     ConstrainedMesh mesh(std::move(from.mesh), std::move(from.points), model_.input_vertex.size());
@@ -167,9 +167,9 @@ Error RecoveryRun::with_way_out(const Error& dead_end) const {
                dead_end.context());
 }
 
-/// Returns the next attempt after a dead end, if there is one. Errors of the model that recovery finds are accepted
-/// without another attempt if the exact search for crossings agrees. Many points without a double make the current
-/// attempt the last one, because another would hardly succeed; many decided orientations do, as it would take long.
+/// Returns the next attempt after recovery has reached a dead end. Returns nothing if an exact search finds that input
+/// items cross, if too many points could not be rounded to doubles (another attempt would hardly succeed), or if too
+/// many orientations have been decided (it would take too long).
 std::optional<Attempt> RecoveryRun::attempt_after(const Attempt& attempt, const Error& dead_end,
                                                   const Recovery& recovery) const {
   if (n_without_double_ >= recover::recovery_budget.points_without_double ||

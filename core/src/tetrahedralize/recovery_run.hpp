@@ -52,7 +52,7 @@ class RecoveryRun {
   DelaunayStatistics delaunay_{};
   recover::HardPartsFirst hard_parts_{};
   std::size_t n_without_double_ = 0;  ///< number of points without a double in their stars, over all attempts
-  std::size_t n_decided_ = 0;         ///< number of orientations decided with exact places
+  std::size_t n_decided_ = 0;         ///< number of orientations decided that involve exact places
 };
 
 }  // namespace geomesh

@@ -17,23 +17,23 @@ using Mesh = ConstrainedTetrahedralization;
 
 enum class RoofSide { above, below };
 
-/// The space between a plane part and its roof, on one side of the part. Triangles of the part and of the roof are
-/// oriented as seen from that side.
+/// The space between a plane polygon and its roof, a triangulated surface with the same border that is lifted off the
+/// plane, on one side of the polygon. Triangles of both are oriented as seen from that side.
 class RoofOnSide {
  public:
-  /// `star` contains the cells on this side that have a point of the roof, `flat` the points' positions in the plane.
+  /// `star`: the cells at the roof's inner points, on this side; `flat`: the positions of these points in the plane.
   RoofOnSide(Mesh& mesh, const RoofedPart& part, RoofSide side, std::vector<Index> star, const std::vector<Vec3>& flat)
       : mesh_(mesh), part_(part), side_(side), star_(std::move(star)), flat_(flat), inner_(part.inner) {}
 
-  /// Replaces the roof's points, which the other side uses, by new points on this side.
+  /// Gives the cells on this side copies of the roof's inner points, because the other side uses the original points.
   void take_own_points() {
     for (std::size_t i = 0; i < inner_.size(); ++i) inner_[i] = add_point(flat_[i]);
     for (const Index t : star_)
       for (VertexIndex& v : mesh_.tetrahedra[t]) v = on_this_side(v);
   }
 
-  /// Lifts the roof: its highest point by half of the height that the cells at the roof reach, or by half of that, and
-  /// so on. Returns false if there is no height at which all cells are positive.
+  /// Lifts the roof off the plane. Its height is first half of that of the cells above it, and is halved until all
+  /// cells are positive. Returns false if that does not succeed.
   bool lift() {
     const Vec3 up = (side_ == RoofSide::above ? 1 : -1) * unit_normal();
     const auto highest = std::max_element(part_.rise.begin(), part_.rise.end());
@@ -52,7 +52,7 @@ class RoofOnSide {
     }
   }
 
-  /// Fills the space under the roof, and returns the rows of the new cells at the part's triangles.
+  /// Fills the space between polygon and roof; returns the rows of the new cells at the polygon's triangles.
   std::vector<Index> fill() {
     std::vector<Index> rows;
     for (const Triangle& t : part_.triangles) {
@@ -64,7 +64,8 @@ class RoofOnSide {
   }
 
  private:
-  static constexpr double least_part = 1e-3;  ///< least height of the centre, as a share of the roof's height
+  static constexpr double least_part =
+      1e-3;  ///< least height of the point under the roof, relative to the roof's height
 
   VertexIndex add_point(const Vec3& p) {
     mesh_.points.push_back(p);
@@ -116,11 +117,11 @@ class RoofOnSide {
   RoofSide side_;
   std::vector<Index> star_;
   const std::vector<Vec3>& flat_;
-  std::vector<VertexIndex> inner_;  ///< the roof's points on this side, as in part_.inner
-  VertexIndex centre_ = no_vertex;  ///< a point under the roof, connected with all of it
+  std::vector<VertexIndex> inner_;  ///< for each point of part_.inner, the roof's point on this side of the plane
+  VertexIndex centre_ = no_vertex;  ///< point between plane and roof, a vertex of all cells there
 };
 
-/// Cells that have a point of the roof, connected by the faces that have such a point but are not part of the roof.
+/// Cells at the inner points of a roof, and which of them are neighbours across faces that are not in the roof.
 class RoofStar {
  public:
   RoofStar(const Mesh& mesh, const RoofedPart& part, const std::vector<Index>& cells) {
@@ -140,7 +141,7 @@ class RoofStar {
     std::sort(pairs_.begin(), pairs_.end());
   }
 
-  /// Returns the cells on one side of the roof, found from `out`, the cells with a face of the roof on that side.
+  /// Returns the cells at the roof's inner points on one side. `out` are initially those with a face of the roof.
   std::vector<Index> from(std::vector<Index> out) const {
     std::set<Index> found(out.begin(), out.end());
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -151,7 +152,7 @@ class RoofStar {
   }
 
  private:
-  std::vector<std::array<Index, 2>> pairs_;  ///< pairs of cells that share a face, in both orders
+  std::vector<std::array<Index, 2>> pairs_;  ///< cells of the star that share a face, each pair in both orders, sorted
 };
 
 }  // namespace

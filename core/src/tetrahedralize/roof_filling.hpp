@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Fills the space between a plane part and its roof (roofed_parts.hpp).
+/// Fills the space between a plane polygon and its roof, a triangulated surface lifted off it (roofed_parts.hpp).
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace geomesh {
 
-/// Lifts the roof of `part` on each side where the mesh has cells, and fills the space under it. `part`, `roof` (the
-/// faces of the part's roof) and `star` (the cells that have a point of the roof) refer to rows of `mesh`. Appends the
-/// faces of the part's triangles to `faces`. Returns false if no height is possible; the mesh is then invalid.
+/// Lifts the roof, a triangulation of a plane polygon with inner points, off the plane on each side that has cells, and
+/// fills the space between them. `roof` has the roof's faces, `star` the cells at its inner points. Appends the faces
+/// of the polygon's own triangles to `faces`. Returns false if no height is possible; the mesh is then invalid.
 bool fill_under_roof(ConstrainedTetrahedralization& mesh, const RoofedPart& part,
                      const std::vector<ConstrainedTetrahedralization::Face>& roof, const std::vector<Index>& star,
                      std::vector<ConstrainedTetrahedralization::Face>& faces);

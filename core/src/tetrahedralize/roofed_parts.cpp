@@ -28,7 +28,6 @@ Vec3 extents_of_segments(const PiecewiseLinearComplex& plc) {
   return box.max - box.min;
 }
 
-/// Returns the part with its vertices converted to rows of a mesh.
 RoofedPart in_rows(RoofedPart part, const std::vector<VertexIndex>& row) {
   for (std::vector<Triangle>* triangles : {&part.as_given, &part.triangles, &part.roof})
     for (Triangle& t : *triangles)
@@ -59,7 +58,7 @@ void RoofedParts::find_parts(std::span<const Index> provenance) {
       std::vector<Vec3> corners;
       for (const VertexIndex v : part.border) corners.push_back(given_.points[v]);
       const std::optional<Roof> roof = roof_over(corners, axis_for);
-      // A roof takes points on both sides of the part, and must not take more than there are edges inside of it.
+      // The roofs on both sides of a part must need fewer points than the part has inner edges.
       if (!roof || 2 * (roof->inner.size() + 1) >= part.left_out.size()) continue;
       RoofedPart& out = parts_.emplace_back();
       for (const Index t : part.triangles) {
@@ -108,7 +107,7 @@ void RoofedParts::write_facets() {
 
 bool RoofedParts::fill(Mesh& mesh) const {
   std::vector<VertexIndex> row(plc_.points.size(), no_vertex);
-  std::vector<Index> part_of(mesh.points.size(), no_index);  // number of the part to whose roof each point belongs
+  std::vector<Index> part_of(mesh.points.size(), no_index);  // by point: the part inside whose roof it is
   for (VertexIndex v = 0; v < mesh.points.size(); ++v)
     if (mesh.input_vertex[v] != no_vertex) row[mesh.input_vertex[v]] = v;
   for (Index k = 0; k < parts_.size(); ++k)

@@ -17,29 +17,29 @@
 
 namespace geomesh {
 
-/// A convex part of a plane patch and its roof, which have the same orientation.
+/// A convex part of a plane patch, and a Delaunay triangulation of it with inner points (its roof, later lifted off).
 struct RoofedPart {
-  std::vector<Index> facets;        ///< facets of the given complex
-  std::vector<Triangle> as_given;   ///< corners of these facets in the complex
-  std::vector<Triangle> triangles;  ///< corners in the orientation of the part
-  std::vector<bool> is_turned;      ///< whether each facet has the opposite orientation in the complex
-  std::vector<VertexIndex> inner;   ///< the roof's points, ascending
-  std::vector<double> rise;         ///< by how much each of these points is lifted, up to a common factor
+  std::vector<Index> facets;        ///< rows in the given complex of the facets that make up the part
+  std::vector<Triangle> as_given;   ///< corners of these facets, in the orientation of the complex
+  std::vector<Triangle> triangles;  ///< corners of these facets, in the orientation of the part
+  std::vector<bool> is_turned;      ///< whether each of these facets is oriented oppositely to the part
+  std::vector<VertexIndex> inner;   ///< the points of the roof that are inside the part, ascending
+  std::vector<double> rise;         ///< relative heights by which the points of `inner` are lifted
   std::vector<Triangle> roof;
 };
 
 class RoofedParts {
  public:
-  /// Keeps a reference to `plc`, a valid complex. Returns nothing if its plane patches together are nearly Delaunay
-  /// (coplanar_patches.hpp), or if no part of them takes fewer points on both sides than it has inner edges.
-  /// `provenance` has an entry per facet. O(n log n).
+  /// Chooses convex parts of plane patches that get roofs on both sides. Returns nothing if the patches are nearly
+  /// Delaunay, or if no part's roofs need fewer points than the part has inner edges. Keeps a reference to `plc`, a
+  /// valid complex. `provenance` has an entry per facet. O(n log n).
   static std::optional<RoofedParts> of(const PiecewiseLinearComplex& plc, std::span<const Index> provenance);
 
-  /// Returns the given complex in which roofs replace the parts; the roofs are not lifted yet. Their points come last.
+  /// Returns the given complex with each part's triangles replaced by those of its roof, still in the plane.
   const PiecewiseLinearComplex& plc() const { return plc_; }
 
-  /// Converts a mesh of plc() that has no added points on facets to one of the given complex. Returns false if a roof
-  /// cannot be lifted in doubles; the mesh is then invalid.
+  /// Converts a mesh of plc() that has no added points on facets to one of the given complex: lifts each roof off its
+  /// plane and fills the space between. Returns false if that is impossible in doubles; the mesh is then invalid.
   bool fill(ConstrainedTetrahedralization& mesh) const;
 
  private:
@@ -50,7 +50,7 @@ class RoofedParts {
   const PiecewiseLinearComplex& given_;
   PiecewiseLinearComplex plc_;
   std::vector<RoofedPart> parts_;
-  /// The given facet of each facet of plc_. For a facet of a roof, the number of given facets plus that of the part.
+  /// For each facet of plc_ its row among the given facets; for a facet in the roof of part k, n_given_facets + k.
   std::vector<Index> facet_;
 };
 

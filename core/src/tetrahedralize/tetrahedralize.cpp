@@ -89,7 +89,7 @@ ConstrainedTetrahedralization mesh_or_throw(MeshingOutcome&& outcome) {
   return std::move(*outcome.mesh);
 }
 
-/// Meshes a complex with roofs over plane parts and a preserved boundary; returns nothing if that fails.
+/// Meshes with no points on facets and with roofs over patches of needles (roofed_parts.hpp), or returns nothing.
 std::optional<ConstrainedTetrahedralization> mesh_with_roofs(const PiecewiseLinearComplex& plc,
                                                              const TetrahedralizeOptions& options,
                                                              const RunContext& context) {
@@ -151,13 +151,13 @@ ConstrainedTetrahedralization tetrahedralize(const PiecewiseLinearComplex& plc, 
   }
   context.note(LogLevel::warning,
                "conforming mode: small angles need too many points; the model is meshed in constrained mode instead");
-  // There is room for the missing facets without the points that conforming mode has crowded near small angles.
+  // Constrained mode starts without the crowded points that conforming mode has added near small angles.
   TetrahedralizeOptions constrained = options;
   constrained.recover.mode = MeshMode::constrained;
   ConstrainedTetrahedralization out = mesh_or_throw(mesh_in_mode(plc, constrained, context, recover_conforming));
   out.recovery.facets_not_recovered = outcome.given_up;
   list_facets_off_delaunay(out);
-  if (out.recovery.facets_not_recovered.empty())  // the cells between facets may not be Delaunay
+  if (out.recovery.facets_not_recovered.empty())  // although all facets are Delaunay, cells between them may not be
     for (Index f = 0; f < plc.n_facets(); ++f) out.recovery.facets_not_recovered.push_back(f);
   return out;
 }

@@ -52,7 +52,7 @@ void close_thin_pockets(Complex& complex, const ArrangementOptions& options, con
 void mend_surfaces(Complex& complex, double tolerance, double rounding, ArrangementResult& result,
                    std::vector<VanishedFacet>& vanished) {
   if (!(tolerance > 0) && result.n_rounding_rounds == 0) return;
-  // Factor on the tolerance, because merging may have moved a corner one tolerance farther than its neighbours.
+  // Dangling faces up to this multiple of the tolerance are cut: merging may move a corner farther than its neighbours.
   constexpr double dangling_of_tolerance = 2;
   const CutDanglingFaces cut = cut_dangling_faces(complex, std::max(dangling_of_tolerance * tolerance, rounding));
   add(cut.moved, result.merging.displacement);
@@ -69,7 +69,7 @@ void log_round(const RunContext& context, unsigned round, const Complex& complex
                                     std::to_string(contacts.overlaps.size()) + " overlaps");
 }
 
-/// Throws a ModelError that names the surfaces at which rounding does not converge.
+/// Throws a ModelError that names surfaces that still cross after all rounds, because rounding makes new crossings.
 [[noreturn]] void refuse(const SurfaceList& surfaces, const Complex& complex, const Contacts& contacts) {
   ErrorContext context;
   ModelItems items;
@@ -161,7 +161,7 @@ std::optional<Box3> planes_of(const std::vector<TriangulatedSurface>& sides, con
   return planes;
 }
 
-/// Marks the facets that take part in a contact or an overlap.
+/// Marks the facets that touch, cross or overlap others.
 std::vector<std::uint8_t> marks_of(const Contacts& contacts, const Complex& complex) {
   std::vector<std::uint8_t> marks(complex.facets.size(), 0);
   for (const FacetContact& c : contacts.facets) {
@@ -182,12 +182,12 @@ SnapOutcome snap_what_meets(Complex& complex, const Contacts& contacts, unsigned
                    {mending_distance(unit_in_the_last_place(complex), round), bounds});
 }
 
-/// Limits on the numbers of rounds and contacts. If mending makes more contacts, it will not terminate.
+/// Limits on the numbers of rounds and contacts. Beyond them, repairing what rounding breaks is given up as endless.
 class MendingBounds {
  public:
   MendingBounds(const Contacts& contacts, unsigned most_rounds)
       : fewest_contacts_(contacts.facets.size()), most_rounds_(most_rounds) {}
-  /// Returns whether the state after a round shows that rounding does not converge.
+  /// Returns whether there are so many rounds or contacts that repairing crossings seems to have no end.
   bool has_no_end(unsigned round, const Contacts& contacts) {
     const std::size_t n = contacts.facets.size(), most = 4 * fewest_contacts_ + 1000;
     fewest_contacts_ = std::min(fewest_contacts_, n);
@@ -310,7 +310,7 @@ class Arrangement {
   SurfaceList surfaces_;
   Ingested ingested_;
   std::optional<Box3> bounds_;
-  std::optional<Box3> planes_;  ///< those planes of the bounding box that contain triangles of sides
+  std::optional<Box3> planes_;  ///< planes of the bounding box that contain triangles of the volume's sides
   JoinRule join_rule_;          ///< of `tolerance`
   Joining joining_;
   std::size_t n_booked_ = 0;  ///< number of vanished facets whose movement was recorded

@@ -13,14 +13,14 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Displacement and counts of merging, as they enter the result, and the facets that vanished.
+/// Movements and counts of merging that the result of the arrangement reports, and the facets that vanished.
 struct MergingBook {
   ArrangementResult::Merging& merging;
   std::vector<VanishedFacet> vanished{};
   void take(const SnapOutcome& outcome);
 };
 
-/// The input of one arrangement. Holds references, which must stay valid.
+/// The input of one arrangement, which it merges within a distance. Holds references, which must stay valid.
 class InputJoiner {
  public:
   InputJoiner(Ingested& ingested, const SurfaceList& surfaces, const ArrangementOptions& options,
@@ -33,12 +33,11 @@ class InputJoiner {
   /// greater than rounding. Cost: that of snap_near(), a few times.
   void join(MergingBook& book, std::vector<std::string>& warnings, std::size_t memory_bound);
 
-  /// Returns the rule for merging within the tolerance in later steps. `contacts` are those of the input in its current
-  /// state.
+  /// Returns the rule for what later steps may merge within the tolerance; `contacts` are those of the current input.
   JoinRule rule(const Contacts& contacts) const;
 
  private:
-  /// Pairs of surfaces to merge in addition to surfaces that meet where one of them ends.
+  /// Pairs of surfaces to merge although they do not meet. Surfaces that meet are merged where one of them ends.
   struct PairsToJoin {
     std::set<SurfacePair> wherever_near;  ///< duplicates
     std::set<SurfacePair> where_they_end;

@@ -26,7 +26,7 @@ class FacetSplitter {
     for (const VertexIndex v : border)
       if (!rows_.contains(v) && !add(v)) return false;
     for (const VertexIndex v : inside)
-      if (!rows_.contains(v)) add(v);  // an inner vertex that coincides with another in the projection is left out
+      if (!rows_.contains(v)) add(v);  // an inner vertex whose projection coincides with another's is left out
     start_with_a_frame();
     for (int p = 0; p < n_vertices(); ++p) mesh_.insert_point(p);
     return true;
@@ -104,8 +104,8 @@ class FacetSplitter {
     mesh_.start(n_vertices(), n_vertices() + 1, n_vertices() + 2);
   }
 
-  /// Returns the marked triangles. Throws ConstraintsCross if one touches the frame, since the walk winds the wrong
-  /// way.
+  /// Returns the triangles marked in `in`. Throws ConstraintsCross if one has a corner of the triangle around all
+  /// points, because then the walk along the facet's border is clockwise.
   std::vector<Triangle> collect(const std::vector<std::uint8_t>& in) const {
     std::vector<Triangle> triangles;
     for (std::size_t f = 0; f < in.size(); ++f) {
@@ -170,7 +170,8 @@ std::optional<std::vector<Triangle>> try_split(const std::vector<Vec3>& points, 
   }
 }
 
-/// Returns projections along the axes in which the walk has at least half of its largest area, largest area first.
+/// Returns projections along the coordinate axes in which the closed polygon `walk` has at least half of its largest
+/// projected area, in descending order of area.
 std::vector<Projection> frames_of_walk(const std::vector<Vec3>& points, const std::vector<VertexIndex>& walk) {
   constexpr double least_share = 0.5;
   Vec3 area;
@@ -201,7 +202,7 @@ std::optional<std::vector<Triangle>> split_facet(const std::vector<Vec3>& points
   };
   if (auto triangles = split_as_seen(projection_of(points[facet[0]], points[facet[1]], points[facet[2]])))
     return triangles;
-  // The plane of a needle differs from that of its border after near vertices have been inserted in the border.
+  // Vertices inserted in the edges of a needle are beside its plane, so its border is better seen along an axis.
   for (const Projection& frame : frames_of_walk(points, walk))
     if (auto triangles = split_as_seen(frame)) return triangles;
   return std::nullopt;

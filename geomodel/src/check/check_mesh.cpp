@@ -239,7 +239,7 @@ struct GivenFiles {
   MeshFile mesh;
   std::optional<FacesFile> faces;
   std::optional<CurvesFile> curves;
-  /// Returns null if the mesh has no faces, or if one of the face arrays is missing.
+  /// Returns the faces file; null if the mesh has none, or if one of its face arrays is missing.
   const FacesFile* complete_faces() const { return faces && faces->missing_arrays.empty() ? &*faces : nullptr; }
 };
 
@@ -327,7 +327,7 @@ void check_as_given(const CheckRequest& request, GivenFiles given, std::optional
   if (request.delaunay) check_delaunay(mesh, given.faces ? &*given.faces : nullptr, result);
 }
 
-/// Checks the elements of a solver's file itself, and all else through the .vtu beside it, which must be equal.
+/// Checks cells, second-order elements and regions of a solver's file, and all else in the equal .vtu beside it.
 void check_by_vtu(const CheckRequest& request, const MeshFile& file, Specification specification, CheckResult& result) {
   CheckResult own;
   CheckedMesh mesh{file, file.tetrahedra, {}, true};

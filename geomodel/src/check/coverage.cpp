@@ -82,7 +82,7 @@ class CoverageChecker : public CheckedFaces {
   std::map<Index, BoxTree> surface_trees_;
   std::vector<std::vector<std::array<Vec3, 2>>> borders_;
   std::vector<std::pair<VertexIndex, VertexIndex>>
-      clip_edges_;  ///< Edges of the faces of box sides and of bodies that cut, sorted.
+      clip_edges_;  ///< mesh edges of the faces on box sides and on bodies that cut other surfaces, sorted
 };
 
 void CoverageChecker::collect_clip_edges() {
@@ -272,7 +272,8 @@ std::function<bool(VertexIndex, VertexIndex)> CoverageChecker::runs_along_clip_o
   };
 }
 
-/// Returns whether rules may have removed the uncovered part of an input triangle; if not, sets `place` in that part.
+/// Returns whether rules may have removed the part of an input triangle that no mesh face covers. If not, sets `place`
+/// to a point of that part which they keep.
 bool CoverageChecker::may_be_removed(const PlaneTriangle& triangle, Source source, const std::vector<Index>& pieces,
                                      Vec3& place) const {
   if (specification_.may_be_trimmed(source.surface) || (specification_.volume && !specification_.volume->box))
@@ -289,7 +290,7 @@ void CoverageChecker::check_triangles(CheckResult& result) {
   std::set<std::string> short_of;
   for (Index s = 0; s < specification_.surfaces.size(); ++s) {
     const TriangulatedSurface& surface = specification_.surfaces[s];
-    // The uncovered triangles of this surface, if rules may remove pieces of it as a whole.
+    // The triangles of this surface that mesh faces do not cover, collected if rules may remove whole pieces of it.
     std::optional<PiecesWithoutFaces> uncovered;
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const Triangle& t = surface.triangles[i];

@@ -22,7 +22,7 @@ std::size_t memory_of_machine() {
   const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   std::size_t bytes = pages > 0 && page > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(page) : 0;
   std::size_t of_container = 0;
-  // Without a limit the file has the text "max", which is not a number.
+  // Without a memory limit, this file of the control group has the text "max" instead of a number.
   if (std::ifstream("/sys/fs/cgroup/memory.max") >> of_container)
     bytes = bytes == 0 ? of_container : std::min(bytes, of_container);
   return bytes;
@@ -87,7 +87,7 @@ fs::path file_of_code(void (*code)()) {
   const fs::path named = fs::weakly_canonical(info.dli_fname, error);
   if (fs::exists(named, error) && named.has_parent_path()) return named;
   return fs::read_symlink("/proc/self/exe",
-                          error);  // The main program is named as it was called, which need not be a path.
+                          error);  // The main program is reported under the name of its call, which need not be a path.
 }
 
 }  // namespace geomesh::geomodel

@@ -32,7 +32,7 @@ ProcessUse use_of_this_process() {
   FILETIME created, ended, kernel, user;
   ProcessUse use;
   if (GetProcessTimes(GetCurrentProcess(), &created, &ended, &kernel, &user)) {
-    const auto seconds = [](const FILETIME& t) {  // converts Windows times, which count units of 100 ns
+    const auto seconds = [](const FILETIME& t) {  // converts Windows times, in units of 100 ns, to seconds
       return 1e-7 * (4294967296.0 * static_cast<double>(t.dwHighDateTime) + static_cast<double>(t.dwLowDateTime));
     };
     use.cpu_seconds = seconds(kernel) + seconds(user);
@@ -57,7 +57,7 @@ bool may_be_running(long process) {
 void remove_in_handler(const char* file) noexcept { DeleteFileA(file); }
 
 std::string why_not_writable(const fs::path& folder) {
-  // Permissions of a folder are access lists, which the system evaluates only when a file is created; so this is tried.
+  // Windows evaluates the access list of a folder only when a file is created in it, so a trial file is created.
   const fs::path trial = folder / (L"geomesh." + std::to_wstring(GetCurrentProcessId()) + L".part");
   const HANDLE handle = CreateFileW(trial.c_str(), GENERIC_WRITE, 0, nullptr, CREATE_ALWAYS,
                                     FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, nullptr);

@@ -172,7 +172,7 @@ Vec2 from_geographic(const HorizontalCrs& crs, const Vec2& p) {
     bool north = true;
     GeographicLib::UTMUPS::Forward(p.y, p.x, zone, north, q.x, q.y, crs.zone);
     if (north != crs.north)
-      q.y += north ? 1e7 : -1e7;  // a point across the equator keeps the false northing of its system's hemisphere
+      q.y += north ? 1e7 : -1e7;  // beyond the equator, UTM northings keep the false northing of the zone's hemisphere
   } catch (const std::exception& e) {
     out_of_range(crs, p, e.what());
   }

@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 struct HorizontalCrs {
   enum class Kind {
-    local,       ///< coordinates without a position on the globe
+    local,       ///< coordinates whose position on the globe is unknown
     geographic,  ///< x is longitude, y is latitude, in degrees
     utm,         ///< UTM; zone 0 means that the zone is still to be determined
     polar,       ///< polar stereographic

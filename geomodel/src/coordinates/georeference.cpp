@@ -101,7 +101,7 @@ Vec2 ModelFrame::to_system(const HorizontalCrs& from, const Vec2& p) const {
 void ModelFrame::check_range(const SourceInput& input, const HorizontalCrs& from) const {
   const Box3 bounds = bounds_of(*input.contents);
   if (bounds.empty()) return;
-  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports positions outside the range of a system
+  if (from.kind == Kind::other && is_geographic(from)) return;  // PROJ reports coordinates outside a system's range
   const bool projected =
       from.kind == Kind::utm || from.kind == Kind::polar || (from.kind == Kind::other && from.epsg > 0);
   if (projected && looks_like_degrees(bounds)) {
@@ -223,7 +223,7 @@ Box3 ModelFrame::box(const Box3& box, std::string& note) const {
   Box3 placed{point(box.min), point(box.max)};
   if (depth_) std::swap(placed.min.z, placed.max.z);
   if (given_.kind == Kind::geographic) {
-    constexpr int n_samples = 64;  // sides of a geographic box are curved on the map
+    constexpr int n_samples = 64;  // samples, because sides of a geographic box are curved on the map
     for (int i = 0; i <= n_samples; ++i) {
       const double t = static_cast<double>(i) / n_samples;
       const double x = box.min.x + t * (box.max.x - box.min.x), y = box.min.y + t * (box.max.y - box.min.y);

@@ -32,7 +32,7 @@ class ProjConversion {
  private:
   struct Operation;
   std::unique_ptr<Operation> operation_;
-  double from_metres_ = 1, to_metres_ = 1;  ///< metres per unit of each system; 1 for degrees
+  double from_metres_ = 1, to_metres_ = 1;  ///< metres per unit of the two coordinate systems; 1 for degrees
   std::string names_, datum_shift_;
 };
 

@@ -17,10 +17,10 @@ class ProjOperation {
   /// Transforms a point, in the units of the two systems, with x east and y north. The result is not finite if PROJ
   /// cannot convert the point.
   virtual Vec2 transform(const Vec2& p) const = 0;
-  /// Returns the reason why the last point could not be converted.
+  /// Returns PROJ's reason why the last point could not be converted to the other system.
   virtual std::string reason() const = 0;
 
-  double from_metres = 1, to_metres = 1;  ///< metres per unit of each system; 1 for degrees
+  double from_metres = 1, to_metres = 1;  ///< metres per unit of the two coordinate systems; 1 for degrees
   std::string datum_shift;                ///< as ProjConversion::datum_shift()
 };
 

@@ -219,7 +219,7 @@ void make_below(const Project& project, std::vector<FileContents>& contents, con
   std::vector<std::size_t> waiting;
   for (std::size_t s = 0; s < project.surfaces.size(); ++s)
     if (!project.surfaces[s].below.empty()) waiting.push_back(s);
-  while (!waiting.empty()) {  // the loop ends because the project was checked for cycles
+  while (!waiting.empty()) {  // the loop ends: chains of horizons made from thicknesses were checked for cycles
     const auto ready = std::find_if(waiting.begin(), waiting.end(), [&](std::size_t s) {
       return std::none_of(waiting.begin(), waiting.end(),
                           [&](std::size_t other) { return project.surfaces[other].name == project.surfaces[s].below; });

@@ -39,7 +39,7 @@ struct ProjectInputs {
 
   /// Adds the faults that pass through a horizon's fault polygons to its throw_at, if the project gives no list.
   void add_throws(ModelRules& rules) const;
-  /// Completes SurfaceRules::field_parts with the triangles and doubts of each field, and converts its places.
+  /// Completes SurfaceRules::field_parts: triangles and unproven places of each scalar field, with places in the frame.
   void complete_field_parts(ModelRules& rules) const;
 };
 

@@ -36,7 +36,7 @@ class SharedFiles {
     if (is_first) known->second = read_surface_file(spec.file, spec.source.reading);
     const FileContents& all = known->second;
     FileContents part = object_named(all, spec.source.object.empty() ? spec.name : spec.source.object);
-    // A file with a single object needs no name; a wrong name is rejected later.
+    // If no object has this name, all are returned: a single object needs no name, and a wrong name is rejected later.
     if (part.surfaces.empty() && part.point_sets.empty()) part = all;
     if (is_first) part.warnings = all.warnings, part.notes = all.notes;
     if (!is_first) part.warnings.clear();
@@ -56,7 +56,7 @@ class SharedFiles {
 
 FileContents contents_of(const SurfaceSpec& spec, SharedFiles& files) {
   if (spec.given) return *spec.given;
-  if (spec.below_by) return {};  // a constant thickness has no file
+  if (spec.below_by) return {};  // a horizon at a constant thickness below another one has no file
   return spec.extrude.axis < 0 ? files.contents_of(spec) : read_section(spec.file, spec.extrude);
 }
 
@@ -73,7 +73,7 @@ const SourceSpec* source_of(const SurfaceSpec& spec, ReadFiles& files) {
 
 ReadFiles read_files(const Project& project, const RunContext& context) {
   ReadFiles files;
-  // Must not be reallocated, because `sources` has pointers to its elements.
+  // Reserves room for all contents, because `sources` has pointers to them that reallocation would invalidate.
   files.contents.reserve(project.surfaces.size() + project.wells.size());
   SharedFiles shared(project);
   LevelSurfaces level_sets = make_level_surfaces(project);

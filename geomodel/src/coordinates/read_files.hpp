@@ -18,7 +18,7 @@ struct ReadFiles {
   std::vector<std::string> notes;    ///< of level sets
   std::map<std::size_t, std::vector<FieldPart>> field_parts;  ///< LevelSurfaces::parts
   std::vector<std::string> warnings;      ///< warnings of the readers, preceded by the name of the surface or well
-  std::deque<SourceSpec> of_thicknesses;  ///< coordinate settings for files of thicknesses; `sources` points to them
+  std::deque<SourceSpec> of_thicknesses;  ///< coordinate settings of thickness files, to which `sources` points
 };
 
 /// Reads the files of a project's surfaces and wells. Throws as the readers do.

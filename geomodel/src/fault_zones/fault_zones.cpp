@@ -45,7 +45,7 @@ class ZoneOpener {
     mesh_.prisms.clear();
     mesh_.cohesive_layers.clear();
     mesh_.before_zones = mesh_.points;
-    if (!mesh.before_zones.empty())  // if zones were opened earlier, the points before that are used
+    if (!mesh.before_zones.empty())  // keeps the positions from before the zones that an earlier call opened
       for (std::size_t v = 0; v < mesh_.points.size(); ++v)
         mesh_.before_zones[v] = mesh.before_zones[split.original[v]];
     for (std::size_t v = mesh.points.size(); v < mesh_.points.size(); ++v) mesh_.point_kind[v] = 3;
@@ -183,7 +183,7 @@ class ZoneOpener {
   /// Adds the faces of zones on sides of the model, at which the fault ends.
   void add_side_faces() {
     struct ColumnEdge {
-      std::size_t a, b;  ///< rows of the columns of nodes at both ends, in the order of their prism
+      std::size_t a, b;  ///< rows of the columns of nodes at the edge's ends, in the order of the prism's corners
       std::size_t zone;
       unsigned uses = 0;
     };
@@ -207,7 +207,7 @@ class ZoneOpener {
     for (const auto& [key, side] : sides) {
       if (side.uses != 1) continue;
       const std::size_t f = outer[ends(columns_.columns[side.a].minus, columns_.columns[side.b].minus)];
-      // Without a boundary face, all tetrahedra around the edge would be connected, and its nodes not doubled.
+      // The edge has a boundary face: else all tetrahedra around it would be connected, and its nodes not doubled.
       GEOMESH_CHECK(f != no_face);
       for (unsigned k = 0; k < zones_[side.zone].layers; ++k) add_side(side.a, side.b, k, side.zone, mesh_.faces[f]);
     }
@@ -227,7 +227,7 @@ class ZoneOpener {
     }
   }
 
-  /// Sets the regions of wall faces. Their normals point into the zone, because it has the highest region id.
+  /// Sets the regions of faces on walls of zones. Normals point into the zone, because it has the highest region id.
   void close_walls() {
     for (auto& face : mesh_.faces) {
       if (!is_wall(face)) continue;
@@ -265,7 +265,7 @@ class ZoneOpener {
   ModelMesh mesh_;
   ZoneColumns columns_;
   std::vector<ModelMesh::Face> added_;
-  EdgeSet edges_;  // edges of faces on walls, and of zone faces on sides of the model
+  EdgeSet edges_;  // edges of the faces on walls of zones, and of the faces of zones on sides of the model
 };
 
 }  // namespace

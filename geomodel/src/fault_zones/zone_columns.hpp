@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 struct ZoneColumn {
   VertexIndex minus, plus;
   std::size_t zone;  ///< row of the first fault zone that contains the column of nodes
-  /// Nodes of the column from the minus to the plus side, one more than layers; only one if both sides share it.
+  /// Nodes across the zone from the minus to the plus side, one more than layers; only one if both sides share it.
   std::vector<VertexIndex> nodes;
   bool is_closed() const { return minus == plus; }
 };
@@ -32,7 +32,7 @@ struct ZonePrism {
 struct ZoneColumns {
   std::vector<ZoneColumn> columns;
   std::vector<ZonePrism> prisms;
-  /// Row of the zone at each wall face, by the nodes of the face in ascending order.
+  /// Row of the fault zone of each mesh face on one of its walls, by the nodes of the face in ascending order.
   std::map<Triangle, std::size_t> zone_of_wall;
 };
 

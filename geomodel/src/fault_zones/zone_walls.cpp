@@ -13,8 +13,8 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Largest movement of a node, divided by half of the zone's thickness: along surfaces, which are otherwise not
-/// followed, and along sides of the model, which must be followed.
+/// Largest movement of a node as a multiple of half of the fault zone's thickness: along other surfaces, which the node
+/// leaves if it would move farther, and along sides of the model, where a longer movement is an error.
 constexpr double longest_along_surfaces = 2, longest_along_sides = 4;
 /// Limit on the bend of a fault at a node: the factor by which a node may move farther than the planes of its faces.
 /// With 2, faces may be inclined by 60 degrees to their mean plane.
@@ -139,7 +139,7 @@ class WallMover {
 
   Vec3 place(const ZoneColumn& column, const WallNormal& normal, VertexIndex v, double sign) const {
     const double half = zones_[column.zone].thickness / 2 * normal.weight / normal.cosine;
-    Vec3 along = normal.direction;  // the normal without its components across the surfaces that the node follows
+    Vec3 along = normal.direction;  // the normal of the fault, projected onto the surfaces that the node follows
     std::vector<Vec3> across;       // orthonormal
     for (const auto& [key, guide] : guides_.at(v)) {
       if (!(norm(guide.area) > 0)) continue;
@@ -155,7 +155,7 @@ class WallMover {
       along = tried;
       across.push_back(n);
     }
-    // The dot product of `along` with the unit normal equals the square of the length of `along`.
+    // Scales `along` so that its component along the normal of the fault is `half`.
     return mesh_.points[v] + (sign * half / dot(along, normal.direction)) * along;
   }
 

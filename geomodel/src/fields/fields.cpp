@@ -24,7 +24,7 @@ bool holds_values_in_space(const std::filesystem::path& file) {
   return std::find(endings_of_values.begin(), endings_of_values.end(), ending) != endings_of_values.end();
 }
 
-/// Reads a grid of heights whose heights are the values of a property.
+/// Reads a property from a grid file whose heights are the values of the property.
 SizeGrid read_map_grid(const std::filesystem::path& file) {
   const FileContents contents = read_surface_file(file);
   if (contents.grids.size() != 1 || contents.surfaces.size() != 1)

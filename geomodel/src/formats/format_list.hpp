@@ -15,9 +15,9 @@ Format gmsh41_binary_format();      // gmsh41.cpp
 Format gmsh22_format();             // gmsh22.cpp
 Format gmsh22_binary_format();      // gmsh22.cpp
 Format abaqus_format();             // abaqus_inp.cpp
-Format exodus_format();             // in modules/at_need.cpp: the code is in exodus/, in a module with netCDF
-Format med_format();                // in modules/at_need.cpp: the code is modules/med.cpp, in a module with libmedc
-Format xdmf_format();               // in modules/at_need.cpp: the code is modules/xdmf.cpp, in a module with HDF5
+Format exodus_format();             // code in exodus/, in a module with netCDF that modules/at_need.cpp loads
+Format med_format();                // code in modules/med.cpp, in a module with libmedc that modules/at_need.cpp loads
+Format xdmf_format();               // code in modules/xdmf.cpp, in a module with HDF5 that modules/at_need.cpp loads
 Format ogs_format();                // opengeosys.cpp
 Format openfoam_format();           // openfoam.cpp
 Format mfem_format();               // mfem.cpp

@@ -43,12 +43,12 @@ class FractureMesh {
       made_.surface_sets.push_back(std::move(set));
     }
   }
-  /// Takes the faces on faults without the regions beside them.
+  /// Copies the faces on faults to the mesh of fractures alone, without the regions on their sides.
   void take_faces() {
     for (ModelMesh::Face face : whole_.faces) {
       const std::vector<std::int32_t>& set = made_.surface_sets[static_cast<std::size_t>(face.surface_set)];
       if (set.empty()) continue;
-      // A face on a side of the box and on a fault belongs to the side, which comes first; here it becomes one of the
+      // A face that lies on a side of the box and on a fault has the surface id of the side; here it gets that of the
       // fault.
       if (std::find(set.begin(), set.end(), face.surface) == set.end()) {
         face.surface = set.front();

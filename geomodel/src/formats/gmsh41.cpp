@@ -49,7 +49,7 @@ std::vector<Entity> make_entities(const SolverMesh& mesh) {
   return entities;
 }
 
-/// Writes the end of a section; binary data have no line end of their own.
+/// Writes the end of a section of a Gmsh file, on a line of its own, which binary data do not end by themselves.
 void end_section(OutputText& out, Encoding encoding, const char* name) {
   out << (encoding == Encoding::binary ? "\n$End" : "$End") << name << "\n";
 }

@@ -18,7 +18,7 @@ struct PartEntity {
   std::size_t block = 0;
   bool is_ghost = false;
   std::vector<std::pair<std::size_t, std::size_t>> cells;  ///< block of each cell, and row in that block
-  std::vector<VertexIndex> owned;                          ///< rows in the part of the nodes that the entity owns
+  std::vector<VertexIndex> owned;  ///< the nodes that the entity owns, by their rows in the part
 };
 
 class PartWriter {
@@ -79,7 +79,7 @@ class PartWriter {
     ghost_.tag = ghost_tag();
     if (!ghost_.cells.empty()) entities_.push_back(ghost_);
   }
-  /// Assigns each node to the first entity that contains it; nodes that are in no entity are left out.
+  /// Assigns each node of the part to the first Gmsh entity that contains it; nodes in no entity are left out.
   void share_nodes() {
     std::vector<bool> taken(part_.mesh.n_nodes(), false);
     for (PartEntity& entity : entities_) {
@@ -95,7 +95,7 @@ class PartWriter {
     }
   }
 
-  /// Writes the bounding box of an entity of the whole mesh. For a region it is that of its faces, which every part
+  /// Writes the bounding box of a Gmsh entity of the whole mesh. For a region it is that of its faces, which every part
   /// has.
   void write_parent_box(GmshNumbers& numbers, const CellBlock& block) const {
     if (block.shape != CellShape::tetrahedron) return write_box(numbers, block, whole_);

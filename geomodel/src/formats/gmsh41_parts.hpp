@@ -27,7 +27,7 @@ std::vector<std::filesystem::path> write_gmsh_parts(const SolverMesh& mesh, cons
 /// owners. Returns the paths of the parts and of the JSON file beside them.
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const WriteOptions& options,
                                                       const std::filesystem::path& stem, Encoding encoding);
-/// Writes only those parts that this process has, and the JSON file with the first part.
+/// Writes only those parts of the mesh that this process has, and the JSON file together with the first part.
 std::vector<std::filesystem::path> write_gmsh41_parts(const SolverMesh& mesh, const MeshParts& parts,
                                                       const WriteOptions& options, const std::filesystem::path& stem,
                                                       Encoding encoding);

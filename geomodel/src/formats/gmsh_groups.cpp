@@ -48,8 +48,8 @@ std::size_t gmsh_node(const CellBlock& block, std::size_t i) {
 
 namespace {
 
-/// Writes the values of one array. `give` receives a function and calls it with each value. Row numbers have 32 bits in
-/// every version of the format.
+/// Writes the values of one array to a Gmsh file. `give` receives a function and calls it with each value. Row numbers
+/// have 32 bits in every version of the format.
 template <class Give>
 void write_data(OutputText& out, Encoding encoding, const char* section, const std::string& name, std::size_t n,
                 Give&& give) {

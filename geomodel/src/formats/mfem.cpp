@@ -14,7 +14,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes the elements of one dimension, as `ATTRIBUTE TYPE NODES`, under a title.
+/// Writes the MFEM elements of one dimension, as `ATTRIBUTE TYPE NODES`, under a title.
 void write_cells(OutputText& out, const SolverMesh& mesh, const char* title, int dimension) {
   out << "\n" << title << "\n" << mesh.count(dimension) << "\n";
   for (const CellGroup& label : mesh.labels) {

@@ -145,7 +145,7 @@ void write_subset(const SolverMesh& mesh, const CellGroup& group, Compression co
 std::vector<std::filesystem::path> write(const ModelMesh& model, const WriteOptions& options,
                                          const std::filesystem::path& stem) {
   SolverMesh mesh = make_solver_mesh(model, options);
-  // Rows of cells are not needed for this format, and take a quarter of the memory of the mesh.
+  // This format does not need the mesh row of each cell, and these rows take a quarter of the memory of the mesh.
   for (CellBlock& block : mesh.blocks) block.rows = {};
   WrittenFiles written;
   const std::filesystem::path bulk = stem.string() + ".ogs.vtu";

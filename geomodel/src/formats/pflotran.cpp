@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes one cell or face: a tetrahedron as `T 1 2 3 4`, a triangle as `T 1 2 3`, a prism as `W` with six nodes.
+/// Writes one PFLOTRAN cell or face: a tetrahedron `T 1 2 3 4`, a triangle `T 1 2 3`, a prism `W` with six nodes.
 void write_cell(OutputText& out, const CellBlock& block, std::size_t cell) {
   out << (block.shape == CellShape::prism ? "W" : "T");
   for (std::size_t i = 0; i < block.nodes_per_cell; ++i) out << " " << block.nodes[cell * block.nodes_per_cell + i] + 1;

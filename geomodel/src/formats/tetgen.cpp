@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Writes a line with the number of nodes and `3 0 1`, then `NUMBER X Y Z MARKER` for each node.
+/// TetGen: writes a line with the number of nodes and `3 0 1`, then `NUMBER X Y Z MARKER` for each node.
 void write_nodes(OutputText& out, const SolverMesh& mesh) {
   std::vector<std::int32_t> markers(mesh.n_nodes(), 0);
   for (const CellGroup& label : mesh.labels)
@@ -22,7 +22,7 @@ void write_nodes(OutputText& out, const SolverMesh& mesh) {
   for (std::size_t v = 0; v < mesh.n_nodes(); ++v) out << v + 1 << " " << mesh.node(v) << " " << markers[v] << "\n";
 }
 
-/// Writes the cells of one dimension as `NUMBER NODES LABEL`, after a line with their number and the text `columns`.
+/// TetGen: writes the cells of one dimension as `NUMBER NODES LABEL`, after a line with their number and `columns`.
 void write_cells(OutputText& out, const SolverMesh& mesh, int dimension, const char* columns) {
   out << mesh.count(dimension) << columns << "\n";
   std::size_t number = 0;

@@ -77,8 +77,8 @@ void write_mesh(OutputText& out, const ModelMesh& mesh, const ControlVolumes& gr
   for (const auto& c : grid.connections) {
     const Vec3 along = mesh.points[c.b] - mesh.points[c.a];
     const double length = std::sqrt(dot(along, along));
-    // A connection has direction 1; its last number is the cosine between gravity and the line from first to second
-    // element.
+    // TOUGH: every connection has direction 1; its last number is the cosine between gravity and the line from its
+    // first element to its second.
     const Ten half(length / 2);
     out << element_name(c.a) << element_name(c.b) << "                   1" << half << half << Ten(c.area)
         << Ten(-along.z / length) << "\n";

@@ -123,7 +123,7 @@ class Network {
     const Interval in_first = cut(*fractures_[i], q, direction), in_second = cut(*fractures_[j], p, direction);
     const double low = std::max(in_first.low, in_second.low), high = std::min(in_first.high, in_second.high);
     if (!(low < high)) return std::nullopt;
-    // Computes the point in both planes that is nearest to the first fracture's centre.
+    // `foot` is the point in the planes of both fractures that is nearest to the first one's centre.
     const Vec3 across = cross(direction, p.normal);
     const Vec3 foot = p.centre - (q.height(p.centre) / dot(q.normal, across)) * across;
     const auto at = [&](double place) { return foot + (place - dot(direction, foot)) * direction; };

@@ -39,8 +39,8 @@ struct PlaneAxes {
 };
 PlaneAxes axes_of_plane(double dip_direction, double dip);
 
-/// Returns why corners do not form a plane polygon (they are on one line, or farther than plane_share from the mean
-/// plane); empty if they do.
+/// Returns why corners do not form a plane polygon: they are on one line, or too far from their mean plane (more than
+/// the share plane_share of the polygon's size). Empty if they do.
 std::string plane_fault(const std::vector<Vec3>& corners);
 
 double area_of(const std::vector<Vec3>& polygon);

@@ -62,7 +62,7 @@ class FractureReader {
       add_counted_polygon(fields);
     } else if (options_.layout == FractureFileOptions::Layout::ellipses) {
       add_ellipse(numbers(fields), is_first);
-    } else if (!(is_first && fields.size() == 6)) {  // six numbers in the first line are the bounds of the domain
+    } else if (!(is_first && fields.size() == 6)) {  // six numbers in the first line are bounds of PorePy's domain
       add_polygon(numbers(fields));
     }
   }

@@ -18,7 +18,7 @@ class SectionText {
  public:
   SectionText(const InputFile& file, const ExtrudeSpec& spec) : file_(file), lines_(file), spec_(spec) {}
 
-  /// Returns an empty list if the file does not have one point of a section per line.
+  /// Reads polylines from a text with one point of a section per line; returns an empty list for any other text.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {
@@ -98,7 +98,7 @@ class SectionText {
   std::size_t place_ = 0, height_ = 1;
   std::optional<std::size_t> id_;
   bool is_depth_ = false;
-  std::string at_id_, heading_;  ///< id and heading of the line that is being read
+  std::string at_id_, heading_;  ///< id and heading of the polyline that is being read
   std::vector<Vec3> points_;
   std::vector<Polyline> found_;
 };

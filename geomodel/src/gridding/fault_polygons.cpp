@@ -17,11 +17,11 @@ namespace {
 
 constexpr double separating = 999;  // x and y of a line that separates two polygons in Irap and CPS files
 constexpr int n_levels = 9;         // number of heights at which faults are searched in a polygon
-constexpr int n_places = 64;        // number of samples along a fault triangle at one height
+constexpr int n_places = 64;        // number of samples on the contour of a fault triangle at one height
 // A fault counts as passing through a polygon if its length in the polygon is at least this share of the longest one.
 constexpr double share_of_longest = 0.25;
 constexpr double most_of_horizon = 0.5;  // share of a horizon's area in fault polygons that causes a warning
-constexpr double wide_open = 0.25;  // distance of a polygon's ends, as a share of its length, that causes a warning
+constexpr double wide_open = 0.25;  // gap between a polygon's ends, as a share of its length, that causes a warning
 
 Vec2 in_map(const Vec3& p) { return {p.x, p.y}; }
 
@@ -30,7 +30,7 @@ class PolygonText {
  public:
   explicit PolygonText(const InputFile& file) : file_(file), lines_(file) {}
 
-  /// Returns an empty list if the file does not have one point per line.
+  /// Reads fault polygons from a text with one point per line; returns an empty list for any other text.
   std::vector<Polyline> read() {
     bool is_first = true;
     while (lines_.next()) {

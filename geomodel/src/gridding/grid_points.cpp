@@ -109,7 +109,7 @@ void make_plate(const std::vector<Vec3>& q, const GriddingSpec& spec, const Box3
       if (!nearness.any_near(node.x, node.y)) node.z = std::numeric_limits<double>::quiet_NaN();
   }
   std::size_t n_left_out = 0;
-  // The cells are divided along the same diagonals as in the fitted plate.
+  // The grid's cells are divided into triangles along the same diagonals as in the thin-plate fit.
   made.surface = triangulate_lattice(lattice, Diagonal::from_first, n_left_out);
 }
 

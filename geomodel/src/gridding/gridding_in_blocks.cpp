@@ -19,8 +19,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Fewest points from which the surface of a block is made. A plane passes through any three points, so their distances
-/// from it do not reveal how wrong the plane is farther away.
+/// Fewest points from which the surface of a fault block is made. A plane passes through any three points, so their
+/// distances from it do not reveal how wrong the plane is farther away.
 constexpr std::size_t fewest_points = 4;
 
 /// Divides each triangle into n * n equal ones; neighbouring triangles share the new points on their common edge.
@@ -28,7 +28,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   if (n <= 1) return s;
   TriangulatedSurface fine;
   fine.points = s.points;
-  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // points on each edge, by its ends (ascending) and step
+  std::map<std::array<std::size_t, 3>, VertexIndex> on_edge;  // new points on edges, by ends (ascending) and step
   const auto add = [&](const Vec3& p) {
     fine.points.push_back(p);
     return static_cast<VertexIndex>(fine.points.size() - 1);
@@ -44,7 +44,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
     return at->second;
   };
   for (const auto& [a, b, c] : s.triangles) {
-    std::vector<std::vector<VertexIndex>> rows;  // rows of points parallel to bc; row i is i steps away from a
+    std::vector<std::vector<VertexIndex>> rows;  // rows of new points parallel to the edge bc, from corner a to bc
     for (std::size_t i = 0; i <= n; ++i) {
       std::vector<VertexIndex>& row = rows.emplace_back();
       for (std::size_t j = 0; j <= i; ++j) {
@@ -69,7 +69,7 @@ TriangulatedSurface divided(const TriangulatedSurface& s, std::size_t n) {
   return fine;
 }
 
-/// Number of equal parts into which every side must be divided so that no part is longer than the step.
+/// Number of equal parts into which the sides of all triangles must be divided so that no part is longer than the step.
 std::size_t parts_of_sides(const TriangulatedSurface& s, double step) {
   double longest = 0;
   for (const Triangle& t : s.triangles)
@@ -104,7 +104,7 @@ class FaultBlocks {
     built.rows.part_of_triangle.resize(surfaces.size());
     built.rows.block_of_part.resize(surfaces.size());
     built.rows.continued_to.resize(surfaces.size());
-    std::vector<std::string> notes, warnings;  // ignored, because the run reports them when it continues the faults
+    std::vector<std::string> notes, warnings;  // dropped, because the run reports the same when it continues faults
     continue_faults(built, rules, {notes, warnings});
     return built;
   }
@@ -123,7 +123,7 @@ class BlockSurfaces {
     for (const Vec3& p : common.points) over_.add(p);
   }
 
-  /// Makes the horizon; returns nothing if all of its points lie in one block.
+  /// Composes the horizon from a surface for each fault block; returns nothing if its points lie in a single block.
   std::optional<GriddedInBlocks> make() {
     const std::map<Index, std::vector<Vec3>> points = points_by_block();
     if (points.size() < 2) return std::nullopt;
@@ -159,7 +159,7 @@ class BlockSurfaces {
     return points;
   }
 
-  /// Interpolates the points of one block. Returns nothing if they do not determine a surface.
+  /// Interpolates the points of one fault block. Returns nothing if they do not determine a surface.
   std::optional<TriangulatedSurface> sheet_of(const std::vector<Vec3>& points) const {
     if (points.size() < fewest_points) return std::nullopt;
     GriddingSpec spec = made_.spec;
@@ -167,7 +167,7 @@ class BlockSurfaces {
     spec.to_box = true;
     try {
       return grid_points(points, spec, GraphOver::map, &over_).surface;
-    } catch (const Error&) {  // All points lie on one line.
+    } catch (const Error&) {  // All points lie on one line, which determines no surface.
       return std::nullopt;
     }
   }
@@ -229,8 +229,8 @@ std::vector<GriddedInBlocks> grid_in_blocks(std::vector<TriangulatedSurface>& su
     return {};
   const FaultBlocks blocks(surfaces, rules);
   if (blocks.n_blocks() < 2) return {};
-  // Each block's surface may end up to one triangle side before the fault. Horizons are continued over twice that
-  // length, which closes the gap.
+  // The surface of a fault block may end up to one triangle side before the fault. Horizons are continued over twice
+  // that length, which closes the gap.
   const double step = how.within_of_horizons / 2;
   std::vector<GriddedInBlocks> told;
   for (const auto& [row, points] : made) {

@@ -111,7 +111,7 @@ SurfaceChange measure_change(const std::vector<Vec3>& old_points, const std::vec
   std::size_t n = 0;
   for (const Vec3& p : old_points) {
     const auto height = finder.height(p.x, p.y);
-    if (!height) continue;  // the point lies outside, beside a border that was subdivided
+    if (!height) continue;  // the old vertex lies outside of the new surface, beside a subdivided border
     squares.add((*height - p.z) * (*height - p.z));
     change.largest_move = std::max(change.largest_move, std::abs(*height - p.z));
     ++n;

@@ -13,7 +13,7 @@ namespace {
 
 struct Stick {
   std::vector<Vec3> points;
-  double place = 0;  ///< position of the stick's midpoint, across the sticks
+  double place = 0;  ///< position of the fault stick's midpoint along the direction across the sticks
 };
 
 Eigen::Vector3d eigen(const Vec3& p) { return {p.x, p.y, p.z}; }
@@ -99,7 +99,7 @@ void join(const Stick& a, VertexIndex first_a, const Stick& b, VertexIndex first
   }
 }
 
-/// Finds triangles with the opposite orientation to most others after projection onto the plane of the two directions.
+/// Finds triangles that are inverted, compared with most others, in the projection along and across the sticks.
 void find_folds(const Directions& directions, SurfaceOfSticks& made) {
   double whole = 0;
   std::vector<double> areas;

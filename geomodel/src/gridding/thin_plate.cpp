@@ -31,7 +31,7 @@ class NormalEquations {
     }
   }
 
-  /// Solves the equations. Iterative refinement (one step) compensates for the poor condition far from data points.
+  /// Solves the normal equations. One step of iterative refinement compensates for their poor condition far from data.
   Eigen::VectorXd solve() const {
     Matrix matrix(right_side_.size(), right_side_.size());
     matrix.setFromTriplets(entries_.begin(), entries_.end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The discretised thin plate with smoothing.
+/// Fits a smooth surface to points: the discretised thin plate on a regular grid.
 #pragma once
 
 #include <span>

@@ -52,7 +52,7 @@ struct Hit {
   double height = nowhere;
 };
 
-/// Returns nothing if the triangle is vertical, or not above or below the point.
+/// Returns where the vertical line through p meets a triangle; nothing if it misses it, or the triangle is vertical.
 std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Triangle& t) {
   const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
   if (p.x < std::min({a.x, b.x, c.x}) || p.x > std::max({a.x, b.x, c.x}) || p.y < std::min({a.y, b.y, c.y}) ||
@@ -65,7 +65,7 @@ std::optional<Hit> hit_of(const Vec3& p, std::span<const Vec3> points, const Tri
   if (whole == 0) return std::nullopt;
   Hit hit;
   hit.shares = {twice_area(p, b, c) / whole, twice_area(a, p, c) / whole, twice_area(a, b, p) / whole};
-  constexpr double on_side = -1e-9;  // a point on a side counts for both triangles at the side
+  constexpr double on_side = -1e-9;  // tolerance: a point on an edge counts as inside both triangles at the edge
   if (*std::min_element(hit.shares.begin(), hit.shares.end()) < on_side) return std::nullopt;
   hit.height = hit.shares[0] * a.z + hit.shares[1] * b.z + hit.shares[2] * c.z;
   return hit;

@@ -191,7 +191,7 @@ ProjectTemplate topography_and_wells() {
                                     }),
                      height_surface("base_gravel", {-130.7, 6140.3, -120.1, 5130.9, 16},
                                     [](double x, double y) {
-                                      return 300 + 0.03 * x - 0.01 * y;  // base_gravel crops out where valleys are deep
+                                      return 300 + 0.03 * x - 0.01 * y;  // this horizon crops out in deep valleys
                                     }),
                      height_surface("top_bedrock", {-140.9, 6150.1, -130.3, 5140.7, 16},
                                     [](double x, double y) { return 60 + 30 * std::sin(x / 1300.9) + 0.01 * y; })};

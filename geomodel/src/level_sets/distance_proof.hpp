@@ -23,7 +23,7 @@ std::vector<std::size_t> not_proven_within(const ScalarField& field, const Isosu
 
 struct SampledDistance {
   std::size_t n_samples = 0;
-  /// Rows of the triangles with a sample that is not within the distance, each listed once.
+  /// Rows of the triangles with at least one sample beyond the distance from the true isosurface, each listed once.
   std::vector<std::size_t> beyond;
 };
 /// Tests the distance of an isosurface at samples that are spread over it by area. The samples depend only on the

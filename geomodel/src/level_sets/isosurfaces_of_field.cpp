@@ -50,8 +50,8 @@ double first_edge(const ScalarField& field, const Box3& box) {
   return edge;
 }
 
-/// Throws if the requested distance is below the rounding errors of coordinates in so large a box, because cells would
-/// be bisected up to their limit.
+/// Throws if the requested distance from the true isosurface is below the rounding errors of coordinates in the box;
+/// cells would then be bisected up to their limit.
 void require_distance(const Box3& box, double distance) {
   const Vec3 size = box.max - box.min;
   if (distance >= least_told_apart * std::max({size.x, size.y, size.z})) return;

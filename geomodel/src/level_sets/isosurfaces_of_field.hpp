@@ -16,7 +16,7 @@ struct FieldSurfaces {
   double distance = 0;               ///< proven or tested distance from the true isosurfaces; 0: equal up to rounding
   bool is_proven = true;             ///< false if the distance from the true isosurfaces was tested only at samples
   std::size_t n_samples = 0;         ///< number of samples for each isosurface, if its distance is not proven
-  /// For each isosurface, the rows of triangles for which the distance was neither proven nor found at samples.
+  /// For each isosurface, the rows of triangles not proven to be within `distance`, or not within it at samples.
   std::vector<std::vector<Index>> beyond;
   std::size_t n_cells = 0;       ///< number of cells of the background mesh from which isosurfaces are made
   std::vector<Box3> unresolved;  ///< bounding boxes of cells in which an isosurface may have several parts

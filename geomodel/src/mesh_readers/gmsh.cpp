@@ -366,8 +366,8 @@ class GmshReader {
   RawMesh mesh_;
   std::int32_t n_parts_ = 1;
   bool is_later_part_ = false;
-  std::vector<std::size_t> element_numbers_;        // element numbers in the first part of the mesh
-  std::unordered_set<std::size_t> known_elements_;  // element numbers in all parts that have been read
+  std::vector<std::size_t> element_numbers_;        // numbers of the elements in the first file of a mesh in parts
+  std::unordered_set<std::size_t> known_elements_;  // numbers of the elements in all files read so far
   std::set<std::int32_t> ghosts_;                   // entities
   NodeRows nodes_;
   double version_ = 0;

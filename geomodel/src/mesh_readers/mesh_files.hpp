@@ -41,13 +41,13 @@ struct MeshFile {
   /// Row in the input of each mesh point; -1 for added points. Empty if the file has no array of these rows.
   std::vector<std::int32_t> input_vertex;
   std::vector<std::string> missing_arrays;  ///< names of required point arrays that the file lacks (VTK files only)
-  std::vector<std::int32_t> kind;           ///< kind of each mesh point; empty if the file has no array of kinds
+  std::vector<std::int32_t> kind;           ///< kind of each mesh point (array point_kind); empty if the file has none
   /// Values of cell arrays for each tetrahedron, except for the array "region" (VTK files only).
   std::map<std::string, std::vector<double>> cell_values;
   std::map<std::string, std::vector<double>> point_values;  ///< values of the scalar point arrays (VTK files only)
   std::map<std::string, std::vector<std::int32_t>> region_groups;  ///< region ids of each named group of regions
   std::vector<std::int64_t> global_points;  ///< point array GlobalPointIds; empty if the file has none
-  std::vector<Vec3> before_zones;           ///< point array `before_zones`; empty if the file has none
+  std::vector<Vec3> before_zones;           ///< points before fault zones were opened (array before_zones), or empty
   Vec3 origin{0, 0, 0};  ///< vector that was subtracted from the coordinates (field data written by geomesh)
 };
 
@@ -57,7 +57,7 @@ struct FacesFile {
   std::vector<std::int32_t> surface, surface_set, patch, region_minus, region_plus, source_triangle;
   std::map<std::int32_t, std::string> surface_names;
   std::vector<std::vector<std::int32_t>> surface_sets;
-  std::vector<std::string> missing_arrays;  ///< names of required arrays that the file lacks
+  std::vector<std::string> missing_arrays;  ///< names of arrays that files of geomesh have and this file lacks
   /// row in the mesh of each point of the file; empty if the file has no array of these rows
   std::vector<std::int32_t> mesh_point;
   std::map<std::int32_t, std::string> region_names, surface_kinds;
@@ -75,7 +75,7 @@ struct CurvesFile {
   /// row in the mesh of each point of the file; empty if the file has no array of these rows
   std::vector<std::int32_t> mesh_point;
   std::vector<std::array<VertexIndex, 2>> edges;
-  std::vector<VertexIndex> vertices;                   ///< points of the cells that consist of one point
+  std::vector<VertexIndex> vertices;                   ///< points that are cells of the file (VTK vertices)
   std::vector<std::int32_t> edge_curve, vertex_curve;  ///< ids
 };
 

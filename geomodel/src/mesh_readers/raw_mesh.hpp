@@ -24,7 +24,7 @@ struct RawCells {
 
 struct RawSet {
   std::string name;
-  std::int32_t id = 0;  ///< id of the set in the file; 0 if it has none
+  std::int32_t id = 0;  ///< number of the set in the file; 0 if it has none
   int dimension = 0;    ///< dimension of the cells; -1 for a set of nodes
   std::vector<std::size_t> rows;
 };
@@ -38,9 +38,9 @@ class SetBudget {
       "its sets name more cells and nodes in all than 10,000,000 and ten for each byte of the file";
 
   explicit SetBudget(std::size_t bytes) : left_(always + a_byte * bytes) {}
-  /// Increases the limit on cells and nodes in sets by what one more file allows.
+  /// Increases the limit on cells and nodes in sets for one more file of this size in bytes.
   void grow(std::size_t bytes) { left_ += a_byte * bytes; }
-  /// Uses up `n` items of the limit; returns false if they exceed it.
+  /// Counts `n` more cells or nodes of sets; returns false if they exceed the limit.
   [[nodiscard]] bool take(std::size_t n) {
     if (n > left_) return false;
     left_ -= n;

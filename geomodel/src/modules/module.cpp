@@ -21,7 +21,7 @@ void anchor() {}
 fs::path own_folder() { return file_of_code(&anchor).parent_path(); }
 
 #ifdef _WIN32
-constexpr char between_folders = ';';  // not a colon, which follows the letter of a drive on Windows
+constexpr char between_folders = ';';  // not a colon, which in Windows paths follows the letter of a drive
 #else
 constexpr char between_folders = ':';
 #endif

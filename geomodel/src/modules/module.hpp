@@ -26,7 +26,7 @@ const char* module_version();
 /// folder of the same prefix, and the configured installation folder.
 const void* module_table(const ModuleName& module, bool (*fits)(const void* table));
 
-/// Loads a module as module_table does; its table begins with `const char* version`.
+/// Loads a module whose table begins with `const char* version`, which must be that of this program; returns the table.
 template <class Table>
 const Table& module_table_of(const ModuleName& module) {
   return *static_cast<const Table*>(module_table(

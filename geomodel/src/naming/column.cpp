@@ -11,7 +11,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Least cosine of the angle between a face and its input triangle for which the face shows its side of the horizon.
+/// Faces with a smaller cosine of the angle to their input triangle do not decide a side of the horizon.
 constexpr double least_cosine = 0.1;
 
 std::vector<Vec3> unit_normals(const TriangulatedSurface& surface) {

@@ -20,7 +20,7 @@ struct FreeBorder {
   bool hole = false;
   double length = 0;
   Vec3 place;              ///< centre of a hole; midpoint of the longest edge of a border
-  Index facet = no_index;  ///< a facet of the polygon soup at the border
+  Index facet = no_index;  ///< index of a facet of the polygon soup that ends at the border
 };
 
 struct HorizonEdges {

@@ -126,7 +126,7 @@ void sum_areas(ModelMesh& model) {
   for (NamedSurface& surface : model.surfaces) surface.area = areas[surface.id].value();
 }
 
-/// Adds the curves of wells, which follow the curves of surfaces.
+/// Adds wells to the curves of the mesh, after the curves at which surfaces end or meet.
 void add_wells(const ConstrainedTetrahedralization& mesh, const ModelPlc& plc, const std::vector<VertexIndex>& row,
                MeshCurves& curves) {
   std::map<Index, Index> well;  // for each well of `plc.curves`, its index in `curves`

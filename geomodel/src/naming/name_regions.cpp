@@ -26,7 +26,7 @@ constexpr const char* what_would_help =
 
 enum Class : Index { column_class, body_class, hint_class, seed_class, unnamed_class, hull_class };
 
-/// The name of a component before suffixes, and its position in the order of ids.
+/// A component's name, without a suffix for regions of equal names, and its rank in the order of region ids.
 struct Label {
   Class order = unnamed_class;
   Index rank = 0;  ///< within the class
@@ -182,7 +182,6 @@ void find_units_below_unconformities(const NamingRules& rules, const std::vector
   }
 }
 
-/// Returns the components in the order of the ids of their regions.
 std::vector<std::size_t> id_order(const std::vector<Label>& labels, const std::vector<ComponentFacts>& facts) {
   std::vector<std::size_t> order(labels.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -109,7 +109,7 @@ std::vector<double> area_of_other_horizons(const ConstrainedTetrahedralization& 
 /// lies on both sides of that surface, and either the area between its two sides exceeds the area that separates it
 /// from other components, or other horizons touch it.
 bool lies_about(const HorizonContacts& contacts, const ModelEnd& end, double other_horizons) {
-  constexpr double least = 0.01;  // least share of the end surface's area at the component that counts
+  constexpr double least = 0.01;  // areas below this share of the component's area at the model's end are ignored
   const auto& parting = end.above ? contacts.lies_above : contacts.lies_below;
   const auto area = [](const std::map<Index, double>& at) { return at.contains(0) ? at.at(0) : 0.0; };
   const double both = area(contacts.on_both_sides), one = area(parting), little = least * (both + one);
@@ -228,7 +228,7 @@ std::vector<Index> merge_targets(const ConstrainedTetrahedralization& mesh, cons
   });
   std::vector<Index> rank(facts.size());
   for (Index k = 0; k < order.size(); ++k) rank[order[k]] = k;
-  for (Index c : order) {  // A component only joins a larger one, so chains are finite.
+  for (Index c : order) {  // components are only merged into larger ones, so chains of merges end
     if (facts[c].volume >= min_volume) continue;
     double best = 0;
     for (auto at = shared.lower_bound({c, 0}); at != shared.end() && at->first.first == c; ++at)

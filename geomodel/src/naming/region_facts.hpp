@@ -19,8 +19,8 @@ struct ComponentFacts {
   Vec3 centroid;
   Vec3 inside_point;          ///< centroid of the component's largest tetrahedron
   Vec3 min_point, max_point;  ///< Least and greatest point of the component, ordered by x, then y, then z.
-  /// Least triple (surface, triangle, side) among the component's faces; side is 0 if the component is below the
-  /// triangle.
+  /// The lexicographically first (surface, triangle, side) of the component's faces; side is 0 if the component is
+  /// below the triangle.
   std::array<Index, 3> first_triangle{no_index, no_index, no_index};
   bool enclosed = true;  ///< whether surfaces other than that of the convex hull enclose the component
 };
@@ -31,7 +31,7 @@ inline std::span<const PolygonSoup::Origin> origins_of(const PolygonSoup& soup, 
   return {soup.origins.data() + soup.origin_offsets[s], soup.origins.data() + soup.origin_offsets[s + 1]};
 }
 
-/// Returns the component of a tetrahedron, or no_index if the index is that of the outside.
+/// Returns the component of a tetrahedron, or no_index if `tetrahedron` is no_index, which stands for the outside.
 inline Index component_of(const ConstrainedTetrahedralization& mesh, Index tetrahedron) {
   return tetrahedron == no_index ? no_index : mesh.component[tetrahedron];
 }

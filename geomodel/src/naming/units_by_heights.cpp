@@ -21,8 +21,8 @@ struct Answer {
   double volume = 0;
 };
 
-/// Returns the units that `units_at` allows at the largest tetrahedra, limited to `possible`; the range is empty if
-/// none of them is possible. `cells` is sorted by volume.
+/// Returns, for each of the component's largest tetrahedra, the units that `units_at` allows there and that are within
+/// `possible`; the range is empty if none is. Moves the largest of `cells` to its front.
 std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, const ConstrainedTetrahedralization& mesh,
                                const std::function<UnitRange(const Vec3&)>& units_at, const UnitRange& possible) {
   const std::size_t n = std::min(cells.size(), most_asked);
@@ -39,7 +39,7 @@ std::vector<Answer> answers_of(std::vector<std::pair<double, Index>>& cells, con
   return answers;
 }
 
-/// Returns the total volume of the answers that `counts` accepts.
+/// Returns the total volume of the sampled tetrahedra whose possible units satisfy `counts`.
 template <class Predicate>
 double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   double volume = 0;
@@ -48,8 +48,9 @@ double volume_of(const std::vector<Answer>& answers, const Predicate& counts) {
   return volume;
 }
 
-/// Returns the unit on which most conclusive answers agree. If there is none, returns the range within `possible` that
-/// most of the narrower answers support; `possible` itself if too few answers are conclusive.
+/// The horizons leave a range of units possible at each sampled tetrahedron. Returns the single unit that most ranges
+/// of one unit give, by volume. Without such a majority, drops from the ends of `possible` the units that most of the
+/// narrower ranges exclude. Returns `possible` if too few ranges are narrower.
 UnitRange most_agree_on(const std::vector<Answer>& answers, const UnitRange& possible) {
   const double all = volume_of(answers, [](const UnitRange&) { return true; });
   const auto tells_one = [](const UnitRange& units) { return units.first >= units.last; };  // empty ranges, too

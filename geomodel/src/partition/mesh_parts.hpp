@@ -41,7 +41,7 @@ struct GivenPart {
   std::vector<std::int32_t> part_of_cell;  ///< by row
   /// Number in the whole mesh of each cell and of each node. Cells are numbered region by region.
   std::vector<std::int64_t> cell_number, node_number;
-  std::vector<std::size_t> first_at_node{0};  ///< for each node: first entry in the list of parts
+  std::vector<std::size_t> first_at_node{0};  ///< for each node: where its parts begin in `parts_at`
   std::vector<std::int32_t> parts_at;      ///< the parts that have each node, ascending, for one node after the other
   std::uint64_t n_cells = 0, n_nodes = 0;  ///< numbers of cells and nodes of the whole mesh
 };
@@ -95,7 +95,7 @@ class MeshParts {
   std::vector<std::size_t> first_of_region_;
   std::vector<Neighbours> across_;
   std::vector<std::int32_t> part_of_cell_;
-  std::vector<std::size_t> first_;  // for each node: first entry in the list of parts
+  std::vector<std::size_t> first_;  // for each node: where its parts begin in parts_at_
   std::vector<std::int32_t> parts_at_;
   std::vector<std::vector<std::size_t>> own_, ghosts_;  // cells by part
 };

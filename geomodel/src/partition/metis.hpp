@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// weights of faces between parts is as small as possible.
 struct PartWeights {
   std::vector<double> of_cell;  ///< weight of each tetrahedron, 1 or more; empty: all are equal
-  /// Weights of the four faces of each tetrahedron; both sides of a face have the same weight.
+  /// For each tetrahedron, the cost of each of its faces if it separates two parts; the same on both sides of a face.
   std::vector<std::array<double, 4>> of_face;
 };
 

@@ -31,7 +31,7 @@ class Journal {
   void warn_all(std::vector<std::string> texts) {
     for (std::string& text : texts) warn(std::move(text));
   }
-  /// Adds warnings that were already passed to the log.
+  /// Adds to the report warnings that were already passed to the log.
   void keep_warnings(const std::vector<std::string>& texts) {
     warnings_.insert(warnings_.end(), texts.begin(), texts.end());
   }

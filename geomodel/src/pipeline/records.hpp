@@ -44,17 +44,17 @@ struct Inputs {
 };
 
 /// The result of stage build: surfaces after the rules of geology were applied, with z scaled, and the settings,
-/// including those that a settled stack of horizons adds.
+/// including those that follow from putting the horizons in order.
 struct Built {
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> wells;
   std::vector<NamedPoint> points;
   BuiltRows rows;      ///< which triangles of the surfaces were made by rules
-  SettledStack stack;  ///< the stack of horizons as settled by this stage
+  SettledStack stack;  ///< horizons and units of the stratigraphic column after they were put in order in the map
   std::vector<ContinuedSurface> continued;
   ModelRules rules;
   ModelVolume volume;
-  /// Naming rules, changed for a settled stack of horizons, whose regions are named by unit and fault block.
+  /// Naming rules. If horizons were put in order, the regions between them are named by unit and fault block.
   NamingRules naming;
   RefinementSettings refinement;
   ZScale z_scale{1};
@@ -78,7 +78,7 @@ struct ModelRecords {
 /// The result of the meshing stages: the mesh, in unscaled heights.
 struct Meshed {
   RefineResult refined;
-  RefinementSettings used;  ///< requested settings, with derived sizes and the tolerance that remeshing used
+  RefinementSettings used;  ///< requested mesh settings, with derived sizes and the tolerance that remeshing used
   NamingRules naming;       ///< naming rules without topography and floor, because parts beyond these were removed
   /// Volume of each component before surfaces were moved within a tolerance; empty if none was moved.
   std::vector<double> volumes_of_input;

@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel {
 
-/// Thrown at the beginning of the stage after the one to stop after. The pipeline catches it.
+/// Exception that ends a run when the stage begins that follows the last requested one. The pipeline catches it.
 struct StopRequested {};
 
 /// Measures the stages of a job. It must be kept alive as long as `context()` is in use.

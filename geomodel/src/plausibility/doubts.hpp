@@ -31,8 +31,8 @@ void doubt_heights(const Inspected& model, std::vector<Finding>& findings);
 /// nothing, duplicate surfaces, and single vertices of horizons far above or below all neighbours.
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings);
 
-/// Finds horizons outside the column that fit into its order. Also finds a horizon that contradicts the order but would
-/// fit if its heights were in feet (or in metres, for a project in feet).
+/// Finds horizons outside the stratigraphic column that fit into its order. Also finds a horizon that contradicts the
+/// order but would fit if its heights were in feet (or in metres, for a project in feet).
 void doubt_column(const Inspected& model, std::vector<Finding>& findings);
 
 /// Formats a list of names, shortened as in "top, base and 3 more".

@@ -34,7 +34,7 @@ double middle(std::vector<double> values) {
   return *at;
 }
 
-/// Returns whether the ratio is nearer to the factor than to one, compared on a logarithmic scale.
+/// Returns whether a ratio of heights is nearer to a unit's conversion factor than to 1, on a logarithmic scale.
 bool is_nearer_to(double factor, double ratio) {
   return std::abs(std::log(ratio / factor)) < std::abs(std::log(ratio));
 }
@@ -49,7 +49,7 @@ void doubt_heights(const Inspected& model, std::vector<Finding>& findings) {
   constexpr Unit units[] = {{1000, "a thousandth", "kilometres where metres were understood", "km"},
                             {0.001, "a thousand times", "metres where kilometres were understood", "m"}};
   const std::vector<Heights> all = heights_of_horizons(model);
-  if (all.size() < 3) return;  // With two horizons, it is unknown which of them is wrong.
+  if (all.size() < 3) return;  // of only two horizons, either could be in the wrong unit, so none is reported
   for (const Heights& one : all) {
     std::vector<double> sizes, reliefs;
     double least = 0, greatest = 0;  // over the others
@@ -61,8 +61,8 @@ void doubt_heights(const Inspected& model, std::vector<Finding>& findings) {
       reliefs.push_back(other.relief());
     }
     for (const Unit& unit : units) {
-      // Both the height and the relief must differ by the factor: a sea floor is shallow and a salt flat is level, but
-      // neither is both by the same factor.
+      // Both the heights and the relief of a horizon must differ from those of the others by the factor of a unit: a
+      // sea floor is shallow and a salt flat is level, but neither differs in both by the same factor.
       const double size = middle(sizes) / one.size(), relief = middle(reliefs) / one.relief();
       const double low = unit.factor * one.least, high = unit.factor * one.greatest;
       const bool is_level = !(one.relief() > 0) || !(relief > 0) || !(size > 0);

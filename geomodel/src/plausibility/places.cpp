@@ -28,7 +28,7 @@ Box3 mapped(const Box3& box, const std::function<Vec3(const Vec3&)>& map) {
 
 struct Factor {
   double factor;
-  const char* words;  ///< text that names the mistaken unit of length
+  const char* words;  ///< names of the unit that was used and of the one that was understood
 };
 constexpr Factor factors[] = {{foot, "feet where metres were understood"},
                               {1 / foot, "metres where feet were understood"},
@@ -93,7 +93,7 @@ std::optional<Guess> guess_in_height(const Box3& b, const Box3& model) {
   return std::nullopt;
 }
 
-/// An input with its bounding box.
+/// A surface or a well with its bounding box.
 struct Placed {
   std::string name;
   Box3 bounds;
@@ -130,7 +130,7 @@ std::vector<Placed> placed_inputs(const Inspected& model) {
   return placed;
 }
 
-/// Returns whether a surface that is continued to the box may reach it, because it is not too far away.
+/// Returns whether a surface that is continued to the box is near enough to reach it.
 bool may_come_in(const Placed& input, const Box3& box) {
   if (input.extend == Extend::none) return false;
   const Box3& b = input.bounds;
@@ -141,7 +141,7 @@ bool may_come_in(const Placed& input, const Box3& box) {
   return input.extend == Extend::tangent || overlap(b.min.z, b.max.z, box.min.z, box.max.z);
 }
 
-/// Returns the share of the heights from a to b that lie within those of the box.
+/// Returns the share of the heights between a and b that lie between the bottom and the top of the box.
 double share_within(double a, double b, const Box3& box) {
   const double low = std::max(std::min(a, b), box.min.z), high = std::min(std::max(a, b), box.max.z);
   return a == b ? (low <= high ? 1 : 0) : std::max(0.0, high - low) / std::abs(b - a);
@@ -183,7 +183,7 @@ bool is_box_in_kilometres(const std::vector<Placed>& inputs, const Box3& box) {
     all.add(input.bounds.min);
     all.add(input.bounds.max);
   }
-  constexpr double least = 50;  // A box may cover a part of the area of the surfaces, but not a thousandth of it.
+  constexpr double least = 50;  // The surfaces must extend this many times farther than the box in x and in y.
   return any && every && all.max.x - all.min.x > least * (box.max.x - box.min.x) &&
          all.max.y - all.min.y > least * (box.max.y - box.min.y);
 }
@@ -201,7 +201,7 @@ Finding finding_of(const Outside& group, const Box3& box, const std::string& uni
   return finding;
 }
 
-/// Returns a text if all horizons of the column, or all surfaces, lie outside the model; empty otherwise.
+/// Returns a text if all horizons of the stratigraphic column, or all surfaces, lie outside the model; else empty.
 std::string nothing_left(const Inspected& model, const std::vector<std::string>& outside) {
   const auto is_outside = [&](const std::string& name) {
     return std::find(outside.begin(), outside.end(), name) != outside.end();
@@ -268,7 +268,7 @@ void doubt_places_about(const std::vector<Placed>& inputs, std::vector<Finding>&
                         map_range(others) + ", " + unit + "); " + guess->text,
                     guess->remedy};
     findings.push_back(std::move(finding));
-    if (inputs.size() == 2) return;  // With two inputs, it is unknown which of them is misplaced.
+    if (inputs.size() == 2) return;  // of only two inputs, either may be misplaced, so the second is not reported too
   }
 }
 

@@ -16,9 +16,9 @@ namespace geomesh::geomodel {
 /// Each cause is reported once, with all inputs that it concerns.
 struct Finding {
   enum class Sureness {
-    certain,   ///< no model is possible, so the run ends
+    certain,   ///< the input is certainly wrong and no model is possible, so the run ends
     probable,  ///< a warning
-    possible,  ///< reported as a note, because it may be intended
+    possible,  ///< the oddity may be intended, so it is reported as a note
   };
   Sureness sureness = Sureness::probable;
   std::string cause;                ///< cause in one or two words for programs: "outside", "open body", ...

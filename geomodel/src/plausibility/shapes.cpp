@@ -74,7 +74,7 @@ void doubt_kind(const Inspected& model, const TriangulatedSurface& s, std::vecto
                         {s.name},
                         "horizon " + s.name + " dips by " + short_words(dip) + " degrees in the mean, as a fault does",
                         "if it is one, give kind: fault"});
-  const bool is_fracture = s.file == "fractures";  // the program chose the kind of a fracture, not the user
+  const bool is_fracture = s.file == "fractures";  // kind fault is the program's choice for fractures, not the user's
   if (s.kind == SurfaceKind::fault && is_level && !is_fracture)
     findings.push_back({Finding::Sureness::probable,
                         "level fault",
@@ -238,7 +238,7 @@ void doubt_spikes(const Inspected& model, const TriangulatedSurface& s, std::vec
 }  // namespace
 
 void doubt_shapes(const Inspected& model, std::vector<Finding>& findings) {
-  // Inputs with other findings are left out: in another unit the shape would differ, and each cause is reported once.
+  // Surfaces with an earlier finding are left out: a wrong unit, for example, also changes the shape.
   std::set<std::string> elsewhere;
   for (const Finding& finding : findings) elsewhere.insert(finding.inputs.begin(), finding.inputs.end());
   for (std::size_t s = 0; s < model.inputs.surfaces.size(); ++s) {

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double least_over_steps = 10;    ///< least height of a spike, relative to the height differences around it
 constexpr double least_over_range = 0.25;  ///< least height of a spike, relative to the range of most heights
-constexpr double part_of_each_end = 0.05;  ///< share of the extreme heights left out of the range, at each end
+constexpr double part_of_each_end = 0.05;  ///< share of the heights left out as extreme, at each end of the range
 constexpr std::size_t least_neighbours = 3;
-constexpr std::size_t least_vertices = 100;  ///< smaller surfaces are left out, because they may have a real summit
+constexpr std::size_t least_vertices = 100;  ///< surfaces with fewer vertices are skipped: a spike may be a real summit
 
 /// Heights of one vertex relative to its neighbours.
 struct Around {

@@ -23,7 +23,7 @@ struct Spikes {
 /// smeared faults, peaks among mountains, noise, and surfaces with fewer than 100 vertices. Linear up to sorting.
 Spikes find_spikes(const TriangulatedSurface& surface);
 
-/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` moves coordinates.
+/// Formats spikes as "2 vertices stand far above or below all of their neighbours, ..."; `origin` is added to places.
 std::string spikes_words(const Spikes& spikes, const Vec3& origin);
 
 /// Advice that follows a message about spikes.

@@ -127,7 +127,7 @@ SurfaceSpec surface_of(const Fracture& fracture) {
   spec.name = fracture.name;
   spec.kind = SurfaceKind::fault;
   spec.file_as_written = "fractures";
-  spec.rules.continues = false;  // The fracture is not continued, because it ends where its polygon ends.
+  spec.rules.continues = false;  // A fracture ends at its polygon's border and is not continued to other surfaces.
   spec.given =
       std::make_shared<const FileContents>(given_surface(fracture.name, fracture.corners, std::move(triangles)));
   return spec;

@@ -109,7 +109,7 @@ class ProjectReader {
     if (!map.is_map()) return;
     if (const auto v = map.find("name")) read_name(*v, project_.name);
     if (const auto v = map.find("crs")) read_crs(*v, project_.crs);
-    // A box with errors is reported when it is read, so an empty one takes its place.
+    // If the entry `box` has errors, they are reported when it is read, and an empty box takes its place.
     if (const auto v = map.find("box")) project_.box = read_volume(*v).value_or(VolumeSpec{});
     if (const auto v = map.find("surfaces")) {
       for (const YamlValue& item : v->items()) read_surface(item);
@@ -219,7 +219,7 @@ class ProjectReader {
     return at == given_fields_->end() ? nullptr : at->second;
   }
 
-  /// Returns the earlier entry with the same name, if both entries have fields with domains; null if there is none.
+  /// Returns the earlier entry of this surface, if it and this entry have fields with domains; null if there is none.
   SurfaceSpec* first_entry(const YamlMap& map, const std::string& name) {
     const auto first = std::find_if(project_.surfaces.begin(), project_.surfaces.end(),
                                     [&](const SurfaceSpec& s) { return s.name == name; });
@@ -275,7 +275,7 @@ class ProjectReader {
         claim_name(*v, spec.name);
       }
     }
-    spec.kind = SurfaceKind::surface;  // Keys are only checked against the kind once it is known.
+    spec.kind = SurfaceKind::surface;  // while the surface's kind is unknown, keys for certain kinds are not rejected
     if (const auto v = map.require("kind", "horizon, fault or body")) {
       const auto kind = v->choice({"horizon", "fault", "body"});
       if (kind)

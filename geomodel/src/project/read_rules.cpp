@@ -201,7 +201,7 @@ void read_colours(const YamlValue& value, Project& project) {
   for (const auto& [name, colour] : named_entries(value, "UNIT or SURFACE: colour")) {
     const std::string unit = unit_of_part(name.substr(0, name.find(".zone")));
     const bool is_known = std::find(known.begin(), known.end(), unit) != known.end();
-    // Without a column, the names of regions are not known yet and cannot be checked here.
+    // Without a stratigraphic column, names of regions are not known yet and cannot be checked here.
     if (!is_known && !project.column.empty())
       colour.problem("no unit, body or surface is named '" + unit + "'" + was_meant(unit, known));
     if (const auto c = read_colour(colour)) project.colours[name] = *c;
@@ -210,7 +210,7 @@ void read_colours(const YamlValue& value, Project& project) {
 
 namespace {
 
-/// Checks that the units which a fault cuts are consecutive in the column.
+/// Checks that the units which a fault cuts are consecutive in the stratigraphic column.
 void check_units(const YamlValue& root, const Project& project, const SurfaceSpec& spec) {
   std::vector<std::size_t> rows;
   for (const std::string& unit : spec.rules.cut_units) {

@@ -29,7 +29,7 @@ class YamlValue {
   std::string scalar() const { return node_.IsScalar() ? node_.Scalar() : std::string(); }
   void problem(const std::string& message) const { problems_->add(place_, name_ + ": " + message); }
 
-  /// Returns the text of any scalar that is not empty.
+  /// Returns the text of a YAML scalar; nothing if the value is no scalar or empty.
   std::optional<std::string> text() const;
   /// Returns a finite decimal number; reports numbers with a leading zero (octal in older YAML) or in quotes.
   std::optional<double> number() const;
@@ -81,7 +81,7 @@ std::optional<YamlValue> find_renamed(const YamlMap& map, std::string_view name,
 std::vector<std::pair<std::string, YamlValue>> named_entries(const YamlValue& value, const char* expected);
 
 struct YamlDocuments {
-  YAML::Node first;  ///< the first document, or null if the text has none
+  YAML::Node first;  ///< the first YAML document; null if the text has none
   bool has_more = false;
 };
 

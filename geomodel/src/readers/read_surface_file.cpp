@@ -62,7 +62,7 @@ const Format* by_extension(const InputFile& file) {
 
 /// A file format from which no surface can be read, with advice on what to do instead.
 struct Stranger {
-  std::string_view begins;  ///< first bytes of the file; empty if only the extension identifies it
+  std::string_view begins;  ///< first bytes of any such file; empty if only the extension identifies the format
   const char* extensions;   ///< blank-separated
   const char* advice;
 };
@@ -203,7 +203,7 @@ void drop_no_data(const InputFile& file, FileContents& contents) {
     });
     if (surface.triangles.empty()) file.fail("no triangle of '" + surface.name + "' has heights at its corners");
     keep_used_points(surface);
-    contents.regions.clear();  // regions refer to triangles by rows, which have changed
+    contents.regions.clear();  // regions refer to rows of triangles, some of which were removed
   }
   for (PointSet& set : contents.point_sets) {
     const std::vector<double> heights = heights_in_file(set.points, contents.frame);

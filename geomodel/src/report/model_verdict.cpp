@@ -30,7 +30,7 @@ std::string reason_of(const std::vector<std::string>& column, std::size_t i, con
     if (const std::string& name = unit_of(region); name.find('+') != std::string::npos && is_part(name, column[i]))
       return "in one region, " + name;
   std::string absent;
-  for (const std::size_t k : {i - 1, i + 1})  // for i = 0, i - 1 overflows and is out of range
+  for (const std::size_t k : {i - 1, i + 1})  // the unit's horizons; i - 1 wraps around for i = 0 and is skipped
     if (k < column.size() && !has_faces(mesh, column[k])) absent += (absent.empty() ? "" : ", ") + column[k];
   if (!absent.empty()) return absent + " not in the model";
   return "no room left between its horizons in the box";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Checks whether the model has all units of its column, which is the second verdict of a run beside element quality.
+/// Checks whether the model has all units of its stratigraphic column: a verdict of a run beside element quality.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace geomesh::geomodel {
 
-/// A unit of the column without a region of its own.
+/// A unit of the stratigraphic column without a region of its own.
 struct MissingUnit {
   std::string name;
   std::string reason;  ///< reason for the missing region: "its top base_chalk is not in the model", ...
 };
 
-/// Returns the units of the column (unit, horizon, unit, ...) for which no region is named, in the column's order.
+/// Returns the units of the stratigraphic column (unit, horizon, unit, ...) for which no region is named, in its order.
 /// Units that share a region (named "a+b") count as missing, with this reason.
 std::vector<MissingUnit> missing_units(const std::vector<std::string>& column, const ModelMesh& mesh);
 

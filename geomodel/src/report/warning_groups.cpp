@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-constexpr std::string_view left_out = "...";  ///< replaces names and numbers when warnings are grouped
+constexpr std::string_view left_out = "...";  ///< replaces names and numbers in the common text of grouped warnings
 constexpr const char* ends_of_statement = ":;(";
 
 bool is_name_or_number(std::string_view word) {

@@ -15,7 +15,7 @@ namespace geomesh::geomodel::page {
 /// least dihedral angles.
 std::string shape_section(const QualityReport& report, const ModelMesh& mesh);
 
-/// Returns the section on the limits that the mesh imposes on solvers.
+/// Returns the report's section that says which kinds of solvers can use the mesh.
 std::string solver_section(const SolverVerdict& verdict);
 
 }  // namespace geomesh::geomodel::page

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Writes the report's section on the settled stack of horizons: thickness maps with pinch-outs, and changes.
+/// Writes the report's section on horizons that were put in order: thickness maps with pinch-outs, and changes.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ void continue_throw_faults(BuiltSurfaces& built, const ModelRules& rules) {
       if (rules.of(row).fill_holes > 0) fill_holes(fault, rules.of(row).fill_holes, {built.notes, built.warnings});
       built.rows.first_only_parting[row] = continue_fault(fault, *rules.box, reach);
       if (std::vector<Index>& part = built.rows.part_of_triangle[row]; !part.empty())
-        // The extension counts as original, because remove_continuations() removes it later.
+        // The extension of the fault counts as part of the original fault until remove_continuations() removes it.
         part.resize(fault.triangles.size(), 0);
     }
 }

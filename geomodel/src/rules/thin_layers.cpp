@@ -19,7 +19,7 @@ double map_area(Vec2 a, Vec2 b, Vec2 c) {
 
 /// Places where a layer is thinner than required, at the points of the common triangulation of its two horizons.
 struct ThinPlaces {
-  double area = 0;   ///< area in the map of triangles that are thin at all corners
+  double area = 0;   ///< area in the map of triangles at all corners of which the layer is thin
   double least = 0;  ///< least thickness of the layer; negative where the horizons cross
   Vec3 place;
   bool any = false;
@@ -45,7 +45,7 @@ std::string told(const std::string& unit, const ModelRules& rules, const ThinPla
 /// A horizon interpolated on the common triangulation of several horizons in the map.
 struct Draped {
   std::vector<bool> has;       ///< for each triangle of the common triangulation, whether the horizon is present
-  std::vector<double> height;  ///< for each point of the triangulation; NaN if no triangle needs it
+  std::vector<double> height;  ///< height of the horizon at each point; NaN if no triangle needs it
   bool overhangs = false;
 };
 
@@ -99,7 +99,7 @@ double collapse_onto(const Draped& older, double wanted, Draped& younger) {
   double largest = 0;
   for (std::size_t v = 0; v < younger.height.size(); ++v) {
     const double gap = younger.height[v] - older.height[v];
-    if (!(std::abs(gap) < wanted)) continue;  // true also for NaN, if one of the horizons is absent
+    if (!(std::abs(gap) < wanted)) continue;  // skips points where a horizon is absent (NaN), too
     largest = std::max(largest, std::abs(gap));
     younger.height[v] = older.height[v];
   }

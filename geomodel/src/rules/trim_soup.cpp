@@ -48,7 +48,7 @@ struct Trimming {
   const ModelRules& rules;
   std::vector<double> removed;  ///< area, per surface
   std::vector<std::string> notes{}, warnings{};
-  std::map<Index, UpwardSides> upward{};  ///< upper sides of surfaces, computed when needed
+  std::map<Index, UpwardSides> upward{};  ///< for each surface, which side of its triangles faces up; made when needed
 
   Index row_of(const std::string& name) const {
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -70,8 +70,8 @@ struct Trimming {
     return area;
   }
 
-  /// Returns the faults other than x, at which blocks end: x may lie above a horizon on one side and below on the
-  /// other.
+  /// Returns all faults except x. Horizons in blocks end at them, so that a piece of x may lie above such a horizon on
+  /// one side of a fault and below it on the other.
   std::vector<Index> faults_but(Index x) const {
     std::vector<Index> faults;
     for (Index s = 0; s < surfaces.size(); ++s)
@@ -88,8 +88,8 @@ struct Trimming {
     return faults;
   }
 
-  /// Adds the other horizons of the column to the dividers of x and y. If y ends on one of them, x continues beyond
-  /// that end, and may lie on the other side of y where it meets y again.
+  /// Adds all other horizons of the column to the surfaces at which pieces of horizon x end when it is cut by horizon
+  /// y. Beyond a horizon on which y ends, x may meet y again from its other side.
   void add_others_of_column(Index x, Index y, std::vector<Index>& dividers) const {
     for (std::size_t i = 1; i < rules.column.size(); i += 2)
       if (const Index row = row_of(rules.column[i]); row != x && row != y) dividers.push_back(row);
@@ -137,7 +137,7 @@ struct Trimming {
   }
 };
 
-/// Removes those pieces of a surface beyond the target that consist only of its extension.
+/// Removes pieces of surface s that surface `target` cuts off, if they consist only of the extension of s.
 void stop_at(Trimming& work, Index s, Index target) {
   double area = 0;
   std::size_t n = 0;
@@ -291,7 +291,8 @@ void end_at_domain(Trimming& work, Index s) {
     }
 }
 
-/// Determines whether points lie in the domain of a field of surface `s`; near a bound of it, either may result.
+/// Determines whether points lie in the domain of a scalar field of surface `s`. On the faults, horizons and fault
+/// blocks that bound the domain, either answer may result.
 class DomainSides {
  public:
   DomainSides(const Trimming& work, Index s, const FieldPart& part, const Parting& parting)
@@ -333,8 +334,8 @@ class DomainSides {
   std::vector<std::pair<std::unique_ptr<MapLocator>, bool>> horizons_;
 };
 
-/// Reports the doubts about fields (what was not proven when they were contoured), if the model keeps the triangles or
-/// places concerned. Parts outside a field's domain do not matter.
+/// Warns that the contour of a scalar field may be wrong at certain triangles or places, if the final model contains
+/// any of these. Those outside the field's domain do not matter.
 void warn_of_doubts(Trimming& work, const Parting& parting) {
   for (Index s = 0; s < work.n_given(); ++s) {
     const std::vector<FieldPart> parts = work.rules.of(s).field_parts;
@@ -391,7 +392,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   const Parting parting{work.working, surfaces, built, rules, work.removed, work.notes, work.warnings, in_one_block};
   const auto is_end = [&](Index s) { return surfaces[s].name == rules.topography || surfaces[s].name == rules.floor; };
   for (Index s = 0; s < work.n_given(); ++s)
-    // Surfaces that end at the topography or base end at the remaining parts of its blocks.
+    // Topography and base are divided into blocks first, because other surfaces end at the parts that remain.
     if (is_end(s)) part_blocks(parting, s);
   end_at(work, rules.topography, 1, "nothing is kept above the topography");
   end_at(work, rules.floor, -1, "nothing is kept below the bottom of the model");
@@ -399,7 +400,7 @@ TrimmedSoup trim_soup(const PolygonSoup& soup, const std::vector<TriangulatedSur
   end_faults(work.working, surfaces, built, rules.continuation.within_of_faults, {work.removed, work.notes});
   for (Index s = 0; s < work.n_given(); ++s)
     if (surfaces[s].kind == SurfaceKind::fault) end_at_domain(work, s);
-  // Continued horizons end at the remaining parts of the faults.
+  // Continued horizons end at the parts of faults that were not removed by the rules above.
   for (Index s = 0; s < built.part_of_triangle.size(); ++s)
     if (surfaces[s].kind != SurfaceKind::fault && !built.part_of_triangle[s].empty())
       work.removed[s] += end_at_walls(work.working, surfaces, built, s);

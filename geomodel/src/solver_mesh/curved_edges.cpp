@@ -28,7 +28,7 @@ double rounding_at(const Vec3& p) {
 /// by its own rounding.
 struct Plane {
   Vec3 normal{0, 0, 0}, place{0, 0, 0};
-  long double height = 0;  ///< signed distance of the plane above the point
+  long double height = 0;  ///< signed height of the plane above `place`, along the normal
 
   long double height_of(const Vec3& p) const {
     long double sum = -height;
@@ -47,12 +47,12 @@ struct Plane {
 struct EdgeOnSurfaces {
   VertexIndex a, b;
   std::vector<std::int32_t> surfaces;  ///< ids of the surfaces at the edge without sides of the model, ascending
-  /// Coordinates of the midpoint that are fixed by a side of the model along the axes.
+  /// For each axis: whether the midpoint keeps its coordinate, because a side of the model there is normal to the axis.
   std::array<bool, 3> fixed{false, false, false};
   const Plane* slanting = nullptr;  ///< plane of a side of the model that is not along the axes
   bool may_move = true;
   Vec3 straight{0, 0, 0}, target{0, 0, 0};
-  /// Number of times that the distance of the midpoint from the straight edge was halved; `stays`: it is straight.
+  /// Number of times that the midpoint's distance from the straight edge was halved; with `stays`, it is zero.
   int halvings = 0;
   static constexpr int stays = 4;
 
@@ -210,7 +210,7 @@ class EdgeCurver {
     return half_way(mesh_.points[p], mesh_.points[q]);
   }
 
-  /// Straightens the edges of all faces that are not proven to be within the tolerance.
+  /// Straightens the edges of all faces that are not proven to be within the tolerance of their surfaces.
   void straighten_far_faces() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -241,7 +241,7 @@ class EdgeCurver {
     });
   }
 
-  /// Halves the curvature of the edges of elements whose Jacobian is not proven positive. Returns true if any.
+  /// Halves the curvature of edges of elements whose Jacobian is not proven positive; returns whether any edge changed.
   bool straighten_unproven() {
     bool any = false;
     for (bool changed = true; changed;) {
@@ -273,7 +273,7 @@ class EdgeCurver {
   std::map<std::int32_t, SurfaceDistance> nearest_;
   std::map<std::int32_t, Plane> sides_;  // plane of each side of the model that is plane, by its id
   std::vector<EdgeOnSurfaces> edges_;    // by ends, ascending
-  // for each face: how often its edges had been halved in curvature when it was last proven
+  // for each face: how often its edges' curvature had been halved when the face was last proven close
   std::vector<std::array<int, 3>> proven_;
 };
 

@@ -35,7 +35,7 @@ std::vector<EdgeUse> edges_of_faults(const ModelMesh& mesh, const std::vector<st
 
 struct Neighbour {
   std::size_t face;
-  bool same;  ///< whether both faces have their normals on the same side of the fault
+  bool same;  ///< whether this face and the neighbouring one have their normals on the same side of the fault
 };
 
 /// A part of a fault whose faces are connected and have been oriented consistently.

@@ -12,16 +12,16 @@
 
 namespace geomesh::geomodel {
 
-/// The faces that have the same surfaces, and the same regions on both sides.
+/// All mesh faces that lie on the same surfaces and separate the same two regions.
 struct FacePiece {
-  std::int32_t id;  ///< id of the surface if the surface has only this piece, else a new id
+  std::int32_t id;  ///< id of the surface if this piece is all of it, else a new id
   std::int32_t surface_set, region_minus, region_plus;
-  /// Names of the piece's surfaces joined by `+`; if a surface has several pieces, followed by `/` and the regions.
+  /// Names of the faces' surfaces, joined by `+`; if a surface has several pieces, followed by `/` and the regions.
   std::string full_name;
   std::vector<std::size_t> faces;
 };
 
-/// The edges that lie on the same curves.
+/// All mesh edges that lie on the same set of curves.
 struct CurvePiece {
   std::int32_t id;
   std::vector<std::int32_t> curves;

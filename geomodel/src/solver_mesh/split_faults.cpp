@@ -182,7 +182,7 @@ class FaultSplitter {
     }
     mesh_.faces.insert(mesh_.faces.end(), plus_faces_.begin(), plus_faces_.end());
   }
-  /// Updates the nodes of curves. An edge of a curve remains with the first tetrahedron that has it.
+  /// Updates the nodes of edges of curves after the split: an edge follows the first tetrahedron that has it.
   void move_curves() {
     std::map<std::pair<VertexIndex, VertexIndex>, std::vector<ModelMesh::CurveEdge*>> edges;
     for (auto& e : mesh_.curve_edges) edges[{std::min(e.a, e.b), std::max(e.a, e.b)}].push_back(&e);
@@ -201,7 +201,7 @@ class FaultSplitter {
           edges.erase(found);
         }
   }
-  /// Updates the nodes of curved edges. Copies of an edge on both sides of a fault have the same curvature.
+  /// Updates the nodes of curved edges after faults are split. Copies of an edge on both sides have the same curvature.
   void move_curved_edges() {
     if (before_.curved_edges.empty()) return;
     std::map<std::pair<VertexIndex, VertexIndex>, const CurvedEdge*> before, now;

@@ -57,7 +57,7 @@ Edges edges_of(const std::array<Vec3, 4>& p) {
   return edges;
 }
 
-/// Results of the checks on some elements, without time steps, which need all elements.
+/// Results of the checks for solvers on some of the elements, without time steps, which need all elements.
 struct Tally {
   Tally() { v.least_volume = v.least_volume_16_digits = v.least_edge = v.min_dihedral = infinity; }
   SolverVerdict v;
@@ -177,7 +177,7 @@ class Judge {
   const MeshForSolver& mesh_;
   const SolverLimits& limits_;
   std::vector<Vec3> rounded_;
-  std::vector<double> step_;  // time step of each element; judge_steps changes their order
+  std::vector<double> step_;  // explicit time step of each element; computing the median changes their order
 };
 
 }  // namespace

@@ -18,7 +18,6 @@ double size_in_map(const NamedSizes& sizes, const std::vector<std::string>& colu
   return least;
 }
 
-/// Returns the sides of a box as one surface.
 TriangulatedSurface box_surface(const Box3& b) {
   TriangulatedSurface s;
   for (int corner = 0; corner < 8; ++corner)

@@ -180,16 +180,16 @@ std::size_t HorizonGroup::first_lost() const {
   return sided_.size();
 }
 
-/// Returns the first horizon that would be moved by more than the tolerance, against the rules, because of a horizon
-/// without throw; the number of horizons if there is none.
+/// Returns the first horizon that keeps its height by the rules but would have to move by more than the tolerance,
+/// because the other one has no throw at the fault; the number of horizons if there is none.
 std::size_t HorizonGroup::first_against_rule() const {
   const auto at = std::find_if(sided_.begin(), sided_.end(),
                                [&](const SidedHorizon& s) { return s.largest_against_rule > rules_.stack.tolerance; });
   return static_cast<std::size_t>(at - sided_.begin());
 }
 
-/// Returns whether a single horizon would move by more than the tolerance. The order of others does not move it, but
-/// triangles of the target size may not follow its blocks.
+/// Returns whether a horizon that is alone in the stack would move by more than the tolerance. No other horizon then
+/// requires the move: triangles of the target size cannot follow the horizon's fault blocks.
 bool HorizonGroup::moves_alone() const {
   const SettledHorizon& told = told_.horizons.front();
   return members_.stack.units.empty() && has_throw() &&

@@ -41,7 +41,8 @@ class HorizonGroup {
   /// object.
   HorizonGroup(GroupMembers members, BuiltSurfaces& built, const ModelRules& rules, const MapFrame& frame);
 
-  /// Returns whether a horizon ends inside the model, perhaps exactly on a fault, which it would leave when moved.
+  /// Returns whether a horizon ends inside the model. It perhaps ends exactly on a fault, which it would leave if
+  /// moved.
   bool ends_inside() const { return !layout_.lines.empty() || strips_.is_open; }
   /// Returns the first horizon with more than one height over some place of the map; the number of horizons if there is
   /// none.

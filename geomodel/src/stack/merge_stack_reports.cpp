@@ -7,7 +7,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the entry with the given name, which is added if it is missing.
 template <class T>
 T& named(std::vector<T>& all, const std::string& name) {
   const auto at = std::ranges::find(all, name, &T::name);

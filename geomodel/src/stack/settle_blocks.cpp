@@ -122,7 +122,6 @@ class BlockSheets {
   std::vector<std::vector<Index>> rows_;  ///< per block
 };
 
-/// A fault block in which the stack of horizons was put in order.
 struct SettledBlock {
   Index block;
   std::vector<std::size_t> horizons;  ///< indices of the horizons in the stack, in the order of the group
@@ -228,7 +227,6 @@ class Rebuilt {
   std::set<Index> walls_;
 };
 
-/// Puts the stack of horizons in order, fault block by fault block.
 class BlockStack {
  public:
   BlockStack(const Stack& stack, BuiltSurfaces& built, const ModelRules& rules, const HorizonBlocks& blocks)
@@ -365,7 +363,7 @@ class BlockStack {
   std::vector<BlockSheets> sheets_;
   std::vector<SettledBlock> settled_;
   std::size_t n_left_ = 0;  ///< number of blocks that cannot be put in order
-  std::string why_left_;    ///< reason why the first of these blocks cannot be put in order
+  std::string why_left_;    ///< reason why the first block that failed cannot be put in order
 };
 
 }  // namespace

@@ -61,7 +61,7 @@ void replace_horizons(HorizonGroup& group, const Stack& stack, BuiltSurfaces& bu
     SettledHorizon& told = group.told().horizons[k];
     TriangulatedSurface& s = built.surfaces[row];
     told.n_triangles_given = s.triangles.size();
-    // No parts need to be cut off, because settled horizons are rebuilt only up to their bounding surfaces.
+    // Parts beyond bounding surfaces need not be cut off: settled horizons are rebuilt only up to these surfaces.
     built.rows.part_of_triangle[row].clear();
     built.rows.continued_to[row].clear();
     if (group.has_throw(k)) {

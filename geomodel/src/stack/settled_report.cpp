@@ -23,7 +23,6 @@ bool is_there(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   return std::none_of(t.begin(), t.end(), [&](VertexIndex v) { return std::isnan(sheets.height(v, horizon)); });
 }
 
-/// Returns the centroid of a horizon's triangle.
 Vec3 centre_of(const MapSheets& sheets, const Triangle& t, std::size_t horizon) {
   Vec3 sum{0, 0, 0};
   for (const VertexIndex v : t) sum = sum + Vec3{sheets.points[v].x, sheets.points[v].y, sheets.height(v, horizon)};

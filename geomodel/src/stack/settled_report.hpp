@@ -22,10 +22,11 @@ struct SettledFrom {
   const FaultStrips& strips;
   /// Whether the first horizon is the topography; parts of others above it are cut off and do not count as moved.
   bool has_topography;
-  std::function<bool(const Vec3&)> counts{};  ///< whether a place of the map frame counts; empty: all places count
+  std::function<bool(const Vec3&)> counts{};  ///< whether a place counts for reported areas and moves; empty: all do
 };
 
-/// Returns the report without names, numbers of triangles and changes along faults, which the caller adds.
+/// Reports what changed when the horizons were put in order, without names, numbers of triangles and changes along
+/// faults.
 SettledStack describe_settled(const MapSheets& sheets, const SettledFrom& from);
 
 /// Returns one sentence for each horizon that was moved and each unit that thins out.

@@ -42,7 +42,6 @@ Stack named_stack(const std::vector<TriangulatedSurface>& surfaces, const ModelR
   return stack;
 }
 
-/// Position of one horizon relative to another.
 struct Lie {
   double volume_over = 0, volume_under = 0;
   /// Area where the horizon lies below the other one, and total length of the lines in which they cross.

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// A material parameter in SI units, and whether the project gives it.
 struct MaterialValue {
   double value;
-  /// Whether the value is an attribute of the project, or computed from some; else it is a typical value of rock.
+  /// Whether the project gives the value, or attributes from which it is computed; if not, it is typical of rock.
   bool is_given;
 };
 

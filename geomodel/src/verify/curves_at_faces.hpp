@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel {
 
-/// Checks curves and patches against the faces at each edge, and appends a sentence for each kind of fault. If exactly
+/// Checks curves and patches against the faces at each edge, and appends a sentence for each kind of defect. If exactly
 /// two faces with the same set of surfaces meet at an edge, they must have one patch, and only wells may be on the
 /// edge. Any other edge of faces must be on exactly one curve that is not a well. O(n log n) for n faces. Precondition:
 /// indices are in range.

@@ -23,7 +23,7 @@ FaceUse make_use(Triangle t, Index row, bool is_listed) {
   return FaceUse(t, row, is_listed, even);
 }
 
-/// Calls visit(use) for the faces with indices in [begin, end): faces of tetrahedra first, then listed faces.
+/// Calls visit(use) for the faces of the items in [begin, end): first tetrahedra, then the mesh's constrained faces.
 template <class Visit>
 void for_each_use(const ModelMesh& mesh, std::size_t begin, std::size_t end, const Visit& visit) {
   const std::size_t n_tetrahedra = mesh.tetrahedra.size();

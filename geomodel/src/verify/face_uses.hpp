@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the tetrahedra and listed faces that share each triangle of a mesh.
+/// Finds the tetrahedra and constrained faces that share each triangle of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace geomesh::geomodel {
 
-/// A face of a tetrahedron, or a listed face, in two words, because sorting faces takes most of the verification time.
+/// A face of a tetrahedron, or a constrained face, in two words, because sorting takes most of the verification time.
 class FaceUse {
  public:
-  /// Upper limit on the numbers of points, tetrahedra and listed faces.
+  /// Upper limit on the numbers of points, tetrahedra and constrained faces.
   static constexpr std::uint64_t limit = std::uint64_t{1} << 31;
 
-  /// Precondition: the vertices are ascending; vertices and row are below the limit. `even` is whether sorting the
-  /// vertices kept their cyclic order.
+  /// Packs a face into two words. Preconditions: the vertices are ascending; vertices and row are below `limit`. `even`
+  /// is whether sorting the vertices kept their cyclic order.
   FaceUse(const Triangle& vertices, Index row, bool is_listed, bool even)
       : first_(std::uint64_t{vertices[0]} << 32 | vertices[1]),
         last_(std::uint64_t{vertices[2]} << 33 | std::uint64_t{is_listed} << 32 | std::uint64_t{row} << 1 |
@@ -27,13 +27,13 @@ class FaceUse {
   FaceUse() = default;
 
   VertexIndex least_vertex() const { return static_cast<VertexIndex>(first_ >> 32); }
-  /// Index of the tetrahedron or of the listed face.
+  /// Index of the tetrahedron or of the constrained face.
   Index row() const { return static_cast<Index>((last_ & 0xffffffff) >> 1); }
   bool is_listed() const { return (last_ >> 32 & 1) != 0; }
   bool even() const { return (last_ & 1) != 0; }
   bool same_triangle(const FaceUse& o) const { return first_ == o.first_ && last_ >> 33 == o.last_ >> 33; }
 
-  /// Orders by vertices; for equal vertices faces of tetrahedra come first, then listed faces, each by index.
+  /// Orders faces by their vertices. Of equal triangles, faces of tetrahedra precede constrained faces, each by index.
   friend bool operator<(const FaceUse& p, const FaceUse& q) {
     return p.first_ != q.first_ ? p.first_ < q.first_ : p.last_ < q.last_;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Collects faults of one kind that several threads find chunk by chunk, and reports them in order.
+/// Collects defects of a mesh, all of one kind, that several threads find chunk by chunk, and reports them in order.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace geomesh::geomodel {
 
-/// Counts faults of one kind and keeps the first few indices. Lists of chunks are joined in the order of the chunks, so
-/// that messages do not depend on the threads.
+/// Counts mesh defects of one kind and keeps the first few indices. Lists of chunks are joined in the order of the
+/// chunks, so that messages do not depend on the threads.
 class FaultList {
  public:
   explicit FaultList(std::string what) : what_(std::move(what)) {}
@@ -20,7 +20,7 @@ class FaultList {
   void add(std::size_t row) {
     if (++count_ <= most_rows_told) rows_.push_back(row);
   }
-  /// Adds the faults of a later chunk.
+  /// Appends the defects that were found in a later chunk of indices.
   void append(const FaultList& later) {
     count_ += later.count_;
     const std::size_t room = most_rows_told - std::min(most_rows_told, rows_.size());
@@ -28,7 +28,7 @@ class FaultList {
                  later.rows_.begin() + static_cast<std::ptrdiff_t>(std::min(room, later.rows_.size())));
   }
   const std::string& what() const { return what_; }
-  /// Appends one sentence with the number of faults and the first indices to `faults`; nothing if there is no fault.
+  /// Appends to `faults` one sentence with the number of defects and their first indices; nothing if there is none.
   void flush(std::vector<std::string>& faults) const {
     if (count_ == 0) return;
     std::string text = std::to_string(count_) + " " + what_ + " (rows ";

@@ -77,7 +77,7 @@ void check_points(const ModelMesh& m, unsigned threads, std::vector<std::string>
   for (const FaultList& list : {unused, not_finite, equal, order}) list.flush(faults);
 }
 
-/// Joins the fault lists of all chunks and reports the result.
+/// Joins the lists of defects of all chunks and reports the result.
 void flush_joined(const std::vector<FaultList>& by_chunk, std::vector<std::string>& faults) {
   if (by_chunk.empty()) return;
   FaultList joined(by_chunk.front().what());
@@ -116,7 +116,7 @@ void check_tetrahedra(const ModelMesh& m, unsigned threads, std::vector<std::str
 
 using NamedFaults = std::map<std::string, FaultList>;
 
-/// Checks the tetrahedra and listed faces at one triangle. Precondition: all `uses` have the same vertices.
+/// Checks the tetrahedra and constrained faces at one triangle. Precondition: all `uses` have the same vertices.
 void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaults& lists) {
   const auto report = [&](const char* what, std::size_t row) { lists.try_emplace(what, what).first->second.add(row); };
   const auto first_listed = std::find_if(uses.begin(), uses.end(), [](const FaceUse& use) { return use.is_listed(); });
@@ -138,8 +138,8 @@ void check_one_face(const ModelMesh& m, std::span<const FaceUse> uses, NamedFaul
     if (tets.size() == 1 && !in_hull) report("tetrahedra on the outer boundary without a face there", tets[0].row());
     return;
   }
-  // Faces of a tetrahedron are counter-clockwise as seen from inside, so their normals point inwards. A listed face in
-  // the same order thus has the tetrahedron on its plus side.
+  // Faces of a tetrahedron are counter-clockwise as seen from inside, so their normals point inwards. A constrained
+  // face in the same order thus has the tetrahedron on its plus side.
   std::int32_t minus = 0, plus = 0;
   for (const FaceUse& t : tets) (t.even() == listed[0].even() ? plus : minus) = m.tet_region[t.row()];
   const ModelMesh::Face& face = m.faces[listed[0].row()];

@@ -18,7 +18,7 @@ struct ControlVolumes {
     VertexIndex a, b;
     double area;  ///< Area of the face between the two cells, which is perpendicular to the edge ab at its midpoint.
   };
-  /// Connections between cells whose common face has an area above zero. A deque does not copy them as it grows.
+  /// Pairs of cells whose common face has an area above zero. In a deque, because it grows without copying them.
   std::deque<Connection> connections;
   std::size_t n_negative_areas = 0;  ///< number of faces omitted at the boundary, because circumcentres lie beyond it
 };

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 /// Lists stored consecutively.
 struct CellLists {
-  std::vector<std::int64_t> ends;  ///< end in `corners` of the list of each cell
+  std::vector<std::int64_t> ends;  ///< for each cell, where its list of corners ends in `corners`
   std::vector<std::int64_t> corners;
 };
 

@@ -77,8 +77,8 @@ struct Blocks {
   std::size_t size() const { return packed.size() - 1; }
 };
 
-/// Reads the header of compressed blocks: number of blocks, their unpacked size, that of the last block (0: the same),
-/// and the packed size of each block.
+/// Reads the header of the compressed blocks of a VTK array: number of blocks, their unpacked size, that of the last
+/// block (0: the same), and the packed size of each block.
 Blocks read_blocks(ByteSource& source, const VtkEncoding& encoding) {
   const std::size_t n = header_number(source, encoding), size = header_number(source, encoding),
                     last = header_number(source, encoding);

@@ -30,7 +30,7 @@ class ByteSource {
  public:
   ByteSource(std::string_view text, bool base64) : text_(text), base64_(base64) {}
 
-  /// Returns an upper bound on the number of bytes that have not been read yet.
+  /// Returns an upper bound on the number of decoded bytes that are left in the source.
   std::size_t most_left() const { return base64_ ? text_.size() / 4 * 3 + carried_.size() + 3 : text_.size(); }
   /// Reads exactly n bytes. Throws DamagedArray if there are fewer, or if a character is not valid base64.
   std::string take(std::size_t n);
@@ -40,7 +40,7 @@ class ByteSource {
 
   std::string_view text_;
   bool base64_;
-  std::string carried_;  // bytes that were decoded but not returned yet: two at most
+  std::string carried_;  // decoded bytes that no call of take() has returned yet: two at most
 };
 
 /// Returns the bytes of one array: its first `wanted` bytes, or all if `wanted` is SIZE_MAX. Throws DamagedArray if

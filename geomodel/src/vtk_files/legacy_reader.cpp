@@ -17,7 +17,7 @@ class LegacyAttributes {
  public:
   LegacyAttributes(LegacyWords& words, VtkData& data) : words_(words), data_(data), table_(&data.field_data) {}
 
-  /// Reads attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
+  /// Reads VTK attributes after their keyword: POINT_DATA, CELL_DATA or a field. Returns false for any other keyword.
   bool take(const std::string& keyword) {
     if (keyword == "metadata") {
       skip_metadata();
@@ -111,7 +111,7 @@ class LegacyAttributes {
 
   LegacyWords& words_;
   VtkData& data_;
-  VtkTable* table_;    // table to which the attributes of a section are added
+  VtkTable* table_;    // table of point or cell arrays that receives the attributes being read
   std::size_t n_ = 0;  // their tuples
 };
 
@@ -138,13 +138,13 @@ class LegacyReader {
     if (!first.starts_with(head) || !version || !(*version >= 1) || *version >= newest)
       words_.fail("it does not begin as a VTK file of a known version (# vtk DataFile Version 1.0 to 5.1)");
     is_version_5_ = *version >= 5;
-    words_.line();  // skips the title, a line with any words
+    words_.line();  // skips the title of the VTK file, a line of free text
     const std::string coding = words_.keyword();
     if (coding != "ascii" && coding != "binary")
       words_.fail("its third line says " + in_quotes(coding) + "; ASCII or BINARY was expected");
     words_.binary = coding == "binary";
     words_.line();
-    if (words_.next_keyword() == "field") {  // a file may contain field data and nothing else
+    if (words_.next_keyword() == "field") {  // field data of a VTK file, before its keyword DATASET
       words_.keyword();
       attributes_.read_field(data_.field_data, 0);
     }
@@ -156,7 +156,7 @@ class LegacyReader {
     words_.line();
   }
 
-  /// Reads the points or cells after their keyword. Returns false for any other keyword.
+  /// Reads the points or cells of a legacy VTK file after their keyword. Returns false for any other keyword.
   bool take_cells(const std::string& keyword) {
     if (keyword == "points") {
       read_points();
@@ -208,7 +208,7 @@ class LegacyReader {
     if (at != block.size()) words_.fail("its cells do not fill their block of numbers (damaged)");
     return lists;
   }
-  /// Reads cells as in files of version 5 and later: `n` offsets from 0, then the corners.
+  /// Reads cells as in legacy VTK files of version 5 and later: `n` offsets from 0, then the corners.
   CellLists read_offsets(std::size_t n, std::size_t n_corners) {
     CellLists lists;
     words_.keyword();

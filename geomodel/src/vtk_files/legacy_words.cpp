@@ -142,7 +142,7 @@ void LegacyWords::read_binary(VtkColumn& column, std::size_t n) {
   to_native_order(column.bytes, size, std::endian::big);
 }
 
-/// Reads the length of a text, which takes 1, 2, 4 or 8 bytes depending on the two highest bits of the first byte.
+/// Reads the length of a text in a binary VTK file: 1, 2, 4 or 8 bytes, as the two highest bits of the first byte say.
 std::size_t LegacyWords::length_of_text() {
   const auto head = static_cast<unsigned char>(bytes(1).front());
   std::size_t length = head & 63u;

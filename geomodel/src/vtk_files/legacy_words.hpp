@@ -30,7 +30,7 @@ class LegacyWords {
   std::string name();
   /// Returns the next word as a count of items that take at least one bit each; throws if the file is too short.
   std::size_t count(const char* what);
-  /// Returns the next word as a type of numbers; texts and bits are types too.
+  /// Reads the name of a value type, such as "float"; the types of text ("string") and bits are value types, too.
   VtkType type();
   std::vector<std::string_view> words_of_line();
 

@@ -18,7 +18,7 @@ bool parse(std::string_view word, T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
     if (error == std::errc() && end == word.data() + word.size()) return true;
-    const auto other = to_double(word);  // handles Fortran's exponents, and numbers outside the type's range
+    const auto other = to_double(word);  // also reads Fortran's exponents (1D5) and numbers outside the range of T
     value = static_cast<T>(other.value_or(0));
     return other.has_value();
   } else {

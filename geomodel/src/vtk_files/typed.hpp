@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Runs one generic body for any type of numbers in VTK files.
+/// Calls a generic function with the C++ type that stores the numbers of a VTK type.
 #pragma once
 
 #include <algorithm>

@@ -109,7 +109,7 @@ void XmlArrays::read_bytes(ByteSource source, VtkColumn& column, std::size_t n_v
                                                                ? n_values / 8 + (n_values % 8 != 0)
                                                                : product(n_values, size);
   if (!all && n_bytes == SIZE_MAX) fail(column, "says to hold more numbers than any file can");
-  if (n_values == 0) return;  // an array without values may lack its header
+  if (n_values == 0) return;  // a VTK array without values may lack the header of its data
   const std::string bytes = decoded_array(source, encoding_, all ? SIZE_MAX : n_bytes);
   if (column.is_text()) return take_texts(bytes, column);
   const auto begin = reinterpret_cast<const std::byte*>(bytes.data());

@@ -26,7 +26,7 @@ class XmlArrays {
   XmlArrays(const InputFile& file, const VtkEncoding& encoding, const Appended& appended)
       : file_(file), encoding_(encoding), appended_(appended) {}
 
-  /// Reads an array of `n_tuples` tuples. If `n_tuples` is empty, the element gives their number, or all are read.
+  /// Reads an array of `n_tuples` tuples. Without `n_tuples`, the XML element gives the number; if not, all are read.
   VtkColumn read(const pugi::xml_node& element, std::optional<std::size_t> n_tuples) const;
 
  private:

@@ -191,7 +191,7 @@ class XmlReader {
     cells.add_image(lattice);
   }
 
-  /// Adds the arrays of a piece to the table. Arrays that not all pieces have are left out.
+  /// Adds the arrays of one piece of the file to those of earlier pieces. Arrays that not all pieces have are dropped.
   void add_table(const pugi::xml_node& group, std::size_t n, bool first, VtkTable& table) {
     VtkTable own;
     for (const pugi::xml_node& element : group.children())

@@ -34,7 +34,7 @@ class Hdf5Writer {
   void put_pieces(const std::string& name, hid_t type, std::size_t n, std::size_t width,
                   const std::function<void(const WriteRows&)>& give);
   void group(const std::string& name);
-  /// Writes attributes of a group: a text of fixed length, and integers.
+  /// Writes attributes of an HDF5 group: a text of fixed length, and integers.
   void attribute(const std::string& group, const char* name, const std::string& text);
   void attribute(const std::string& group, const char* name, const std::vector<std::int64_t>& numbers);
   void close();

@@ -28,7 +28,7 @@ VtkArray vtk_texts(std::string name, std::size_t n, F text) {
           }};
 }
 
-/// Makes a section of cells from lists of points, as the arrays `connectivity` and `offsets`.
+/// Makes a section of cells of a VTK XML file from lists of points, as the arrays `connectivity` and `offsets`.
 VtkSection vtk_cells(const char* tag, std::vector<std::vector<VertexIndex>> lists);
 VtkSection vtk_points(const std::vector<Vec3>& points);
 

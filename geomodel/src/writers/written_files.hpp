@@ -20,7 +20,7 @@ class WrittenFiles {
   }
   void add(std::filesystem::path file) { files_.push_back(std::move(file)); }
   void add(const std::vector<std::filesystem::path>& files) { files_.insert(files_.end(), files.begin(), files.end()); }
-  /// Keeps all files, and returns their paths. Called when all of them are written; otherwise they are removed.
+  /// Keeps all files and returns their paths, once all of them are written; without this call the files are removed.
   std::vector<std::filesystem::path> keep() { return std::exchange(files_, {}); }
 
  private:

@@ -31,7 +31,7 @@ def _arguments(words):
 
 
 def indices_of(text, realisations):
-    """Parses "17", "1-100" or "3,5,9-12"."""
+    """Returns the numbers of realisations in a text such as "17", "1-100" or "3,5,9-12"."""
     found = []
     for part in text.split(","):
         first, dash, last = part.strip().partition("-")
@@ -99,7 +99,7 @@ def _tell(results, directory, files):
 
 
 def _list_missing(study, store, per_line):
-    """Prints ranges for --only, one per line, for GNU parallel."""
+    """Prints ranges of realisations for the option --only, one per line, for GNU parallel."""
     left = store.missing(range(1, study.realisations + 1))
     for start in range(0, len(left), per_line):
         print(",".join(map(str, left[start:start + per_line])))

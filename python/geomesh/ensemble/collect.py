@@ -15,7 +15,7 @@ _QUALITY = ("tetrahedra", "points", "min_dihedral", "max_dihedral", "min_radius_
 
 
 class Results:
-    """Records of a study in order of their index."""
+    """Records of the realisations of a study, in the order of their indices."""
 
     def __init__(self, study, store):
         self.study = study

@@ -15,7 +15,7 @@ def mean_normal(points, triangles):
     else:
         total = numpy.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
     normal = total / max(float(numpy.linalg.norm(total)), 1e-300)
-    # The normal points upwards; that of a vertical surface points to the east, or else to the north.
+    # The mean normal is chosen upwards; that of a vertical surface towards the east, or else the north.
     first = [component for component in (normal[2], normal[0], normal[1]) if abs(component) > 1e-9]
     return -normal if first and first[0] < 0 else normal
 

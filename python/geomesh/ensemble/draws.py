@@ -16,7 +16,7 @@ _STANDARD = NormalDist()
 
 
 class Stream:
-    """Uniform and normal numbers of one name in one realisation."""
+    """Random numbers, uniform and normal, for one named parameter in one realisation."""
 
     def __init__(self, seed, index, name):
         key = hashlib.sha256(("%d/%d/%s" % (seed, index, name)).encode()).digest()[:16]
@@ -99,7 +99,7 @@ class Triangular:
 
 @dataclass(frozen=True)
 class Pick:
-    """One of several values, chosen by weight."""
+    """Distribution of a value that is one of several given ones, with probabilities proportional to weights."""
     values: Tuple
     weights: Tuple
 

@@ -11,7 +11,7 @@ _STYLE = """body{font:15px/1.5 system-ui,sans-serif;margin:2em auto;max-width:70
 table{border-collapse:collapse}td,th{padding:.2em .8em;text-align:right;border-bottom:1px solid #ddd}
 td:first-child,th:first-child{text-align:left}figure{display:inline-block;margin:0 1.5em 1.5em 0;vertical-align:top}
 figcaption{font-size:13px;color:#555}img{image-rendering:pixelated;border:1px solid #ccc}"""
-_WIDTH = 420  # of a section and of a histogram, in pixels
+_WIDTH = 420  # width of each picture on the page (section or histogram), in pixels
 
 
 def text(results):

@@ -39,7 +39,7 @@ class Problems:
 
 
 class Entry:
-    """A node with its path in the file, such as surfaces.salt.shift."""
+    """A node of a YAML file, with its path there, such as surfaces.salt.shift."""
 
     def __init__(self, node, path, problems):
         self.node, self.path, self.problems = node, path, problems

@@ -25,7 +25,7 @@ class OutOfTime(Exception):
 
 @dataclass
 class Fault:
-    """A fault with a throw in this realisation."""
+    """A fault, and the throw drawn for it in one realisation."""
     name: str
     throw: float
     place: numpy.ndarray
@@ -34,7 +34,7 @@ class Fault:
 
 @dataclass
 class Drawn:
-    """Results of the draws for a realisation."""
+    """The random values drawn for one realisation, and the surfaces moved by them."""
     node: object  # The project as a YAML node.
     inputs: dict  # Surfaces given in memory.
     moved: dict  # (points, triangles or None) of each moved surface by name, in the file's coordinates.
@@ -122,7 +122,7 @@ class Realiser:
                 moved[horizon] = self._as_in_file(horizon, picked, points), triangles
 
     def _now(self, surface, picked, moved):
-        """Returns the elevations of a surface after the displacements so far."""
+        """Returns a surface (points with z upwards, triangles) with the displacements made in this realisation so far."""
         if surface not in moved:
             return self._elevations(surface, picked)
         points, triangles = moved[surface]
@@ -138,7 +138,7 @@ class Realiser:
         return self._files[file]
 
     def _object(self, surface, picked):
-        """Returns ("surface" or "points", row, points, triangles) of the object to which the entry refers."""
+        """Returns ("surface" or "points", row, points, triangles) of the surface or point set that a study's entry names."""
         contents, entry = self._contents(surface, picked), self._study.project.surfaces[surface]
         objects = [("surface", row, *item) for row, item in enumerate(contents.surfaces)]
         objects += [("points", row, name, points, None) for row, (name, points) in enumerate(contents.point_sets)]
@@ -169,7 +169,7 @@ class Realiser:
 
 
 def failure_of(error):
-    """Returns the description of an error for a record."""
+    """Returns status, kind and message of the error with which a realisation failed, for the record of its result."""
     if isinstance(error, OutOfTime):
         return {"status": "failed", "failure": {"kind": "time", "message": str(error)}}
     if isinstance(error, MemoryError):

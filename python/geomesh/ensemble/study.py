@@ -19,7 +19,7 @@ _SURFACE_KEYS = ("shift", "tilt", "perturbation", "file", "hold")
 
 @dataclass
 class SurfaceSpec:
-    """The quantities drawn for one surface; see displace.Displacement."""
+    """Distributions in the study file of what displaces one surface: shift, tilt, perturbation (displace.Displacement)."""
     name: str
     kind: str
     shift: Tuple = (Fixed(0.0), Fixed(0.0), Fixed(0.0))

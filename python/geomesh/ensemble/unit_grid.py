@@ -6,7 +6,7 @@ import zlib
 import numpy
 
 OUTSIDE = 255
-_MOST_PAIRS = 2_000_000  # number of pairs of tetrahedra and cells that are handled at a time
+_MOST_PAIRS = 2_000_000  # pairs of a tetrahedron and a grid cell that are tested at a time, to bound memory
 
 
 def units_at(mesh, grid, names):
@@ -17,7 +17,7 @@ def units_at(mesh, grid, names):
         raise ValueError("a grid of units holds %d units at most" % (OUTSIDE - 1))
     rows = numpy.array([row_of.get(i, OUTSIDE) for i in range(max(row_of) + 1)], dtype=numpy.uint8)
     spacing = numpy.array(grid.spacing())
-    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # centres have integer coordinates
+    points = (mesh.points + numpy.array(mesh.shift) - numpy.array(grid.low)) / spacing - 0.5  # cell centres get integer coordinates
     found = numpy.full(numpy.prod(grid.cells), len(mesh.tetrahedra), dtype=numpy.int64)
     for start, end in _batches(points, mesh.tetrahedra, grid.cells):
         _mark(points[mesh.tetrahedra[start:end]], start, grid.cells, found)

@@ -25,7 +25,7 @@ def run_one(study, realiser, store, index):
 def main(study_file, directory, digest):
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that started this one handles Ctrl-C
     answers = os.fdopen(os.dup(1), "w")
-    os.dup2(2, 1)  # output of libraries must not be mixed with the answers
+    os.dup2(2, 1)  # what libraries print must not be mixed with this process' own lines
     study = read_study(study_file)
     realiser, store = Realiser(study), Store(directory, digest)
     for line in sys.stdin:

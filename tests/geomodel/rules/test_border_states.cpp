@@ -2,6 +2,7 @@
 // Which edges of a horizon's border stop short of a wall.
 #include <catch2/catch.hpp>
 
+#include "arrangement/model/ingest.hpp"
 #include "rules/continuation/border_chains.hpp"
 
 using namespace geomesh;
@@ -46,4 +47,23 @@ TEST_CASE("A border edge stops short of a wall if a part of it does, wherever it
   CHECK(state_of_side(horizon_left_of(8.5), wall, 15) == BorderState::before_wall);  // the middle lies in the body
   CHECK(state_of_side(horizon_left_of(8.5), wall, 0.1) == BorderState::open);        // too far from it
   CHECK(state_of_side(horizon_left_of(11), wall, 15) == BorderState::before_wall);   // both ends lie before it
+}
+
+TEST_CASE("An edge on a side of the box is continued into the box if its triangle lies outside", "[continuation]") {
+  TriangulatedSurface h;
+  h.kind = SurfaceKind::horizon;
+  h.points = {{-10, -10, 0}, {-10, 10, 0}, {0, 10, 0}, {0, -10, 0}};
+  h.triangles = {{0, 2, 1}, {0, 3, 2}};
+  const TriangulatedSurface fault = upright({{8, -50}, {8, 50}});
+  const std::vector<TriangulatedSurface> surfaces{h, fault};
+  const Box3 right{{0, -100, -100}, {100, 100, 100}}, left{{-100, -100, -100}, {0, 100, 100}};
+  const auto state = [&](const Box3& box, double within) {
+    const BorderStates states =
+        border_states(h, 0, Walls(surfaces, {1}, arrangement::make_box_sides(box)), box, within);
+    const auto found = states.find({3, 2});
+    return found == states.end() ? states.at({2, 3}) : found->second;
+  };
+  CHECK(state(right, 15) == BorderState::before_wall);  // the fault is 8 m before the edge
+  CHECK(state(right, 5) == BorderState::open);
+  CHECK(state(left, 15) == BorderState::met_wall);  // the horizon ends on the side of its own box
 }

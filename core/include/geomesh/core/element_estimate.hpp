@@ -13,7 +13,7 @@ namespace geomesh {
 
 /// Estimated numbers of elements by cause. Each cause counts only the elements that it adds to those of earlier causes.
 struct ElementEstimate {
-  double by_volume = 0;  ///< elements if only SizeOptions::global were requested
+  double by_volume = 0;  ///< number of elements if SizeOptions::global were the only size
   double by_sizes = 0;   ///< elements added by target sizes of units, surfaces, curves and places, and by input edges
   double by_thin_units = 0;  ///< elements added by the first `n_thin` entries of SizeOptions::sources
   double by_bends = 0;       ///< elements added to follow the bends of surfaces closely enough

@@ -15,7 +15,7 @@ struct Vec3 {
   double x = 0, y = 0, z = 0;
   constexpr double operator[](std::size_t i) const { return i == 0 ? x : i == 1 ? y : z; }
   constexpr double& operator[](std::size_t i) { return i == 0 ? x : i == 1 ? y : z; }
-  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;  ///< -0 equals 0, as for doubles
+  friend constexpr bool operator==(const Vec3&, const Vec3&) = default;  ///< coordinates -0 and 0 are equal
 };
 
 /// A point in two dimensions, in the plane of a facet or on a map.

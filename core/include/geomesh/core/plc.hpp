@@ -92,7 +92,7 @@ struct PiecewiseLinearComplex {
 
 /// One violation of the invariants of a piecewise linear complex (PLC).
 struct PlcFault {
-  std::string message;  ///< names the items concerned and, if useful, their place
+  std::string message;  ///< names the facets, segments or points at fault, and a place if useful
   ErrorContext context;
 };
 

@@ -33,7 +33,7 @@ Sign in_circle(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 /// a,b,c,d.
 Sign in_sphere(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);
 
-/// Like in_circle and in_sphere, but with the symbolic perturbation, so that the sign is never zero for distinct
+/// The in-circle and in-sphere tests with the symbolic perturbation, so that the sign is never zero for distinct
 /// points. The last point must not equal any other argument.
 Sign in_circle_perturbed(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d);
 Sign in_sphere_perturbed(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, const Vec3& e);

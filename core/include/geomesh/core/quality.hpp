@@ -94,7 +94,7 @@ struct QualityOptions {
   /// Distance by which surfaces may move. A gap of up to twice this could be closed, so it is no cause of a bad shape.
   double tolerance = 0;
   /// A second limit on the movement of surfaces, as a share of the target size. With it, surfaces never close a gap, so
-  /// every thin gap is a cause. 0: `tolerance` is the only limit.
+  /// every thin gap is a cause of bad elements. 0: `tolerance` is the only limit.
   double tolerance_share = 0;
   /// For each facet of the PLC its patch, if surfaces were remeshed: edges between facets of one patch are then no
   /// constraints. Empty: every facet is kept.

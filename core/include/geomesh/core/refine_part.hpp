@@ -17,11 +17,11 @@ namespace geomesh {
 /// Tetrahedra with the items that must be kept. Boundary faces and their points are kept too, without being listed.
 struct TetrahedraPart {
   std::vector<Vec3> points;
-  std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it is kept
+  std::vector<std::uint8_t> is_kept;  ///< for each point: not 0 if it must be kept unmoved
   std::vector<Tetrahedron> tetrahedra;
   std::vector<Index> component;                        ///< component of each tetrahedron
   std::vector<Triangle> kept_faces;                    ///< kept faces between two tetrahedra
-  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< kept edges that are in no kept face
+  std::vector<std::array<VertexIndex, 2>> kept_edges;  ///< edges that must be kept, except those of kept faces
   /// For each tetrahedron: not 0 if its shape was repaired before. Its points and faces are kept until the other
   /// tetrahedra are refined; points are added inside it if it is larger than the target size. Empty: none.
   std::vector<std::uint8_t> is_settled;

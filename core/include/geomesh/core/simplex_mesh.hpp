@@ -135,7 +135,7 @@ class SimplexMesh {
   }
   void set_vertices(CellIndex c, const CellVertices& v) { cells_[c].vertices = v; }
   void set_vertex(CellIndex c, unsigned i, VertexIndex v) { cells_[c].vertices[i] = v; }
-  /// Links two faces with each other.
+  /// Makes the cells of two faces neighbours across these faces.
   void link(FaceRef a, FaceRef b) {
     cells_[a.cell()].neighbors[a.face()] = b;
     cells_[b.cell()].neighbors[b.face()] = a;
@@ -150,7 +150,7 @@ class SimplexMesh {
     free_.clear();
   }
 
-  /// @name For algorithms that fill slots themselves
+  /// @name Access for algorithms that write cells directly into the arrays of the mesh
   /// @{
   Cell* cells() { return cells_.data(); }
   const Cell* cells() const { return cells_.data(); }

@@ -62,9 +62,9 @@ class SizeField {
  private:
   struct Node {
     Box3 box;
-    double least = 0;           ///< least size of a source below this node
-    double widest = 0;          ///< largest radius of a source below this node
-    double gradation = 0;       ///< least gradation of a source below this node
+    double least = 0;           ///< least size of a source in this subtree of the kd-tree
+    double widest = 0;          ///< largest radius of a source in this subtree
+    double gradation = 0;       ///< least gradation of a source in this subtree
     Index first = 0, last = 0;  ///< sources
     Index left = no_index, right = no_index;
   };

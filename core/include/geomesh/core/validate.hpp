@@ -18,7 +18,7 @@ struct MeshFault {
   CellIndex cell = no_cell;
 };
 
-/// Neighbours that hull faces have on their outer side: ghost cells, or none.
+/// Whether faces of the convex hull have ghost cells as neighbours outside, or none.
 enum class Outside { ghosts, open };
 
 /// Checks the topological invariants 1 to 4 that simplex_mesh.hpp lists. Linear time.

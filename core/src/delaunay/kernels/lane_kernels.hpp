@@ -24,7 +24,7 @@ struct CavityFace {
   FaceRef outer;  ///< the face as seen from outside the cavity
 };
 
-/// The input of both loops. Coordinates of the infinite vertex are NaN, so that no filter decides about it.
+/// The mesh, and the point p to be located or inserted. The infinite vertex has NaN coordinates, so filters fail.
 struct LaneQuery {
   const TetMesh::Cell* cells;
   const PointRecord* points;
@@ -42,7 +42,7 @@ struct CavityLists {
   double nearest = 0;
 };
 
-/// Decides the cases that the filters of the loop leave open.
+/// Serves the loop that grows a cavity: makes exact tests where the filters fail, and enlarges the lists.
 class CavityHost {
  public:
   /// Returns a mask of the `undecided` neighbours of `cell` in conflict. `value[i]` is the determinant of neighbour i.
@@ -59,7 +59,7 @@ struct LaneKernels {
   /// the final cell `at`; otherwise the caller continues from that cell.
   bool (*walk)(const LaneQuery& query, CellIndex& at, std::size_t& steps);
   /// Grows the cavity until all its cells are processed. Sets the bits `mark` of `flags` for its cells. Returns false
-  /// if the cavity needs a cell with a vertex that is not owned.
+  /// if the cavity needs a cell with a vertex that another part of the parallel run owns.
   bool (*grow)(const LaneQuery& query, std::uint8_t* flags, std::uint8_t mark, CavityLists& lists, CavityHost& host);
 };
 

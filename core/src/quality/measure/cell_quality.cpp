@@ -22,7 +22,7 @@ void append_gradient(const std::array<Vec3, 3>& face, const Vec3& p, double limi
   out.push_back({g.x, g.y, g.z});
 }
 
-/// Returns the function append_gradients of a measure with several terms, and the function for one term otherwise.
+/// Returns the function that appends the gradients of the measure: one for each of its terms, or the only one.
 template <class Measure>
 constexpr auto gradients_by() {
   if constexpr (requires { &Measure::append_gradients; })

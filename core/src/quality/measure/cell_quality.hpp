@@ -14,7 +14,7 @@
 
 namespace geomesh::remesh {
 
-/// In sums over cells, the part of a shape that is below the measure's limit `poor` has this weight; see worth().
+/// In sums over cells (CellQuality::worth), a shape's distance below the measure's limit `poor` counts so many times.
 inline constexpr double poor_weight = 3;
 
 /// Least dihedral angle in degrees below which a cell is bad.

@@ -20,8 +20,8 @@ namespace geomesh::remesh {
 
 struct DihedralMeasure {
   static constexpr QualityMeasure id = QualityMeasure::dihedral;
-  static constexpr double largest = 0.94281;  ///< value of the regular tetrahedron, slightly enlarged for rounding
-  static constexpr double poor = 0.2079;      ///< sin 12 degrees; see CellQuality::worth
+  static constexpr double largest = 0.94281;  ///< the measure of the regular tetrahedron, enlarged for rounding
+  static constexpr double poor = 0.2079;      ///< sine of the dihedral angle of 12 degrees; see CellQuality::worth
   static constexpr double obtuse_weight = 0.73265;  ///< sin(24.85 degrees) / sin(145 degrees)
 
   /// Returns the value of the measure for an acute angle in degrees.

@@ -11,7 +11,7 @@
 
 namespace geomesh::remesh {
 
-/// Four faces, one per lane, with the values that all tetrahedra over a face share. Base has them for one face.
+/// Four faces of a link, one per lane, with the values that all tetrahedra over a face share.
 struct alignas(32) FourFaces {
   using Lanes = double[4];
   Lanes corner[3][3];  ///< coordinates by corner and axis
@@ -21,27 +21,27 @@ struct alignas(32) FourFaces {
   Lanes share;  ///< weight of the face: 0 in lanes that repeat a face to fill the last group of four, otherwise 1
 };
 
-/// The loops over a link, for one measure and one instruction set.
+/// Functions that compute the shapes of cells between a link and an apex p, for one measure and one instruction set.
 struct LinkKernels {
-  /// Computes all members of `faces` except corners and shares.
+  /// Computes the normals and squared edge lengths of the faces of the link from their corners.
   void (*prepare)(FourFaces* faces, std::size_t n_fours);
   void (*shapes)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double* shapes);
   /// Returns the least shape, or some shape that is at most `enough`.
   double (*worst)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double enough);
   /// Returns the sum of CellQuality::worth of all cells; minus infinity if a shape is not above `floor`.
   double (*sum_of_worths)(const FourFaces* faces, std::size_t n_fours, const Vec3& p, double floor);
-  /// Returns the gradient of the sum of worths with respect to p. All cells must be positive.
+  /// Returns the gradient of the sum of CellQuality::worth over all cells, with respect to p. They must be positive.
   Vec3 (*gradient_of_sum)(const FourFaces* faces, std::size_t n_fours, const Vec3& p);
 };
 
-/// The kernels of each measure.
+/// The functions of LinkKernels for each quality measure.
 using LinkKernelTable = std::array<LinkKernels, n_quality_measures>;
 
 namespace detail {
 extern const LinkKernelTable baseline_link_kernels, avx2_link_kernels;
 }
 
-/// Returns the kernels of a measure for this processor; all versions compute the same bits.
+/// Returns the functions of a measure in the version for this processor. All versions compute the same bits.
 const LinkKernels& link_kernels(QualityMeasure measure);
 
 }  // namespace geomesh::remesh

@@ -20,7 +20,7 @@ class LinkShapes {
     kernels_ = &kernels;
   }
   void add(const Vec3& a, const Vec3& b, const Vec3& c);
-  /// Must be called once after the last face, before any shape is computed.
+  /// Computes normals and lengths of all faces. Must be called once, after the last `add` and before any shape.
   void prepare();
   std::size_t size() const { return n_; }
   Vec3 corner(std::size_t face, unsigned k) const {
@@ -48,7 +48,7 @@ class LinkShapes {
   std::size_t n_fours() const { return (n_ + 3) / 4; }
   void set(std::size_t face, const Vec3& a, const Vec3& b, const Vec3& c, double share);
 
-  std::vector<FourFaces> fours_;  // may have more elements than are in use
+  std::vector<FourFaces> fours_;  // the faces of the link; the array may be longer than the link
   mutable std::vector<double> shapes_;
   std::size_t n_ = 0;
   const LinkKernels* kernels_ = &link_kernels(QualityMeasure::dihedral);

@@ -21,8 +21,8 @@ double value_of_sliver(double degrees);
 /// the mean ratio does, is linear in the volume, and takes no cube root.
 struct MeanRatioMeasure {
   static constexpr QualityMeasure id = QualityMeasure::mean_ratio;
-  static constexpr double largest = 1 + 1e-9;  ///< value of the regular tetrahedron, slightly enlarged for rounding
-  static constexpr double poor = 0.1925;       ///< value of the sliver of 12 degrees; see CellQuality::worth
+  static constexpr double largest = 1 + 1e-9;  ///< the measure of the regular tetrahedron, enlarged for rounding
+  static constexpr double poor = 0.1925;       ///< the measure of a sliver of 12 degrees; see CellQuality::worth
 
   static double of_angle(double degrees) { return value_of_sliver<MeanRatioMeasure>(degrees); }
 
@@ -40,7 +40,7 @@ struct MeanRatioMeasure {
     return all<Real>(12 * std::numbers::sqrt3) * t.det / (s * root(s));
   }
 
-  /// Returns the gradient with respect to the apex, given the value.
+  /// Returns the gradient of the measure with respect to the apex. `value` is the measure itself.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> gradient(const Base<Real>& base, const Apex<Real>& t, Real value) {
     const Vectors<Real> volume = times(1 / t.det, base.normal), edges = plus(plus(t.a, t.b), t.c);
@@ -94,7 +94,7 @@ struct RadiusRatioMeasure {
   }
 
  private:
-  /// Returns the vector from the apex to the centre of the circumscribed sphere, reversed and multiplied by 2 det.
+  /// Returns -2 det times the vector from the apex to the circumcentre, where det is six times the volume.
   template <class Real>
   GEOMESH_INLINE static Vectors<Real> centre(const Apex<Real>& t) {
     return plus(plus(times(product(t.a, t.a), t.na), times(product(t.b, t.b), t.nb)), times(product(t.c, t.c), t.nc));
@@ -127,7 +127,7 @@ template <class Measure>
 double value_of_sliver(double degrees) {
   constexpr double cosine_of_regular = 1.0 / 3;
   const double cosine = std::max(std::cos(degrees * std::numbers::pi / 180), cosine_of_regular);
-  // half the distance between two opposite edges, whose length is 1
+  // half the distance between two opposite edges of the sliver, which have length 1
   const double half = 0.25 * std::sqrt(1 / cosine - 1);
   return shape_of_cell<Measure>({-0.5, 0, -half}, {0.5, 0, -half}, {0, 0.5, half}, {0, -0.5, half});
 }

@@ -81,7 +81,7 @@ TetrahedronShape shape_of(const std::array<Vec3, 4>& p, const std::array<Vec3, 4
 DihedralRange dihedral_range(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const double det = dot(cross(b - a, c - a), d - a);
   const std::array<Vec3, 4> p{a, b, c, d}, n = inward_normals(p);
-  if (!(det > 0)) {  // a flat cell or a needle
+  if (!(det > 0)) {  // flat or inverted, or a needle whose volume is lost in rounding
     const TetrahedronShape s = shape_of(p, n);
     return {s.min_dihedral, s.max_dihedral};
   }

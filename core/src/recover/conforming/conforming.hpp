@@ -24,10 +24,10 @@ namespace geomesh::recover {
 
 /// Reasons for which conforming mode gives a facet up.
 enum class GivenUpFor : std::uint8_t {
-  points,     ///< too many points (max_steiner_per_facet) on the facet or on one of its segments
+  points,     ///< more than max_steiner_per_facet points on the facet or on one of its segments
   shortness,  ///< an edge would be shorter than 2^-40 of the largest coordinate
-  place,      ///< the place of a point equals a vertex, or rounding has made the draft invalid
-  budget,     ///< the total number of points for such facets and segments is exhausted
+  place,      ///< a new point equals a vertex, or rounding has made the facet's own 2D triangulation invalid
+  budget,     ///< no more points are allowed on all facets and segments together
 };
 inline constexpr std::size_t n_reasons_given_up = 4;
 
@@ -39,10 +39,10 @@ class ConformingRecovery {
   /// missing has been given up. Returns false if more points than the budget allows were needed in all; items that are
   /// still missing have then been given up, too.
   bool run();
-  /// Returns the facets that were given up, sorted.
+  /// Returns the facets, sorted, that conforming mode left to the constrained methods.
   const std::vector<Index>& facets_given_up() const { return given_up_; }
 
- protected:  // used by the refinement that keeps the mesh Delaunay (remesh/conforming/conforming_refiner.hpp)
+ protected:
   // conforming_segments.cpp
   void mark_sharp_vertices();
   void mark_sharp_facets();
@@ -51,8 +51,8 @@ class ConformingRecovery {
   void queue_segment(Index s);
   void recover_queued_segments();
   void split_segment(Index s);
-  /// Returns the vertex from which the missing subsegment is seen at the largest angle, among those of the cells that
-  /// it crosses. Returns no_vertex if that angle is not obtuse.
+  /// Returns the vertex at which a missing subsegment subtends the largest angle, among those of the cells that it
+  /// crosses. Returns no_vertex if that angle is not obtuse.
   VertexIndex encroaching_vertex(const Subsegment& s);
   /// Returns whether v lies on a model segment that has `end` as an end.
   bool is_on_segment_from(VertexIndex v, VertexIndex end) const;
@@ -78,7 +78,7 @@ class ConformingRecovery {
   bool is_within_budget() const {
     return !recovery_.has_ended() && n_sharp_points_ < max_sharp_points_ && n_other_points_ < max_other_points_;
   }
-  /// Restarts the count of points for the total budget.
+  /// Sets the counts of added points, which are limited over all facets and segments together, to zero.
   void renew_budget() { n_sharp_points_ = n_other_points_ = 0; }
   bool too_short(const Vec3& a, const Vec3& b) const;
 
@@ -102,12 +102,12 @@ class ConformingRecovery {
   EdgeMap segment_of_ends_;  ///< model segments
   std::priority_queue<QueuedSegment> missing_segments_;
   std::deque<Index> missing_facets_;
-  FaceMap facet_of_face_;                        ///< faces that were found to be parts of facets
+  FaceMap facet_of_face_;                        ///< for each mesh face known to be a part of a facet: the facet
   std::vector<std::uint8_t> facet_queued_;       ///< per subfacet
   std::vector<std::uint8_t> facet_is_given_up_;  ///< per subfacet
   /// for each vertex of the model, whether segments meet there at less than 60 degrees
   std::vector<std::uint8_t> vertex_is_sharp_;
-  std::vector<std::uint8_t> facet_is_sharp_;       ///< whether the budget of points applies to each subfacet
+  std::vector<std::uint8_t> facet_is_sharp_;       ///< for each subfacet, whether its number of added points is limited
   std::vector<std::uint8_t> segment_is_given_up_;  ///< per model segment
   std::vector<std::uint32_t> points_on_facet_, points_on_segment_;
   std::vector<Index> given_up_;

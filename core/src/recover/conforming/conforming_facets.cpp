@@ -17,7 +17,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// The draft of a facet: a constrained Delaunay triangulation of the facet's vertices in a frame of its plane.
+/// A constrained Delaunay triangulation of a facet's vertices in a frame of its plane.
 class Draft {
  public:
   Draft(const ConstrainedMesh& mesh, const Triangle& plane, const FacetPiece& piece) : piece_(piece) {
@@ -55,8 +55,8 @@ class Draft {
   std::vector<Triangle> triangles_;
 };
 
-/// Returns the longest missing edge of each draft triangle that is not a mesh face, or its three edges if none is
-/// missing. The longest edges come first.
+/// Returns the edges at which points are added to a facet: of each triangle of its own triangulation that is not a mesh
+/// face, the longest edge missing in the mesh, or all three if none is missing. The longest edges come first.
 std::vector<DirectedEdge> edges_to_split(ConstrainedMesh& mesh, const std::vector<Triangle>& draft) {
   const auto squared_length = [&mesh](const DirectedEdge& e) {
     const Vec3 d = mesh.point(e[1]) - mesh.point(e[0]);
@@ -125,8 +125,8 @@ void ConformingRecovery::insert_into_facet(Index f) {
   if (!draft.build()) return give_up_facet(f, GivenUpFor::place);
   const std::vector<DirectedEdge> edges = edges_to_split(mesh_, draft.triangles());
   if (edges.empty()) return give_up_facet(f, GivenUpFor::place);
-  // The draft is updated once in a round. A point near another one that was inserted in this round is left out, because
-  // the other point may have made it unnecessary.
+  // The facet's 2D triangulation is updated once in a round. A point near another one inserted in this round is left
+  // out, because the other point may have made it unnecessary.
   std::vector<Vec3> added;
   for (const DirectedEdge& e : edges) {
     const Vec3 a = mesh_.point(e[0]), b = mesh_.point(e[1]), middle = 0.5 * a + 0.5 * b;

@@ -79,7 +79,7 @@ void ConformingRecovery::mark_sharp_vertices() {
 /// Marks facets that meet another one at less than 90 degrees, or have a sharp vertex.
 void ConformingRecovery::mark_sharp_facets() {
   facet_is_sharp_.assign(constraints_.subfacets.size(), 0);
-  std::vector<Vec3> inner;  // the direction into each facet around a subsegment
+  std::vector<Vec3> inner;  // unit vectors from a subsegment into each of its facets
   for (const Subsegment& s : constraints_.subsegments) {
     inner.clear();
     for (const Index f : s.subfacets) inner.push_back(inwards(s, f));

@@ -11,7 +11,7 @@ namespace {
 constexpr std::array<std::array<std::uint8_t, 4>, 6> edges_and_others{
     {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
 
-/// Lists the inner faces of the cavity, and its edges except most that remain in the mesh. Its cells must be marked.
+/// Lists the faces between two marked cells of a cavity, and the edges that are lost with it, along with a few others.
 void list_lost(const ConstrainedMesh& mesh, std::span<const CellIndex> cavity, DelaunayInsertion& out) {
   out.edges.clear();
   out.faces.clear();
@@ -39,7 +39,7 @@ bool mark_conflicts(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, std::
   for (const VertexIndex v : cells.vertices(first))
     if (mesh.point(v) == p) return false;
   const auto conflicts = [&](CellIndex c) {
-    if (cells.is_ghost(c)) return false;  // p lies strictly inside the box
+    if (cells.is_ghost(c)) return false;  // a point strictly inside the box
     const auto& v = cells.vertices(c);
     return in_sphere_perturbed(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), p) ==
            Sign::positive;
@@ -86,7 +86,7 @@ bool is_locally_delaunay(const ConstrainedMesh& mesh) {
     const auto& v = cells.vertices(c);
     for (unsigned f = 0; f < 4; ++f) {
       const FaceRef g = cells.neighbor(c, f);
-      if (g.cell() < c || !counts(g.cell())) continue;  // each face is tested from one of its sides
+      if (g.cell() < c || !counts(g.cell())) continue;  // a face is tested only in its cell with the smaller index
       const VertexIndex d = cells.vertex(g.cell(), g.face());
       if (in_sphere(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]), mesh.point(d)) ==
           Sign::positive)

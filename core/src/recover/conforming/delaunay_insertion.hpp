@@ -10,13 +10,13 @@
 namespace geomesh::recover {
 
 struct DelaunayInsertion {
-  VertexIndex vertex = no_vertex;  ///< no_vertex if the point equals a vertex or lies outside the box
+  VertexIndex vertex = no_vertex;  ///< the new vertex; no_vertex if the point equals a vertex or lies outside the box
   std::vector<std::array<VertexIndex, 2>>
-      edges;                    ///< all edges that were removed, and some that still exist; some occur more than once
+      edges;                    ///< edges that the insertion removed, some repeatedly, and a few that it did not remove
   std::vector<Triangle> faces;  ///< faces that were removed: those between two cells in conflict
 };
 
-/// Inserts a point and stores the result in `out`, whose lists are reused.
+/// Inserts point p by the Delaunay cavity algorithm and stores the result in `out`, whose lists are reused.
 void insert_delaunay(ConstrainedMesh& mesh, const Vec3& p, CellIndex start, DelaunayInsertion& out);
 
 /// Returns the cells in conflict with p, first the one that contains p; none if p is a vertex or outside the box.

@@ -10,10 +10,10 @@
 
 namespace geomesh::recover {
 
-/// Returns the cells at the crossed simplex: the two cells at a face, or all cells around an edge.
+/// Returns the cells at a mesh face or edge that a line crosses: two cells at a face, or all cells around an edge.
 std::vector<CellIndex> crossed_cells(const ConstrainedMesh& mesh, const Crossing& c);
 
-/// The crossings of a missing subsegment, with their parameters on it.
+/// The mesh edges and faces that a missing subsegment crosses, and the parameters on it where it does.
 struct CrossingsOnLine {
   LineCrossings line;
   std::vector<double> parameters;

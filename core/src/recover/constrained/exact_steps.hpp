@@ -9,12 +9,12 @@
 
 namespace geomesh::recover {
 
-/// Adds a point on a missing subsegment where the line crosses the mesh: as far from other vertices as possible, or at
-/// the first crossing. Returns no_vertex if coordinates would exceed ExactPlace::is_safe.
+/// Adds a point on a missing subsegment where it crosses a mesh face or edge: the crossing farthest from other
+/// vertices, or the first one. Returns no_vertex if the point's exact coordinates would need too many digits.
 VertexIndex step_along_segment(Recovery& recovery, Index subsegment);
 
-/// Adds a point in the plane of three vertices where the edge below-above crosses the plane. Returns no_vertex if
-/// nothing has changed, as step_along_segment does.
+/// Adds a point in the plane of three vertices where the edge below-above crosses the plane. Returns no_vertex, and
+/// changes nothing, if the point's exact coordinates would need too many digits.
 VertexIndex step_onto_plane(Recovery& recovery, const Triangle& plane, VertexIndex below, VertexIndex above);
 
 }  // namespace geomesh::recover

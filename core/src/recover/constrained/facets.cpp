@@ -46,7 +46,7 @@ class FacetRecovery {
     is_plain_ = !recovery.constraints.is_piece(subfacet);
   }
 
-  /// Locks the faces that cover a piece of a facet. Returns false if faces do not cover it.
+  /// Locks the mesh faces that cover a piece of a facet. Returns false if no mesh faces cover it.
   bool as_it_is() {
     const FacetTrace trace = trace_piece(mesh_, recovery_.constraints, subfacet_);
     if (trace.status != FacetTrace::Status::complete) return false;
@@ -81,9 +81,9 @@ class FacetRecovery {
     return recover_face_by_cavity(recovery_, plane_, std::move(cells), {max_nodes}) && by_flips(0);
   }
 
-  /// Recovers the subfacet by points. A trace takes time proportional to the facet's size, and a large polygon may need
-  /// as many points. Therefore only its first points are each followed by a trace, which saves some points. After that
-  /// the facet is traced only when the last listed edge has been split: a point does not change the other edges.
+  /// Recovers the subfacet by points where mesh edges pierce it. Finding these edges takes time proportional to the
+  /// facet's size, and a large polygon may need as many points. So they are found again only after the first points,
+  /// and later when the last one found has been split: a point does not change the other edges.
   void by_points() {
     for (unsigned depth = recovery_budget.facet_depth_first; !by_flips(depth); depth = 1) {
       const FacetTrace trace = checked_trace();
@@ -102,7 +102,7 @@ class FacetRecovery {
  private:
   struct Piercing {
     PiercingEdge edge;
-    /// one more than the mesh's number of changes when flips last failed to remove the edge; 0 if they were not tried
+    /// 0 if flips have not been tried on this edge; else 1 + the mesh's number of changes when they last failed
     std::size_t tried;
   };
 
@@ -112,7 +112,7 @@ class FacetRecovery {
     return {t.begin(), t.end()};
   }
 
-  /// Returns whether flips and points may be ordered by a new trace each time.
+  /// Returns whether traces of this facet have found so few faces and edges that it may be traced again.
   bool may_trace_again() const { return n_traced_ < recovery_budget.traced_of_facet; }
 
   FacetTrace checked_trace() {
@@ -132,8 +132,8 @@ class FacetRecovery {
     return trace;
   }
 
-  // If rounding bends a border with added points, the trace may leave the subfacet through cells that are flat in its
-  // plane. It then meets other items, so no error is reported without an exact test against the corners.
+  // If rounding bends the facet's border at added points, the search for its faces may leave the facet through cells
+  // that are flat in its plane, and meet other items there. Therefore an error needs an exact test against the corners.
 
   /// Returns whether the edge passes through the triangle of the subfacet's corners or touches it. The edges between
   /// the corners are then all on one side of the edge.
@@ -146,8 +146,8 @@ class FacetRecovery {
     }
     return !(left && right);
   }
-  /// Returns whether the vertex lies in the triangle of the subfacet's corners, including its border, or in the polygon
-  /// if the trace is exact and no added point bends it.
+  /// Returns whether the vertex lies in the triangle of the subfacet's corners, including its border; in the polygon
+  /// itself if orientations are exact and no added point bends its border.
   bool holds(VertexIndex v) const {
     if (mesh_.orient(plane_[0], plane_[1], plane_[2], v) != Sign::zero) return false;
     const std::vector<VertexIndex> members = members_of(recovery_.constraints, subfacet_);
@@ -198,9 +198,9 @@ class FacetRecovery {
     return out;
   }
 
-  /// Removes as many of a list of piercing edges as flips can. No flip creates another piercing edge, so the list needs
-  /// no new trace. Up to one level deep, flips examine only the cells at the edge's ends; if these have not changed
-  /// since a failure, flips would fail again.
+  /// Removes as many of a list of edges that pierce the facet as flips can. No flip creates another such edge, so the
+  /// list remains complete. Up to one level deep, flips examine only the cells at the edge's ends; if these have not
+  /// changed since a failure, flips would fail again.
   void remove_by_flips(std::vector<Piercing>& left, unsigned depth) {
     EdgeRemover remover(mesh_, recovery_.constraints, &work_left_);
     const NoNewPiercing rule(sides_);
@@ -225,7 +225,7 @@ class FacetRecovery {
     }
   }
 
-  /// Adds a point on the first edge that admits one, and removes that edge from the list.
+  /// Adds a point to the facet on the first piercing edge that can be split; removes that edge from the list.
   bool split_one(std::vector<Piercing>& left) {
     for (std::size_t i = 0; i < left.size(); ++i) {
       const PiercingEdge e = left[i].edge;
@@ -277,10 +277,10 @@ class FacetRecovery {
   Triangle plane_;
   std::vector<DirectedEdge> border_;
   FacetSides sides_;
-  bool is_plain_ = true;         ///< whether this is a triangle to which no point has been added
-  bool has_been_split_ = false;  ///< whether this object has added a point
-  std::size_t n_traced_ = 0;     ///< faces and edges traced, limited by traced_of_facet in the budget
-  std::size_t work_left_ = 0;    ///< remaining work of flips, from flips_tried in the budget
+  bool is_plain_ = true;         ///< whether the facet is a triangle to which no point has been added
+  bool has_been_split_ = false;  ///< whether a point has been added to this facet
+  std::size_t n_traced_ = 0;     ///< number of faces and piercing edges that traces of this facet have found
+  std::size_t work_left_ = 0;    ///< number of edges and faces that flips for this facet may still try
 };
 
 }  // namespace
@@ -296,8 +296,8 @@ bool has_all_vertices(const Recovery& recovery, Index subfacet) {
   return std::all_of(c.subfacets[subfacet].vertices.begin(), c.subfacets[subfacet].vertices.end(), in_mesh);
 }
 
-/// Returns whether all border edges of the piece are in the mesh. At a missing edge, a trace of the piece would leave
-/// it and follow its plane through the whole mesh.
+/// Returns whether all border edges of a piece of a facet are in the mesh. At a missing edge, the search for its faces
+/// would leave the facet and follow its plane through the whole mesh.
 bool has_all_edges(Recovery& recovery, Index piece) {
   Constraints& c = recovery.constraints;
   const std::vector<DirectedEdge>& border = c.piece_of(piece).border;

@@ -12,7 +12,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Removes the crossed simplex, or a neighbour that prevents its removal.
+/// Removes by flips the mesh face or edge that a segment crosses, or an edge beside it that prevents this.
 bool remove_crossed(Recovery& recovery, EdgeRemover& remover, const Crossing& crossing, unsigned depth) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (crossing.kind == CrossingKind::edge)
@@ -64,8 +64,8 @@ bool recover_from_ends(Recovery& recovery, VertexIndex a, VertexIndex b, unsigne
   return false;
 }
 
-/// Removes any crossing of the missing edge a-b if that leaves fewer crossings, or sometimes as many. (In the plane,
-/// too, a crossed edge of a quadrilateral that is not convex has to wait for its neighbours.)
+/// Removes by flips one after the other of the mesh faces and edges that the missing edge a-b crosses, in any order, if
+/// fewer remain, or sometimes as many.
 class CrossingReduction {
  public:
   CrossingReduction(Recovery& recovery, VertexIndex a, VertexIndex b, unsigned depth, std::size_t& work_left)

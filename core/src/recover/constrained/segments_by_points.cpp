@@ -27,7 +27,7 @@ double plane_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& 
   return da == db ? 0.5 : da / (da - db);
 }
 
-/// Returns the parameter on a-b nearest to the line p-q.
+/// Returns the parameter (0 at a, 1 at b) of the point on the line a-b that is nearest to the line p-q.
 double line_parameter(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 u = b - a, v = q - p, w = a - p;
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), d = uu * vv - uv * uv;

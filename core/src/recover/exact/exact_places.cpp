@@ -98,8 +98,8 @@ bool ExactPlaces::are_declared_flat(const std::array<VertexIndex, 4>& v) const {
   return false;
 }
 
-/// Returns whether all points have one coordinate in common, as on the sides of a box. A coordinate counts only if it
-/// is a double, so that its rest is zero.
+/// Returns whether four points lie in a plane perpendicular to an axis, because they have equal coordinates there that
+/// are exact in doubles.
 bool ExactPlaces::are_in_plane_across_axis(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   for (std::size_t i = 0; i < 3; ++i)
     if (std::all_of(v.begin(), v.end(),
@@ -117,7 +117,7 @@ namespace {
 
 constexpr double widening_of_rests = 3;
 
-/// Returns the error of a determinant of offsets with these magnitudes (`reach`) and errors (`wrong`).
+/// Returns the error bound of a 3 x 3 determinant whose columns have entries up to `reach` with errors up to `wrong`.
 double error_by_rests(const Vec3& reach, const Vec3& wrong) {
   return 8 *
          (wrong.x * (reach.y + wrong.y) * (reach.z + wrong.z) + (reach.x + wrong.x) * wrong.y * (reach.z + wrong.z) +
@@ -166,8 +166,8 @@ filter::Estimate ExactPlaces::sharp(const std::vector<Vec3>& points, const std::
   return {-determinant(w).hi, 0x1p-96 * of.product + of.by_rests};
 }
 
-/// Computes the determinant of the nearest doubles and its error bound. Each coordinate has an error of at most an ulp,
-/// and a difference of two at most 2^-51 of the greater, which is no farther from zero than d plus the offset.
+/// Computes the orientation determinant of the points rounded to doubles, and its error bound. Rounding changes each
+/// coordinate by at most an ulp, and an offset from d by at most 2^-51 (|d| + |offset|).
 filter::Estimate ExactPlaces::of_nearest(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const {
   const Vec3& d = points[v[3]];
   const Vec3 a = points[v[0]] - d, b = points[v[1]] - d, c = points[v[2]] - d;
@@ -186,8 +186,8 @@ Sign ExactPlaces::side_of_end(const std::vector<Vec3>& points, const std::array<
   return decide(points, v);
 }
 
-/// Returns the orientation if one of the vertices lies between the ends of its line: it is on the side of both ends, or
-/// of one if the other is in the plane. Returns nothing if the ends lie on different sides, or may have moved.
+/// Finds the orientation of four vertices if one of them was placed between the ends of a line whose ends lie on one
+/// side of the plane of the other three, or one of them in it: then the vertex is on that side, too.
 std::optional<Sign> ExactPlaces::side_of_line(const std::vector<Vec3>& points,
                                               const std::array<VertexIndex, 4>& v) const {
   for (std::size_t k = 0; k < 4; ++k) {

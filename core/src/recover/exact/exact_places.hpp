@@ -27,7 +27,7 @@ struct ExactPlace {
   bool is_on_line() const { return frame[1] != no_vertex && frame[2] == no_vertex; }
   bool is_in_plane() const { return frame[2] != no_vertex; }
   Vec3 nearest() const { return {coordinates[0].estimate(), coordinates[1].estimate(), coordinates[2].estimate()}; }
-  /// Returns whether products of three differences of such coordinates are exact (long_expansion.hpp).
+  /// Returns whether products of three differences of coordinates of this size and precision can be computed exactly.
   bool is_safe() const;
 };
 
@@ -48,11 +48,11 @@ class ExactPlaces {
   /// Returns the orientation of the coordinates (i, j) of three vertices like orient2d.
   Sign orient_flat(const std::vector<Vec3>& points, const std::array<VertexIndex, 3>& v, std::size_t i,
                    std::size_t j) const;
-  /// Returns six times the signed volume, exactly.
+  /// Returns six times the signed volume of the tetrahedron v, whose vertices may have exact places, exactly.
   exact::LongExpansion volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Returns six times the signed volume with a relative error of less than 2^-20.
+  /// Returns six times the signed volume of the tetrahedron v with a relative error of less than 2^-20.
   double rough_volume(const std::vector<Vec3>& points, const std::array<VertexIndex, 4>& v) const;
-  /// Error of a determinant of three offsets from one vertex: `widening` times the error for doubles, plus `slack`.
+  /// Error of a determinant of three rounded vectors from one vertex: `widening` times that for doubles, plus `slack`.
   struct OffsetError {
     double widening = 1, slack = 0;
   };
@@ -61,7 +61,7 @@ class ExactPlaces {
   Vec3 offset(const std::vector<Vec3>& points, VertexIndex from, VertexIndex to) const;
   exact::LongExpansion coordinate(const std::vector<Vec3>& points, VertexIndex v, std::size_t i) const;
 
-  /// Returns the exact place of v minus its nearest double, rounded; zero for other vertices.
+  /// Returns the exact place of v minus the nearest point in doubles, rounded; zero if v has double coordinates.
   Vec3 rest_of(VertexIndex v) const { return contains(v) ? rows_[row_of_[v - first_]].rest : Vec3{}; }
   /// Returns how many orientations have been decided: a measure of work that is the same on every machine.
   std::size_t n_decided() const { return n_decided_; }
@@ -70,10 +70,10 @@ class ExactPlaces {
  private:
   struct Row {
     ExactPlace place;
-    Vec3 rest;                     ///< place minus its nearest double, rounded
-    bool is_between_ends = false;  ///< whether the place is on a line, strictly between the ends of its frame
+    Vec3 rest;                     ///< exact place minus the nearest point with double coordinates, rounded
+    bool is_between_ends = false;  ///< whether the vertex was placed on a line, strictly between its two end vertices
   };
-  /// Six times a volume in doubles, with the values from which the bounds of both filters are computed.
+  /// Six times a tetrahedron's volume in doubles with its error bound, and two terms of the next filter's bound.
   struct Rough {
     filter::Estimate plain;
     double product = 0, by_rests = 0;
@@ -88,7 +88,7 @@ class ExactPlaces {
   bool are_declared_flat(const std::array<VertexIndex, 4>& v) const;
 
   VertexIndex first_ = no_vertex;  ///< the smallest vertex that ever had an exact place
-  std::vector<Index> row_of_;      ///< row of each vertex from first_ on
+  std::vector<Index> row_of_;      ///< row in rows_ of vertex first_ + k; no_index if its place is a double
   std::vector<Row> rows_;
   mutable std::size_t n_decided_ = 0;
 };

@@ -61,7 +61,8 @@ unsigned ConstrainedMesh::exit_towards(CellIndex c, VertexIndex a, VertexIndex b
 }
 
 CellIndex ConstrainedMesh::find_edge(VertexIndex a, VertexIndex b) {
-  // Walks in the star of a towards b. If the walk has not arrived soon, the star, which is small, is searched instead.
+  // Walks from cell to cell of the star of a towards b. If the walk takes too many steps, all cells of the star are
+  // searched.
   CellIndex c = cell_of_[a];
   Random random = walk_choices(a, b);
   for (unsigned step = 0; step < recovery_budget.star_walk; ++step) {
@@ -94,7 +95,7 @@ FaceRef ConstrainedMesh::face_in_cell(CellIndex cell, VertexIndex a, VertexIndex
   const unsigned i = mesh_.index_of(cell, a), j = mesh_.index_of(cell, b), k = mesh_.index_of(cell, c);
   const unsigned d = 6 - i - j - k;
   const FaceRef f(cell, d);
-  // (a,b,c,d) is positive exactly if (i,j,k,d) is an even permutation.
+  // The tetrahedron (a,b,c,d) is positive exactly if its positions in the cell, (i,j,k,d), are an even permutation.
   return even_completion[i][j][0] == k ? f : mesh_.mirror(f);
 }
 

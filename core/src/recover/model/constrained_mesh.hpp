@@ -27,8 +27,8 @@ struct EdgeRing {
   std::vector<VertexIndex> ring;
 };
 
-/// Returns the random choices of direction for a walk from a to b. They depend only on a and b, and not on earlier
-/// walks, so that queries have no side effects.
+/// Returns the random numbers that choose among possible steps of a walk through the mesh from vertex a to b. They
+/// depend on a and b alone, so that walks do not influence later ones.
 inline Random walk_choices(VertexIndex a, VertexIndex b) { return Random(a * 0x9E3779B9u + b); }
 
 /// Locks of faces, stored in the flags of cells.
@@ -79,13 +79,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool is_exact(VertexIndex v) const { return exact_.contains(v); }
   bool has_exact_places() const { return !exact_.empty(); }
   const ExactPlaces& exact_places() const { return exact_; }
-  /// Returns coordinate i of any vertex, exactly.
+  /// Returns coordinate i (0 to 2) of vertex v exactly, as a sum of doubles.
   exact::LongExpansion coordinate(VertexIndex v, std::size_t i) const { return exact_.coordinate(points_, v, i); }
   /// Returns the vector from one vertex to another, which is accurate even if their nearest doubles are equal.
   Vec3 offset(VertexIndex from, VertexIndex to) const {
     return exact_.empty() ? points_[to] - points_[from] : exact_.offset(points_, from, to);
   }
-  /// Returns the error of offsets from one vertex, for filters of determinants.
+  /// Returns error terms for determinants of vectors from one vertex to others, whose coordinates were rounded.
   ExactPlaces::OffsetError offset_error(VertexIndex from, std::span<const VertexIndex> to) const {
     return exact_.offset_error(points_, from, to);
   }
@@ -109,7 +109,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
 
   /// Collects all cells with v (including ghosts). The order depends on the mesh alone.
   void star(VertexIndex v, std::vector<CellIndex>& out) { EditableMesh::star(v, marks_, out); }
-  /// Returns temporary marks on cells, which star() uses, too.
+  /// Returns marks on cells for temporary use by the caller. Each call of star() clears them.
   EpochMarks& marks() { return marks_; }
   /// Returns the vertices connected with v by an edge, without the infinite one, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v);
@@ -125,13 +125,14 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   bool ring(CellIndex cell, VertexIndex a, VertexIndex b, EdgeRing& out) const;
   /// Returns the face a,b,c from the cell above it (whose apex d makes (a,b,c,d) positive), or an invalid reference.
   FaceRef find_face(VertexIndex a, VertexIndex b, VertexIndex c);
-  /// Returns the same face as find_face, starting from a `cell` that has a and b. O(cells around a-b).
+  /// Returns the face a,b,c from the cell above it, or an invalid reference, by turning around a-b from `cell`, which
+  /// has a and b. O(cells around a-b).
   FaceRef find_face_about(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
-  /// Returns the same face as find_face, for a `cell` that has all three vertices.
+  /// Returns the face a,b,c from the cell above it. `cell` has all three vertices and may be above or below the face.
   FaceRef face_in_cell(CellIndex cell, VertexIndex a, VertexIndex b, VertexIndex c) const;
 
-  /// Returns the exit of a walk in the star of a towards b: a face of cell c at a beyond whose plane b lies. `random`
-  /// chooses one of several. Returns 4 if the cone of c at a contains b.
+  /// Makes one step of a walk in the star of a towards b: returns a face of cell c at vertex a beyond whose plane b
+  /// lies, chosen by `random` from several. Returns 4 if the cone of c at a contains b.
   unsigned exit_towards(CellIndex c, VertexIndex a, VertexIndex b, Random& random) const;
 
   /// Returns a finite cell that contains p inside or on its boundary, walking from `start` (from its finite neighbour
@@ -149,7 +150,7 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// undo may be open. O(cells tested).
   template <class Test>
   void find_cavity(CellIndex first, const Test& in_cavity, std::vector<CellIndex>& cavity);
-  /// Sets the marks of find_cavity on the cells of a cavity again; unmark_cavity removes them.
+  /// Sets the flags by which replace_by_star recognises the cells of a cavity; unmark_cavity removes them.
   void mark_cavity(std::span<const CellIndex> cavity) {
     for (const CellIndex c : cavity) mesh_.flags(c) |= region_flag;
   }
@@ -162,13 +163,13 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   /// positivity; new cells: last_created(). O(k).
   void replace_by_star(std::span<const CellIndex> cavity, VertexIndex x);
 
-  /// Returns the number of changes so far, and its value after the last change of a cell with v. Changes that were
-  /// rolled back do not count.
+  /// n_changes() counts the changes of the mesh that were not rolled back. last_change(v) is this count after the last
+  /// change of a cell that has v.
   std::size_t n_changes() const { return n_changes_; }
   std::size_t last_change(VertexIndex v) const { return v < last_change_.size() ? last_change_[v] : 0; }
 
-  /// Undo of replacements: mark() .. roll_back(mark) restores the cells (vertices and locks, not slot numbers).
-  /// docs/decisions/house.md explains why it is not the journal of remeshing.
+  /// roll_back(mark) undoes all replacements of cells since the call of mark() that returned `mark`; slot numbers may
+  /// differ. docs/decisions/house.md explains why remeshing has a journal of its own.
   std::size_t mark();
   void roll_back(std::size_t mark);
   /// Ends the undo that mark() began and keeps the changes.
@@ -179,12 +180,12 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   unsigned random(unsigned n) { return random_.below(n); }
 
  private:
-  /// Flag for cells that the search for a cavity has found to be outside the cavity.
+  /// Flag of cells that the search for a cavity has examined and left out.
   static constexpr std::uint8_t tested_flag = 0x40;
 
   struct CreatedCell {
     Tetrahedron vertices;
-    CellIndex slot;  ///< slot of the cell when it was created
+    CellIndex slot;  ///< slot in which the cell was stored when it was created
   };
   /// Rows at which the lists of removed and created cells of each replacement begin.
   struct JournalEntry {
@@ -210,8 +211,8 @@ class ConstrainedMesh : public EditableMesh<FaceLocks> {
   std::size_t n_changes_ = 0;
   std::vector<std::size_t> last_change_;  ///< by vertex
   std::vector<CellIndex> created_;
-  std::vector<FaceRef> star_faces_;  ///< for each created cell of a star, the face of the removed cell that is its base
-  std::vector<CellIndex> tested_;    ///< cells found to be outside during the search for a cavity
+  std::vector<FaceRef> star_faces_;  ///< for each new cell of a star, its face on the former cavity's boundary
+  std::vector<CellIndex> tested_;    ///< cells that the search for a cavity has examined and left out
   EpochMarks marks_;
   Random random_;
 };

@@ -20,7 +20,7 @@ void ConstrainedMesh::replace(std::span<const CellIndex> old_cells, std::span<co
 void ConstrainedMesh::exchange_cells(std::span<const CellIndex> old_cells, std::span<const Tetrahedron> tetrahedra,
                                      bool is_noted) {
   const auto make = [&](std::size_t k) {
-    if (k == 0) created_.clear();  // cleared only here, because old_cells may refer to this list
+    if (k == 0) created_.clear();  // not earlier, because the list of cells to be removed may be created_ itself
     const CellIndex c = mesh_.add_cell(tetrahedra[k]);
     created_.push_back(c);
     if (is_noted) journal_created_.push_back({tetrahedra[k], c});

@@ -21,7 +21,7 @@ namespace geomesh::recover {
 struct Subsegment {
   VertexIndex a = no_vertex, b = no_vertex;
   Index segment = no_index;  ///< row in Constraints::segments, or no_index for an edge inside a facet
-  Index facet = no_index;    ///< for an edge inside a facet: that facet
+  Index facet = no_index;    ///< the facet that contains the edge in its inside; no_index for other subsegments
   bool live = true;
   std::vector<Index> subfacets;
   CellIndex seen_in = no_cell;  ///< a cell that had the edge when it was last found (presence.hpp)
@@ -31,7 +31,7 @@ using DirectedEdge = std::array<VertexIndex, 2>;
 
 /// A triangle that is, or should become, a face of the mesh, or a `piece`: a part of a facet that any faces may cover.
 struct Subfacet {
-  Triangle vertices{};  ///< three vertices in the facet's orientation; those of a piece span its plane
+  Triangle vertices{};  ///< corners in the facet's orientation; for a piece any three that span its plane
   Index facet = no_index;
   bool live = true;
   Index piece = no_index;
@@ -42,10 +42,10 @@ struct Subfacet {
 /// whose border points were added. Any mesh faces between its vertices may cover it, so inner edges require no points.
 struct FacetPiece {
   std::vector<DirectedEdge>
-      border;  ///< with the facet on the left, as seen from above; an inner segment is listed in both directions
-  std::vector<VertexIndex> members;  ///< all vertices, on the border and inside
-  std::vector<Triangle> seen{};      ///< faces that covered the piece when it was last found (presence.hpp)
-  std::vector<CellIndex> seen_in{};  ///< cells that contained these faces
+      border;  ///< edges with the piece on their left, seen from above; an inner segment in both directions
+  std::vector<VertexIndex> members;  ///< all vertices of the piece, on its border and inside
+  std::vector<Triangle> seen{};      ///< mesh faces that covered the piece when it was last found
+  std::vector<CellIndex> seen_in{};  ///< for each face of `seen`, the cell in which it was found
 };
 
 /// A segment of the model: a facet's border or one that the caller lists.
@@ -54,10 +54,10 @@ struct ModelSegment {
   Index row = no_index;  ///< in PiecewiseLinearComplex::segments
 };
 
-/// Role of a vertex, which is declared and not measured.
+/// The input item on which a vertex was placed, as recorded at its insertion instead of found by its coordinates.
 struct VertexRecord {
   VertexOrigin origin = VertexOrigin::input;
-  Index owner = no_index;  ///< row of the model segment or facet
+  Index owner = no_index;  ///< row of the model segment or facet on which the vertex was added
 };
 
 class Constraints {
@@ -91,16 +91,16 @@ class Constraints {
   /// Adds a piece of a facet, given by its border. The edges of the border must be subsegments.
   Index add_piece(const Triangle& plane, FacetPiece piece, Index facet);
   const FacetPiece& piece_of(Index subfacet) const { return pieces_[subfacets[subfacet].piece]; }
-  /// Remembers the faces that cover a piece, and the cells that contain them (presence.hpp).
+  /// Stores the mesh faces that cover a piece of a facet, and cells that contain them, for later searches.
   void remember(Index subfacet, const std::vector<Triangle>& faces, const std::vector<CellIndex>& cells) {
     pieces_[subfacets[subfacet].piece].seen = faces;
     pieces_[subfacets[subfacet].piece].seen_in = cells;
   }
   bool is_piece(Index subfacet) const { return subfacets[subfacet].piece != no_index; }
 
-  /// Converts a triangle to a piece, which happens when the first point is added to it.
+  /// Converts a triangular subfacet to a piece: a part of a facet with any border and inner points.
   void make_piece(Index subfacet);
-  /// Declares x to lie inside piece f.
+  /// Declares that vertex x lies inside subfacet f, which must be a piece.
   void add_member(Index f, VertexIndex x) {
     pieces_[subfacets[f].piece].members.push_back(x);
     pieces_[subfacets[f].piece].seen.clear();

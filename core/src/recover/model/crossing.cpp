@@ -15,7 +15,7 @@ bool crossing_in_cell(const ConstrainedMesh& mesh, CellIndex c, VertexIndex a, V
   const unsigned i = cells.index_of(c, a);
   const auto& v = cells.vertices(c);
   const auto& local = face_vertices[i];
-  std::array<Sign, 3> side;  // sides of b relative to the faces at a, where face k is opposite local[k]
+  std::array<Sign, 3> side;  // side[k]: that of vertex b relative to the cell's face opposite vertex local[k]
   for (unsigned k = 0; k < 3; ++k) {
     side[k] = mesh.orient(a, v[local[(k + 1) % 3]], v[local[(k + 2) % 3]], b);
     if (side[k] == Sign::positive) return false;
@@ -125,7 +125,7 @@ class LineWalk {
         cross_edge(at, c, v[k], d);
         return true;
       }
-    return false;  // the line runs through vertex d
+    return false;  // the line runs through d, the vertex opposite the face
   }
 
   bool leave_edge(Crossing& at) {
@@ -147,7 +147,7 @@ class LineWalk {
     }
     return false;
   }
-  /// Leaves the ring of edge p-q in the plane of face p,q,u, through p-u or q-u.
+  /// Follows the line, which crosses edge p-q and then runs in the plane of face p,q,u, to its crossing of p-u or q-u.
   bool leave_in_plane(Crossing& at, CellIndex c, VertexIndex p, VertexIndex q, VertexIndex u, VertexIndex w) const {
     const int sp = static_cast<int>(mesh_.orient(a_, b_, w, p)), su = static_cast<int>(mesh_.orient(a_, b_, w, u));
     if (su == 0) return false;

@@ -111,8 +111,8 @@ class Declarer {
     }
     out_.constraints.add_subfacet(v, f);
   }
-  /// Takes the border from the draft: the directed edges of its triangles that are segments. The orientation of the
-  /// loops therefore does not matter.
+  /// Takes the border of a polygonal facet from its own triangulation: the directed edges of triangles that are
+  /// segments. The orientation of the loops therefore does not matter.
   void add_piece(const FacetTriangulation& draft, const FacetPolygon& polygon, Index f) {
     FacetPiece piece;
     for (const Triangle& t : draft.triangles)

@@ -39,7 +39,7 @@ class ExcerptBuilder {
     }
     return rows_[v];
   }
-  /// Adds the cells around the given vertices. Returns the vertices that were not in the excerpt before.
+  /// Adds the cells around the given vertices to the part of the mesh to be extracted, and returns their new vertices.
   std::vector<VertexIndex> add_stars(const std::vector<VertexIndex>& centres, std::size_t max_cells) {
     std::vector<VertexIndex> reached;
     std::vector<CellIndex> star;
@@ -63,7 +63,7 @@ class ExcerptBuilder {
   ConstrainedMesh& mesh_;
   const Constraints& constraints_;
   MeshExcerpt out_;
-  std::vector<VertexIndex> rows_;  ///< row in the excerpt of each vertex of the mesh
+  std::vector<VertexIndex> rows_;  ///< for each vertex of the mesh, its row in the extracted part, or no_vertex
   std::set<CellIndex> seen_;
 };
 

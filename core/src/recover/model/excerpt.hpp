@@ -11,8 +11,8 @@
 namespace geomesh::recover {
 
 /// Returns the finite cells within two steps of these vertices, and the declared segments and facets whose vertices all
-/// belong to these cells. If there are more than `max_cells` cells, those with the fewest steps are taken. O(cells of
-/// the excerpt + declared constraints).
+/// belong to these cells. If there are more than `max_cells` cells, those with the fewest steps are taken. O(returned
+/// cells + declared constraints).
 std::shared_ptr<const MeshExcerpt> excerpt_about(const Recovery& recovery, std::span<const VertexIndex> vertices,
                                                  std::size_t max_cells = 4000);
 

@@ -8,7 +8,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Records why the trace has ended. If it has touched a vertex, the first such contact is kept.
+/// Records why the search for a facet's faces has ended. A vertex found in the facet first is not overwritten.
 void fail(FacetTrace& out, FacetTrace::Status status, VertexIndex culprit = no_vertex) {
   if (out.status == FacetTrace::Status::touched) return;
   out.status = status;
@@ -37,7 +37,7 @@ class PiercingSearch {
   PiercingSearch(ConstrainedMesh& mesh, const FacetSides& sides, FacetTrace& out)
       : mesh_(mesh), sides_(sides), out_(out) {}
 
-  /// Adds to the trace a piercing edge and all that are connected with it.
+  /// Records a mesh edge that pierces the facet, and all other such edges that are connected with it through cells.
   void follow(VertexIndex below, VertexIndex above, CellIndex cell) {
     std::vector<PiercingEdge> queue;
     add({below, above, cell}, queue);
@@ -110,8 +110,8 @@ class LeftOfEdge {
     }
     return best;
   }
-  /// Finds a member of the facet on the line of p-q, up to rounding, which therefore has no direction: its face with
-  /// the edge is a part of the facet of zero width.
+  /// Finds a vertex of the facet that lies, up to rounding, on the line of p-q. The triangle that it forms with p and q
+  /// is a part of the facet without width.
   std::size_t thin_member() const {
     const std::size_t n = ring_.size();
     std::size_t thin = n;
@@ -154,7 +154,7 @@ class LeftOfEdge {
   VertexIndex right_;
 };
 
-/// Traces the faces of a facet from its border inwards, edge by edge.
+/// Finds the mesh faces of a facet from its border inwards, edge by edge.
 class Tracer {
  public:
   Tracer(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border)
@@ -187,8 +187,8 @@ class Tracer {
     VertexIndex right;
   };
 
-  /// Finds what lies to the left of p->q, as seen from above: a face of the facet, or a cell that the facet cuts. The
-  /// corner `right` of the face on the right is never accepted, however rounding turns that face.
+  /// Follows the facet across its edge p->q to the left, as seen from above: into a mesh face in the facet, or into a
+  /// cell that the facet cuts. The third corner `right` of the face on the right is never accepted.
   void advance(VertexIndex p, VertexIndex q, VertexIndex right, CellIndex hint) {
     if (!done_.insert({p, q})) return;
     const CellIndex cell = mesh_.find_edge(p, q, hint);
@@ -204,8 +204,8 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Finds what lies to the left of p->q with exact signs: in the ring around p-q exactly one face, edge or vertex lies
-  /// on the left in the plane.
+  /// Follows the facet across its edge p->q to the left with exact signs, by which exactly one vertex or edge of the
+  /// ring around p-q lies there in the facet's plane.
   void advance_exactly(VertexIndex p, VertexIndex q, VertexIndex right) {
     const std::size_t n = ring_.ring.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -218,7 +218,7 @@ class Tracer {
     fail(out_, FacetTrace::Status::unclear);
   }
 
-  /// Accepts as part of the facet the face of p, q and vertex i of the ring around them.
+  /// Adds a mesh face to the faces that make up the facet: that of p, q and vertex i of the ring around edge p-q.
   void accept(VertexIndex p, VertexIndex q, std::size_t i) {
     const VertexIndex v = ring_.ring[i];
     const CellIndex cell = ring_.cells[i];

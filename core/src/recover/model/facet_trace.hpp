@@ -24,14 +24,14 @@ struct PiercingEdge {
 
 struct FacetTrace {
   enum class Status {
-    complete,  ///< the faces cover the subfacet
-    pierced,   ///< edges pierce the subfacet
-    touched,   ///< `culprit` lies in the subfacet but is not declared to be part of it
+    complete,  ///< the mesh faces that were found cover the subfacet
+    pierced,   ///< mesh edges pierce the subfacet
+    touched,   ///< the vertex `culprit` lies in the subfacet, but the model does not say so
     unclear,   ///< the signs around an edge contradict each other, which only rounding to a few ulps can cause
   };
   Status status = Status::complete;
-  std::vector<Triangle> faces;         ///< faces of the subfacet, in its orientation
-  std::vector<CellIndex> cells;        ///< for each face, a cell that has it
+  std::vector<Triangle> faces;         ///< mesh faces in the subfacet, in its orientation
+  std::vector<CellIndex> cells;        ///< for each face in `faces`, a cell that has it
   std::vector<PiercingEdge> piercing;  ///< piercing edges in the order in which they were found, each once
   VertexIndex culprit = no_vertex;
 };
@@ -50,7 +50,7 @@ class FacetSides {
   }
   /// Returns whether all members lie exactly in the plane, so that signs determine the left side of an edge.
   bool is_exact() const { return is_exact_; }
-  /// Returns whether v lies left of p->q, as seen from above. Precondition: p, q and v are members, and is_exact().
+  /// Returns whether v lies left of the line p->q, seen from above the facet that has all three; only if is_exact().
   bool is_left(VertexIndex p, VertexIndex q, VertexIndex v) const {
     const Vec3 n = normal();
     std::size_t axis = 0;
@@ -66,7 +66,7 @@ class FacetSides {
   }
   bool is_member(VertexIndex v) const { return std::binary_search(members_.begin(), members_.end(), v); }
   const Vec3& origin() const { return mesh_.point(plane_[0]); }
-  /// Returns the rounded normal, which is not of unit length.
+  /// Returns the normal of the facet's plane in doubles, which is not of unit length.
   Vec3 normal() const {
     const Vec3& o = mesh_.point(plane_[0]);
     return cross(mesh_.point(plane_[1]) - o, mesh_.point(plane_[2]) - o);
@@ -88,7 +88,7 @@ class FacetSides {
   bool is_exact_ = false;
 };
 
-/// Traces a subfacet through the mesh. `border` contains directed edges of the mesh with the subfacet on their left.
+/// Finds mesh faces in a subfacet and mesh edges that pierce it. `border`: directed mesh edges with it on their left.
 FacetTrace trace_facet(ConstrainedMesh& mesh, const FacetSides& sides, const std::vector<DirectedEdge>& border);
 
 }  // namespace geomesh::recover

@@ -18,7 +18,8 @@ CellIndex cell_of_subsegment(ConstrainedMesh& mesh, Constraints& constraints, In
 /// has no such face. The vertices of the subfacet must be in the mesh.
 FaceRef face_of_subfacet(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
-/// Traces a declared piece like trace_facet. If the faces that covered it last still exist, it is not traced again.
+/// Finds the mesh faces that cover a piece of a facet, and the mesh edges that pierce it. If the faces that were found
+/// to cover it earlier still exist, these are returned without a search.
 FacetTrace trace_piece(ConstrainedMesh& mesh, Constraints& constraints, Index subfacet);
 
 /// Returns for each subsegment a cell that contains it, or no_cell, in one pass over the cells. O(cells).

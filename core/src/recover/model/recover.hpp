@@ -19,7 +19,7 @@
 
 namespace geomesh::recover {
 
-/// The data on which every stage works.
+/// The mesh, constraints, counters and results of one attempt at recovery, which all its stages use.
 struct Recovery {
   ConstrainedMesh& mesh;
   Constraints& constraints;
@@ -28,7 +28,7 @@ struct Recovery {
   /// Row in plc.points for each vertex (no_vertex for added ones).
   const std::vector<VertexIndex>& input_vertex;
   const PiecewiseLinearComplex& plc;
-  const ModelNames& names;  ///< used for the texts of messages; data of errors refer to items of `plc`
+  const ModelNames& names;  ///< the caller's indices and frame, for texts of messages
   CrossingsOf& crossings;
   std::size_t n_points_added = 0;
   double expected_points_per_vertex =
@@ -43,18 +43,18 @@ struct Recovery {
   bool has_exact_points = false;
   unsigned attempt = 0;  ///< number of the attempt; each attempt works in another order and puts points elsewhere
 
-  std::unordered_set<std::uint64_t> refuted_regions{};  ///< keys of regions without a filling (region_filling.cpp)
+  std::unordered_set<std::uint64_t> refuted_regions{};  ///< hash keys of cell regions that cannot be filled anew
 
   /// The reason why this attempt cannot continue. If a stage sets it, that stage and all later ones return at once.
   std::optional<Error> dead_end{};
   bool has_ended() const { return dead_end.has_value(); }
-  /// Only the first reason is stored.
+  /// Ends the attempt for this reason, unless it has already ended for another one.
   void end(Error why) {
     if (!dead_end) dead_end = std::move(why);
   }
 
-  /// Must be called for each point that flips could not avoid. Crossing facets need points without end. If there are
-  /// more points than usual for valid models, crossings are searched for, and the attempt ends if one is found.
+  /// Must be called for each point that flips could not avoid. If there are more points than valid models usually need,
+  /// crossings of input items are searched for, and the attempt ends if one is found.
   void count_added_point();
   /// Returns Error{invalid_input} with both items if two items of the model cross.
   std::optional<Error> describe_crossing() const;
@@ -73,14 +73,14 @@ bool recover_segment_by_flips(Recovery& recovery, VertexIndex a, VertexIndex b, 
 /// then points where mesh edges pierce the facet. Ends the attempt if a segment or a vertex pierces a facet.
 void recover_facets(Recovery& recovery);
 
-/// Treatment of Steiner points on segments and facets.
+/// Whether Steiner points may remain on segments and facets at the end.
 enum class BoundaryPoints {
-  may_stay,  ///< such points are kept if the mesh needs them
-  must_go,   ///< such points are removed, at the cost of more points inside regions
+  may_stay,  ///< Steiner points on segments and facets are kept if the mesh needs them
+  must_go,   ///< Steiner points leave segments and facets, at the cost of more points inside
 };
 
-/// Effort to remove points inside regions. Regions are decided several times faster in doubles than with exact places,
-/// so they are deferred until places have been rounded.
+/// Which cells are filled anew to remove a Steiner point that is on no facet or segment: its star, or also the region
+/// around the star, which is several times faster once all points have been rounded to doubles.
 enum class InnerEffort { star, region };
 
 /// Removes Steiner points, or moves them from segments and facets into the regions, if the mesh allows it.
@@ -91,17 +91,17 @@ void require_untouched_boundary(Recovery& recovery);
 
 /// The cells that are filled anew when an added point is removed.
 enum class RefilledCells {
-  star,               ///< the cells of its star, and those whose faces a point moved inside does not see
-  region_about_star,  ///< also cells around the star
+  star,               ///< the point's star, and cells behind faces that are not visible from its new place
+  region_about_star,  ///< the point's star, and a region of cells around the star
 };
 
 /// Removes one added point from its segment or facet (boundary_points_inward.cpp). Returns whether it did.
 bool take_point_off_boundary(Recovery& recovery, VertexIndex x, RefilledCells cells = RefilledCells::star);
 
-/// Declared subfacets that are not in the mesh.
+/// Counts of subfacets that are not in the mesh.
 struct MissingSubfacets {
   std::size_t n = 0;
-  std::size_t inner_edges = 0;  ///< inner edges of the missing pieces, as many as triangulations of their borders have
+  std::size_t inner_edges = 0;  ///< edges inside triangulations of the missing polygonal subfacets
 };
 MissingSubfacets count_missing_subfacets(Recovery& recovery);
 

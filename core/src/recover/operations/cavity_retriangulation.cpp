@@ -29,7 +29,7 @@ Cavity::Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexInd
     }
 }
 
-/// Returns whether the face belongs to a cell with the dropped vertex and has this vertex itself.
+/// Returns whether the face has the vertex that is to be removed from the mesh.
 bool Cavity::is_of_dropped(FaceRef face) const {
   const TetMesh& cells = recovery_.mesh.cells();
   return dropped_ != no_vertex && cells.vertex(face.cell(), face.face()) != dropped_ &&

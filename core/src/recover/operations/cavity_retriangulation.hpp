@@ -16,15 +16,15 @@ struct CavityEffort {
   std::size_t max_faces = recovery_budget.filling_faces;
 };
 
-/// Cells to be replaced, with their boundary. No subsegment, locked face or vertex but the dropped one is inside.
+/// Cells to be replaced. They surround no subsegment, locked face or vertex, except a vertex that is to be removed.
 class Cavity {
  public:
   /// `cells` has no duplicates. `dropped` is a vertex to be removed, or no_vertex. Faces with this vertex are not part
-  /// of the boundary, so the caller closes the gaps by sheets. `is_valid()`: whether the inside may be emptied. O(n log
-  /// n) for n cells.
+  /// of the boundary, so the caller must close the gaps by triangles (add_sheet). `is_valid()`: whether the inside may
+  /// be emptied. O(n log n) for n cells.
   Cavity(const Recovery& recovery, std::vector<CellIndex> cells, VertexIndex dropped = no_vertex);
 
-  /// Adds a sheet: a triangle that is a face of every filling, on the side from which it is counter-clockwise.
+  /// Adds a triangle that must be a face of every filling, with a cell on the side from which it is counter-clockwise.
   void add_sheet(const Triangle& t) { boundary_.push_back({t, {}}); }
   /// Sets the cells, in ascending order, into which the cavity must not grow.
   void forbid(std::vector<CellIndex> cells) { forbidden_ = std::move(cells); }
@@ -36,15 +36,15 @@ class Cavity {
   /// Returns the vertices connected with v by an edge of the boundary, sorted.
   std::vector<VertexIndex> neighbors(VertexIndex v) const;
 
-  /// Returns cells that connect all of the boundary with y, a point that no cell has yet. The cavity, which must be
-  /// valid, grows across faces that y does not see.
+  /// Returns cells that connect all boundary faces of the cavity with y, a point that no cell has yet. The cavity,
+  /// which must be valid, grows across faces that are not visible from y.
   std::optional<std::vector<Tetrahedron>> star_from(VertexIndex y, unsigned max_growths);
   std::optional<std::vector<Tetrahedron>> fill(const CavityEffort& effort) const;
 
  private:
   struct BoundaryFace {
-    Triangle triangle;  ///< counter-clockwise as seen from inside the cavity
-    FaceRef inner;      ///< face of a cell of the cavity; invalid for a sheet
+    Triangle triangle;  ///< corners, counter-clockwise as seen from inside the cavity
+    FaceRef inner;      ///< this face in its cell inside the cavity; invalid for a triangle added as a constraint
   };
 
   bool may_grow_over(const BoundaryFace& side) const;

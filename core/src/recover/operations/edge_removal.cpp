@@ -11,7 +11,7 @@ namespace {
 
 using RingShell = EdgeShell<bool, EdgeRemover::max_ring>;
 
-/// Accepts the first triangulation whose cells are positive and that has no forbidden edges between ring vertices.
+/// Accepts the first triangulation of the ring around an edge with positive cells and without forbidden diagonals.
 struct PositiveGoal {
   const ConstrainedMesh& mesh;
   const Constraints& constraints;
@@ -68,8 +68,8 @@ bool EdgeRemover::replace_ring(const EdgeRing& ring, VertexIndex ear) {
 bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   const std::size_t n = ring.ring.size();
   for (std::size_t i = 0; i < n; ++i) {
-    // Vertex v leaves the ring if edge u-w pierces triangle p, q, v. Of the edges at v, only p-v or q-v prevents this,
-    // if u-w passes it on the wrong side.
+    // The ring of vertices around p-q loses v if edge u-w pierces triangle p, q, v. If u-w passes p-v or q-v on the
+    // outside, that edge is removed.
     const VertexIndex u = ring.ring[(i + n - 1) % n], v = ring.ring[i], w = ring.ring[(i + 1) % n];
     const bool beside_p = mesh_.orient(u, w, v, ring.p) != Sign::positive;
     const bool beside_q = mesh_.orient(u, w, ring.q, v) != Sign::positive;
@@ -79,7 +79,7 @@ bool EdgeRemover::shrink_ring(const EdgeRing& ring, unsigned depth) {
   return false;
 }
 
-/// Counts one edge or face as tried. Returns false if the work allowed is used up.
+/// Counts one more edge or face that flips try to remove. Returns false if no more are allowed.
 bool EdgeRemover::spend() {
   if (!work_left_) return true;
   if (*work_left_ == 0) return false;

@@ -12,7 +12,7 @@
 
 namespace geomesh::recover {
 
-/// A rule that forbids new edges in a removal.
+/// Decides which vertices must not be connected by a new edge when an edge is removed by flips.
 class EdgeRule {
  public:
   virtual ~EdgeRule() = default;
@@ -21,8 +21,7 @@ class EdgeRule {
 
 class EdgeRemover {
  public:
-  /// `work_left` is the number of edges and faces that may still be tried, in all calls and by other users of the same
-  /// counter; null means unlimited.
+  /// `work_left` counts down the edges and faces that all calls together may try to remove; null: no limit.
   EdgeRemover(ConstrainedMesh& mesh, const Constraints& constraints, std::size_t* work_left = nullptr)
       : mesh_(mesh), constraints_(constraints), work_left_(work_left) {}
 
@@ -36,7 +35,7 @@ class EdgeRemover {
   bool flip_face(FaceRef f);
 
   static constexpr std::size_t max_ring = recovery_budget.ring;
-  static constexpr unsigned most_edges = 2000;  ///< number of edges tried in one call
+  static constexpr unsigned most_edges = 2000;  ///< number of edges that one call of remove() tries to remove
 
  private:
   bool spend();
@@ -50,7 +49,7 @@ class EdgeRemover {
   std::size_t* work_left_;
   const EdgeRule* rule_ = nullptr;
   unsigned budget_ = 0;
-  std::vector<EdgeRing> rings_;  ///< ring of the current edge at each depth
+  std::vector<EdgeRing> rings_;  ///< cells and vertices around the edge to be removed, by depth of recursion
   std::vector<Tetrahedron> filling_;
 };
 

@@ -14,7 +14,7 @@ LongExpansion volume(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex b, 
   return mesh.exact_places().volume(mesh.points(), {a, b, c, d});
 }
 
-/// Finds the parameter of v on the line first-last if it is known: v is an end or an exact place of that line.
+/// Finds the parameter of v on the line first-last if it is known because v is an end or was placed on the line.
 bool find_parameter(const ConstrainedMesh& mesh, VertexIndex v, VertexIndex first, VertexIndex last,
                     LongExpansion& out) {
   if (v == first || v == last) {

@@ -23,10 +23,10 @@ ExactPlace place_on_line(const ConstrainedMesh& mesh, VertexIndex a, VertexIndex
 ExactPlace place_in_plane(const ConstrainedMesh& mesh, const Triangle& plane, VertexIndex below, VertexIndex above,
                           double error);
 
-/// Returns the place of x moved by a step along its line (step.x), in its plane (step.x, step.y along the frame's
-/// sides), or freely. x must be exact.
+/// Returns the exact place of vertex x after a move along the line (by step.x) or in the plane (by step.x and step.y)
+/// on which it was placed, or in any direction if there is none.
 ExactPlace place_moved(const ConstrainedMesh& mesh, VertexIndex x, const Vec3& step);
-/// Returns the place of x moved by a step in any direction, off its line or plane.
+/// Returns the exact place of vertex x after a move in any direction, off the line or plane on which it was placed.
 ExactPlace place_beside(const ConstrainedMesh& mesh, VertexIndex x, const Vec3& step);
 
 }  // namespace geomesh::recover

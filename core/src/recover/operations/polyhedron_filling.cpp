@@ -58,13 +58,13 @@ class Corners {
     return count;
   }
 
-  /// Returns whether the cell with the face t and the given side faces contains another vertex.
+  /// Returns whether the tetrahedron with the face t and the three other faces `side` contains another vertex.
   bool holds_vertex(const LocalTriangle& t, const std::array<LocalTriangle, 3>& side) {
     return ~(sides_.below(t) | sides_.below(side[0]) | sides_.below(side[1]) | sides_.below(side[2]) | mask_of(t) |
              mask_of(side[0])) &
            all();
   }
-  /// Returns whether the cell of t and v, whose side faces are given, crosses the open face h.
+  /// Returns whether the tetrahedron of triangle t and vertex v, with its three other faces `side`, crosses triangle h.
   bool crosses(const LocalTriangle& t, LocalVertex v, const std::array<LocalTriangle, 3>& side,
                const LocalTriangle& h) {
     for (LocalVertex f : t)
@@ -97,13 +97,13 @@ class Corners {
 struct OpenFace {
   LocalTriangle v{};
   std::uint32_t key = 0;
-  SideMasks::Masks sides{};   ///< vertices above and below the face
-  VertexMask candidates = 0;  ///< vertices that may form a cell with the face
+  SideMasks::Masks sides{};   ///< sets of the vertices above and below the face's plane
+  VertexMask candidates = 0;  ///< set of the vertices that may form a tetrahedron with the face
   int n_candidates = 0;
-  bool is_filtered = false;  ///< whether the candidates have been tested against all open faces at this node
+  bool is_filtered = false;  ///< whether `candidates` are those that cross no open face
 };
 
-/// Counts the open faces by key, and records the changes so that they can be undone.
+/// For each triangle of vertices, how often it is an open face; records the changes so that they can be undone.
 class OpenCounts {
  public:
   explicit OpenCounts(std::size_t n_keys) : n_(n_keys, 0) {}
@@ -181,7 +181,7 @@ class Filler {
     return false;
   }
 
-  /// Returns the face with the fewest possible vertices among a few that are examined.
+  /// Returns the open face that the fewest vertices can complete to a tetrahedron, among a few that are examined.
   std::size_t hardest_face(Front& front) {
     for (OpenFace& f : front) f.is_filtered = false;
     std::size_t best = 0;
@@ -199,7 +199,7 @@ class Filler {
         filtered = i;
     return filtered;
   }
-  /// Removes candidates of a face that do not fit the open faces. They are impossible deeper in the search, too.
+  /// Removes the vertices that cannot form a cell with a face because the cell would cross open faces.
   void filter(const Front& front, OpenFace& face) {
     for (VertexMask left = face.candidates; left != 0; left &= left - 1) {
       const LocalVertex v = static_cast<LocalVertex>(std::countr_zero(left));
@@ -264,7 +264,7 @@ class Filler {
     }
     cells_.push_back({t[0], t[1], t[2], v});
   }
-  /// Undoes in open_ and cells_ what place() did.
+  /// Removes the cell added last, and restores the counts of open faces from before.
   void take_back(std::size_t mark) {
     open_.take_back(mark);
     cells_.pop_back();
@@ -274,7 +274,7 @@ class Filler {
   FillingLimits limits_;
   Corners corners_;
   std::vector<Front> levels_;  ///< the open faces at each depth of the search
-  OpenCounts open_;            ///< counts of open faces at the current level
+  OpenCounts open_;            ///< counts of open faces at the current depth of the search
   std::vector<std::array<LocalVertex, 4>> cells_;
   std::size_t n_nodes_ = 0;
 };

@@ -19,7 +19,6 @@
 
 namespace geomesh::recover {
 
-/// Returns the vertices of the triangles, sorted.
 std::vector<VertexIndex> vertices_of(std::span<const Triangle> boundary);
 
 struct FillingLimits {
@@ -28,8 +27,8 @@ struct FillingLimits {
 };
 
 /// Returns cells that fill a polyhedron, or nothing. `boundary` contains triangles that are counter-clockwise as seen
-/// from inside. A triangle may occur in both orientations (a sheet attached inside) and is then a face of the filling.
-/// Polyhedra of more than 64 vertices are rejected.
+/// from inside. A triangle inside may occur in both orientations and is then a face of the filling. Polyhedra of more
+/// than 64 vertices are rejected.
 std::optional<std::vector<Tetrahedron>> fill_polyhedron(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                         std::span<const Triangle> boundary,
                                                         const FillingLimits& limits = {});

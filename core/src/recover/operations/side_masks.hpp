@@ -24,7 +24,7 @@ using VertexMask = std::uint64_t;
 constexpr VertexMask bit(LocalVertex v) { return VertexMask{1} << v; }
 constexpr VertexMask mask_of(const LocalTriangle& t) { return bit(t[0]) | bit(t[1]) | bit(t[2]); }
 
-/// Positions of the vertices of a polyhedron: offsets between vertices, and error bounds of their determinants.
+/// Positions of the vertices of a polyhedron, for computing determinants of vectors between them with error bounds.
 class LocalPlaces {
  public:
   LocalPlaces(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices) {
@@ -36,33 +36,33 @@ class LocalPlaces {
     }
     if (vertices.empty()) return;
     const ExactPlaces::OffsetError error = mesh.offset_error(vertices[0], vertices);
-    // Two vertices are at most twice as far from each other as from the first vertex. Two offsets are multiplied, so
-    // the error grows by a factor of four.
+    // The error bound holds for vectors from the first vertex. Vectors between other vertices are at most twice as
+    // long, and products of two of them four times as large.
     error_bound_ = {error.widening, 4 * error.slack};
   }
 
   std::size_t size() const { return near_.size(); }
-  /// Offsets from one vertex to the others, for loops that write to memory.
+  /// Computes the vectors from one vertex to the others.
   struct From {
     const Vec3 *near, *rest;
     Vec3 of_near, of_rest;
     Vec3 operator()(std::size_t to) const { return (near[to] - of_near) + (rest[to] - of_rest); }
   };
   From offsets_from(std::size_t v) const { return {near_.data(), rest_.data(), near_[v], rest_[v]}; }
-  /// Error bound of an estimated determinant of offsets between vertices.
+  /// Terms of the error bound of a 3 x 3 determinant of vectors between vertices, computed in doubles.
   struct ErrorBound {
     double widening = 1, slack = 0;
     double operator()(const filter::Estimate& estimate) const { return widening * estimate.error + slack; }
   };
   ErrorBound error_bound() const { return error_bound_; }
-  /// Returns in how many orientations of a triangle with another vertex at least one vertex has an exact place.
+  /// Returns how many tetrahedra of this triangle and another vertex have a vertex whose coordinates are not doubles.
   std::size_t n_exact_about(VertexMask triangle) const {
     return (triangle & exact_) != 0 ? size() - 3 : static_cast<std::size_t>(std::popcount(exact_));
   }
 
  private:
-  std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex, and the rest
-  VertexMask exact_ = 0;           ///< vertices whose places are not doubles
+  std::vector<Vec3> near_, rest_;  ///< the nearest double of each vertex' place, and the place minus that double
+  VertexMask exact_ = 0;           ///< set of vertices whose coordinates are not doubles
   ErrorBound error_bound_;
 };
 
@@ -72,7 +72,7 @@ class SideMasks {
   /// The vertices v for which the cell (t, v) on a triangle t is positive, and those for which it is negative.
   using Masks = std::pair<VertexMask, VertexMask>;
 
-  // The row of an increasing triple is a sum of binomial coefficients (the combinatorial number system).
+  // Triples i < j < k are numbered by a sum of binomial coefficients (the combinatorial number system).
   static constexpr std::size_t n_triples(std::size_t n) { return n * (n - 1) * (n - 2) / 6; }
   static constexpr std::size_t row_of(std::size_t i, std::size_t j, std::size_t k) {
     return n_triples(k) + j * (j - 1) / 2 + i;
@@ -88,7 +88,7 @@ class SideMasks {
     return odd;
   }
 
-  /// `vertices` are at most max_vertices vertices in the mesh's numbering.
+  /// `vertices` are at most max_vertices vertices of the mesh. Their positions in this list are their local numbers.
   SideMasks(const ConstrainedMesh& mesh, const std::vector<VertexIndex>& vertices)
       : mesh_(mesh), vertices_(vertices), places_(mesh, vertices), row_(n_triples(vertices.size()), 0) {}
 
@@ -107,11 +107,11 @@ class SideMasks {
     }
   }
 
-  /// @name Masks of increasing triples, valid after decide_all
+  /// @name Vertices above and below the plane of three vertices; decide_all() must have been called
   /// @{
   const Masks& of_row(std::size_t row) const { return known_[row]; }
   const Masks& of_sorted(LocalVertex i, LocalVertex j, LocalVertex k) const { return known_[row_of(i, j, k)]; }
-  /// Returns the same as sides({i, j, k}), for i < j and any other vertex k, without sorting the three vertices.
+  /// Returns the vertices above and below the plane of (i, j, k), for i < j and any other k.
   Masks of_edge(LocalVertex i, LocalVertex j, LocalVertex k) const {
     if (k < i) return of_sorted(k, i, j);
     if (k > j) return of_sorted(i, j, k);
@@ -131,11 +131,11 @@ class SideMasks {
     const Masks& m = known_[row - 1];
     return odd ? Masks{m.second, m.first} : m;
   }
-  /// Returns the vertices v for which (t, v) is positive.
+  /// Returns the vertices v above the plane of triangle t, for which the tetrahedron (t, v) is positive.
   VertexMask above(const LocalTriangle& t) { return sides(t).first; }
-  /// Returns the vertices v for which (t, v) is negative.
+  /// Returns the vertices v below the plane of triangle t, for which the tetrahedron (t, v) is negative.
   VertexMask below(const LocalTriangle& t) { return sides(t).second; }
-  /// Returns the sign of (a, b, c, d), as -1, 0, 1.
+  /// Returns the orientation of the tetrahedron (a, b, c, d): 1 if positive, 0 if flat, -1 if negative.
   int sign(LocalVertex a, LocalVertex b, LocalVertex c, LocalVertex d) {
     const auto [above, below] = sides({a, b, c});
     return above & bit(d) ? 1 : below & bit(d) ? -1 : 0;
@@ -169,8 +169,8 @@ class SideMasks {
     return vertices_.size() == max_vertices ? ~VertexMask{0} : (VertexMask{1} << vertices_.size()) - 1;
   }
 
-  /// Decides the signs of (i, j, k, l) for all i < j without a branch, because signs in a region are unpredictable.
-  /// Uncertain ones are decided afterwards.
+  /// Finds the orientations of the tetrahedra (i, j, k, l) for all i < j. Signs are estimated without a branch, because
+  /// they are unpredictable; uncertain ones are decided exactly afterwards.
   void decide_below(std::size_t j, std::size_t k, std::size_t l) {
     const filter::Orient3dOfMany estimate_of(offsets_[j], offsets_[k]);
     const LocalPlaces::ErrorBound error_of = places_.error_bound();
@@ -194,7 +194,7 @@ class SideMasks {
       if (s != Sign::zero) put(i, j, k, l, s);
     }
   }
-  /// Stores the sign of (i, j, k, l) for each order of the four vertices, by the sign of the permutation.
+  /// Stores the orientation of the tetrahedron (i, j, k, l) for each of its faces and the opposite vertex.
   void put(std::size_t i, std::size_t j, std::size_t k, std::size_t l, Sign sign) {
     const auto put_side = [&](std::size_t row, std::size_t v, Sign side) {
       (side == Sign::positive ? known_[row].first : known_[row].second) |= bit(static_cast<LocalVertex>(v));
@@ -208,9 +208,9 @@ class SideMasks {
   const ConstrainedMesh& mesh_;
   const std::vector<VertexIndex>& vertices_;
   const LocalPlaces places_;
-  std::vector<std::uint32_t> row_;  ///< row of each sorted triple in known_, plus 1; 0 if it is not decided yet
+  std::vector<std::uint32_t> row_;  ///< for each triple of vertices, its row in known_ plus 1; 0 if it is undecided
   std::vector<Masks> known_;
-  std::vector<Vec3> offsets_;  ///< offsets from one vertex, for decide_all
+  std::vector<Vec3> offsets_;  ///< vectors from one vertex to the others
 };
 
 }  // namespace geomesh::recover

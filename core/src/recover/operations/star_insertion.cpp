@@ -86,7 +86,7 @@ bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, Verte
 
 namespace {
 
-/// Returns whether a face of the cavity's cell c is hidden from x, or is locked with the cavity on both sides.
+/// Returns whether a face of cell c is not visible from x, or is locked and has cells of the cavity on both sides.
 bool spoils_star(const ConstrainedMesh& mesh, const Cavity& cavity, CellIndex c, VertexIndex x) {
   const auto& v = mesh.cells().vertices(c);
   for (unsigned f = 0; f < 4; ++f) {
@@ -115,7 +115,7 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
   for (std::size_t i = cells.size(); i-- > about.size();)
     if (spoils_star(mesh, cavity, cells[i], x)) {
       cavity.erase(i);
-      i = cells.size();  // neighbours of the removed cell may be hidden from x
+      i = cells.size();  // x may not see the new border faces: test all cells again
     }
   CellIndex unused = no_cell;
   if (!stellate(mesh, cavity, x, star, unused) || !keeps_constraints(mesh, constraints, cells, star, no_index))
@@ -126,8 +126,8 @@ bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constra
 
 namespace {
 
-/// Returns the finite cells that contain a place inside or on their boundary, given one of them. side(face) returns the
-/// side of the place relative to the face of a cell.
+/// Returns the finite cells that contain a point inside or on their boundary, given one of them. side(face) returns on
+/// which side of a cell's face the point lies.
 template <class Side>
 std::vector<CellIndex> cells_touching(const ConstrainedMesh& mesh, CellIndex cell, const Side& side) {
   const TetMesh& cells = mesh.cells();

@@ -18,9 +18,9 @@ namespace geomesh::recover {
 bool insert_in_star(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x,
                     std::span<const CellIndex> seeds, Index split = no_index);
 
-/// Connects x with the boundary of its Delaunay cavity, which ends at locked faces and shrinks if x does not see its
-/// boundary. If the cavity would enclose a subsegment, the insertion starts from `about` instead, the cells that
-/// contain x inside or on their boundary. Returns false, changing nothing, if x is on a locked face or subsegment.
+/// Connects x with the boundary of its Delaunay cavity, which ends at locked faces and loses cells of which x does not
+/// see the outer faces. If the cavity would enclose a subsegment, the insertion starts from `about` instead, the cells
+/// that contain x inside or on their boundary. Returns false, changing nothing, if x is on a locked face or subsegment.
 bool insert_beside_constraints(ConstrainedMesh& mesh, const Constraints& constraints, VertexIndex x,
                                std::span<const CellIndex> about);
 

@@ -13,7 +13,7 @@ namespace {
 /// The unknowns of the linear program: a displacement and, last, the least height.
 using Unknowns = std::array<double, 4>;
 
-constexpr double no_length = 1e-12;  ///< a projected unit vector shorter than this is due to rounding
+constexpr double no_length = 1e-12;  ///< a unit vector whose projection is shorter than this counts as perpendicular
 
 double dot(const Unknowns& u, const Unknowns& v) { return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] + u[3] * v[3]; }
 
@@ -36,7 +36,7 @@ class ActiveSetWalk {
   }
 
  private:
-  /// Makes one step from vertex to vertex. Returns false at the optimum.
+  /// Makes one step of the linear program, which increases the least height. Returns false at the optimum.
   bool step() {
     find_orthonormal_base();
     Unknowns way = upwards;
@@ -44,7 +44,7 @@ class ActiveSetWalk {
     if (dot(way, way) > no_length * no_length) return go(way);
     return drop_what_holds_back();
   }
-  /// Moves in the direction `way` up to the first height that limits the step.
+  /// Moves in the direction `way` to where another of the heights becomes the least one.
   bool go(const Unknowns& way) {
     double nearest = std::numeric_limits<double>::infinity();
     std::size_t blocking = heights_.size();
@@ -61,12 +61,12 @@ class ActiveSetWalk {
     active_.push_back(blocking);
     return true;
   }
-  /// The upward direction is a combination of the active rows. Drops a row with a positive factor. Returns false if
-  /// there is none, which is the optimum.
+  /// Drops a constraint that keeps the least height from growing, found by the sign of its multiplier. Returns false at
+  /// the optimum, which has none.
   bool drop_what_holds_back() {
     std::vector<double> factors(active_.size());
     Unknowns rest = upwards;
-    // back substitution: row k is in the span of the first k + 1 base vectors
+    // back substitution, because constraint k lies in the span of the first k + 1 base vectors
     for (std::size_t k = active_.size(); k-- > 0;) {
       const double across = dot(row_of(active_[k]), base_[k]);
       factors[k] = dot(rest, base_[k]) / across;
@@ -97,8 +97,8 @@ class ActiveSetWalk {
   std::span<const LinearHeight> heights_;
   unsigned n_directions_;
   Unknowns place_{};
-  std::vector<std::size_t> active_;  ///< heights that equal the least height, with independent rows
-  std::vector<Unknowns> base_;       ///< orthonormal base of the active rows
+  std::vector<std::size_t> active_;  ///< active constraints: heights that equal the least height, linearly independent
+  std::vector<Unknowns> base_;       ///< orthonormal base of the active constraints' coefficients
 };
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace geomesh::recover {
 
-/// A height as a linear function of a displacement: `at` without displacement, and its slope in each direction.
+/// A point's height over a plane as a linear function of the point's displacement: `at` zero, and slope by direction.
 struct LinearHeight {
   double at;
   std::array<double, 3> slope;
@@ -21,7 +21,7 @@ struct LinearHeight {
 std::array<double, 3> chebyshev_centre(std::span<const LinearHeight> heights, unsigned n_directions,
                                        unsigned most_steps);
 
-/// Returns the least of the heights at a displacement.
+/// Returns the least of several heights, each a linear function of the displacement, at this displacement.
 double least_height(std::span<const LinearHeight> heights, const std::array<double, 3>& displacement);
 
 }  // namespace geomesh::recover

@@ -24,7 +24,7 @@ ExactVector offset(const ConstrainedMesh& mesh, VertexIndex from, VertexIndex to
   return out;
 }
 
-/// Returns six times the volume of the cell of a place and a face, as a function of the place's offset from `origin`.
+/// Returns six times the volume of the tetrahedron of a face and a point, as a linear function of the point.
 WidePlane plane_of(const ConstrainedMesh& mesh, const Triangle& face, const Vec3& origin) {
   const ExactVector u = offset(mesh, face[0], face[1]), v = offset(mesh, face[0], face[2]);
   WidePlane out;

@@ -24,7 +24,7 @@ struct Freedom {
   Vec3 direction, step;
 };
 
-/// The star of one exact vertex, as heights of the vertex over its faces.
+/// The star of a vertex with an exact place, described by the heights of the vertex over the faces of its link.
 class Star {
  public:
   Star(ConstrainedMesh& mesh, VertexIndex x) : mesh_(mesh), x_(x) { mesh.star(x, cells_); }
@@ -126,7 +126,7 @@ bool round_point(ConstrainedMesh& mesh, VertexIndex x) {
 
 namespace {
 
-/// Centres the rounded Steiner points beside x again, each at another double, which can give x more room.
+/// Moves the rounded Steiner points beside x to better centred doubles, which can give x more room.
 void make_room(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   for (const VertexIndex y : mesh.neighbors(x)) {
@@ -191,7 +191,7 @@ std::vector<Vec3> places_about(const ConstrainedMesh& mesh, const std::vector<Ce
   return out;
 }
 
-/// Replaces an inner point by a double beside its star, which grows across faces that the double does not see.
+/// Replaces an inner point by a double outside its star, which grows across faces not visible from the new point.
 bool round_elsewhere(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   if (is_on_boundary(recovery, x)) return false;

@@ -16,9 +16,9 @@ using exact::TwoDouble;
 namespace {
 
 using Row = std::array<double, 3>;
-using Steps = std::array<std::int64_t, 3>;  ///< a lattice point, in units of the spacing
+using Steps = std::array<std::int64_t, 3>;  ///< coordinates of a lattice point as multiples of the spacing
 
-constexpr double too_many_steps = 0x1p60;  ///< limit on numbers of steps, so that sums of a few fit into 64 bits
+constexpr double too_many_steps = 0x1p60;  ///< limit on lattice coordinates, so that sums of a few fit into 64 bits
 
 TwoDouble dot(const WidePoint& a, const WidePoint& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -30,7 +30,7 @@ WidePoint sum(const WidePoint& a, const WidePoint& b) { return {a[0] + b[0], a[1
 
 /// QR decomposition: replaces a matrix of three columns by one with orthonormal columns; stores the triangular factor.
 struct Triangular {
-  std::array<Row, 3> at{};  ///< at[j][k] is zero for j > k
+  std::array<Row, 3> at{};  ///< upper triangular factor: row j, column k
 
   explicit Triangular(std::vector<Row>& rows) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -53,7 +53,7 @@ struct Triangular {
       if (!(at[k][k] > 0) || !std::isfinite(at[0][k] + at[1][k] + at[2][k])) return false;
     return true;
   }
-  /// Returns the solution x of: triangular factor times x = b.
+  /// Solves R x = b with the triangular factor R of the QR decomposition, and returns x.
   Row solve(const Row& b) const {
     Row x{};
     x[2] = b[2] / at[2][2];
@@ -72,7 +72,7 @@ class AnalyticCentre {
     heights_ = heights_at(place_);
   }
 
-  /// Finds the centre by Newton's method. Returns false if rounding prevents progress.
+  /// Finds the analytic centre by Newton's method. Returns false if rounding prevents progress.
   bool find() {
     for (unsigned i = 0; i < recovery_budget.analytic_steps; ++i) {
       const auto rows = rows_in_round_frame();
@@ -91,7 +91,7 @@ class AnalyticCentre {
   const std::vector<double>& heights() const { return heights_; }
 
  private:
-  /// Newton decrement at which the search ends, within a tenth of the ellipsoid
+  /// Newton's method ends if a step is shorter than this share of the inner ellipsoid's radius in its direction.
   static constexpr double near_enough = 0.1;
 
   std::vector<double> heights_at(const WidePoint& p) const {
@@ -99,9 +99,9 @@ class AnalyticCentre {
     for (const WidePlane& plane : planes_) out.push_back((plane.at + dot(plane.normal, p)).hi);
     return out;
   }
-  /// Returns the normals divided by the heights, in a frame in which the ellipsoid is a ball. The frame is found in
-  /// rounds. Two-doubles preserve the digits that doubles lose in a frame that is not close to it yet, so that each
-  /// round gains the digits of a double.
+  /// Returns each plane's normal divided by its height, in a frame in which the inner ellipsoid is a ball. The frame is
+  /// found in rounds of a QR decomposition in doubles. It is stored in twice that precision, so that each round gains
+  /// the digits of a double.
   std::optional<std::vector<Row>> rows_in_round_frame() {
     constexpr unsigned most_rounds = 8;
     constexpr double nearly = 1e-3;
@@ -127,7 +127,7 @@ class AnalyticCentre {
     frame_[1] = scaled(1 / r[1][1], sum(frame_[1], scaled(-r[0][1], frame_[0])));
     frame_[2] = scaled(1 / r[2][2], sum(frame_[2], sum(scaled(-r[0][2], frame_[0]), scaled(-r[1][2], frame_[1]))));
   }
-  /// Returns how far to move along `step` so that the product of the heights is greatest.
+  /// Returns the multiple of `step` by which to move so that the product of the heights over all planes is greatest.
   static double length_along(const std::vector<Row>& rows, const Row& step) {
     constexpr unsigned halvings = 40;
     constexpr double most = 0x1p20;
@@ -162,8 +162,8 @@ class AnalyticCentre {
   std::vector<double> heights_;
 };
 
-/// The lattice of doubles, measured by the shape of the polyhedron. Each row of numbers belongs to a plane, in units of
-/// the centre's height over the plane.
+/// The lattice of points with double coordinates. A lattice vector is described by how much it changes the height over
+/// each plane of the polyhedron, relative to the height of the polyhedron's centre.
 class ShapedLattice {
  public:
   ShapedLattice(const WidePolyhedron& polyhedron, const AnalyticCentre& centre)
@@ -238,7 +238,7 @@ class ShapedLattice {
       find_rows();
       std::vector<Row> scratch = rows_;
       const Triangular r(scratch);
-      if (!r.is_regular(k)) return false;  // the other vectors may look dependent until the first ones are reduced
+      if (!r.is_regular(k)) return false;  // only the first k basis vectors, because unreduced ones may seem dependent
       third_height_ = r.at[2][2];
       if (k == 3) return true;
       bool changed = false;
@@ -293,7 +293,7 @@ class ShapedLattice {
   double third_height_ = 0;
 };
 
-/// The numbers x with at + slope x > 0 for all lines given to cut().
+/// The interval of the numbers x that satisfy all inequalities at + slope x > 0 passed to cut().
 struct Interval {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
   void cut(double at, double slope) {
@@ -331,7 +331,7 @@ bool find_double_inside(const WidePolyhedron& polyhedron, const std::function<bo
   for (const double z : layers.integers(std::numeric_limits<std::size_t>::max())) {
     std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) at[i] = near[i] + z * slopes[i][2];
-    Interval lines;  // the lines of this layer that have a point above all planes
+    Interval lines;  // numbers of the lattice lines in this layer that meet the polyhedron
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
         const double p = slopes[i][0], q = slopes[j][0];

@@ -19,7 +19,7 @@ namespace geomesh::recover {
 
 using WidePoint = std::array<exact::TwoDouble, 3>;
 
-/// The half-space at + normal . y > 0.
+/// The half-space of the points y with at + normal . y > 0.
 struct WidePlane {
   WidePoint normal;
   exact::TwoDouble at;
@@ -27,7 +27,7 @@ struct WidePlane {
 
 /// A bounded polyhedron. The point `inside` is on the positive side of all planes. Places are relative to `origin`.
 struct WidePolyhedron {
-  Vec3 origin;   ///< origin of the frame, whose coordinates are multiples of the spacing
+  Vec3 origin;   ///< point from which places are measured; a multiple of the spacing in each coordinate
   Vec3 spacing;  ///< powers of two: multiples of them are doubles everywhere in the polyhedron
   std::vector<WidePlane> planes;
   WidePoint inside;

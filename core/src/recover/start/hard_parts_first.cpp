@@ -61,7 +61,7 @@ void insert_vertices(Recovery& recovery, const std::vector<VertexIndex>& vertice
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<Vec3> places;
   for (const VertexIndex v : vertices) places.push_back(mesh.point(v));
-  CellIndex near = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));  // starts at a vertex of the box
+  CellIndex near = mesh.cell_of(static_cast<VertexIndex>(mesh.n_input()));  // a box vertex
   for (const VertexIndex i : spatial_order(places).order) {
     recovery.context.check_cancelled();
     const VertexIndex v = vertices[i];

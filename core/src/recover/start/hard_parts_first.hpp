@@ -18,13 +18,13 @@ namespace geomesh::recover {
 
 class HardPartsFirst {
  public:
-  /// Must be called after a failed attempt. Later attempts insert the vertices of the facets that flips and cavities
-  /// did not recover, and of the facets around such segments, one stage earlier. O(facets).
+  /// Must be called after a failed attempt. Later attempts insert earlier the vertices of facets that flips and
+  /// cavities did not recover, and of the facets around such segments: by one stage for each call. O(facets).
   void learn(const Recovery& recovery, const DeclaredModel& model);
   bool has_learned() const { return !stage_.empty(); }
 
-  /// Returns the Delaunay triangulation of the first stage's vertices and the eight vertices of the box. Vertices are
-  /// numbered as in `points`, which has all vertices of the model, followed by those of the box.
+  /// Returns the Delaunay triangulation of the vertices that are inserted first and the eight vertices of the box.
+  /// `points` has all vertices of the model, followed by those of the box; the mesh has the same numbering.
   TetMesh triangulate(const std::vector<Vec3>& points, const DelaunayOptions& options, const RunContext& context) const;
 
   /// Starts from the mesh of triangulate(). Recovers the items that have all their vertices in the mesh, inserts the

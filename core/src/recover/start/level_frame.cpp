@@ -22,7 +22,7 @@ Vec3 area_of(const std::vector<Vec3>& points, const Constraints& constraints, In
   return sum;
 }
 
-/// Returns x + y, or nothing if that would be rounded.
+/// Returns the sum x + y, or nothing if the exact sum is not a double.
 std::optional<double> exact_sum(double x, double y) {
   const double sum = x + y, of_y = sum - x, of_x = sum - of_y;
   if (of_y != y || of_x != x) return std::nullopt;
@@ -81,7 +81,7 @@ class Shear {
   std::array<double, 2> slopes_{};
 };
 
-/// Returns the axes, the nearest to the normal first. Its components are compared up to the step of slopes.
+/// Returns the axes by decreasing component of the normal along them, rounded to the step of slopes.
 std::array<std::size_t, 3> axes_along(const Vec3& normal, const Vec3& extents) {
   const double largest = std::max({std::fabs(normal.x), std::fabs(normal.y), std::fabs(normal.z)});
   const auto nearness = [&](std::size_t axis) {

@@ -29,7 +29,7 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
     const double squared = h.x * h.x + h.y * h.y;
     if (squared == 0) return false;
     const double os = h.x * h.limit / squared,
-                 ot = h.y * h.limit / squared;  // a point of the border, which has the direction (-y, x)
+                 ot = h.y * h.limit / squared;  // the point of the border line nearest to the origin
     double low = -std::numeric_limits<double>::infinity(), high = -low;
     const auto cut = [&](double slope, double room) {
       if (slope > 0) high = std::min(high, room / slope);
@@ -50,8 +50,8 @@ bool have_common_point(const std::vector<HalfPlane>& planes, double far) {
   return true;
 }
 
-/// Collects the vertices of the cells that a missing subsegment crosses. For a present subsegment, collects those of
-/// the cells around it and of their neighbours.
+/// Collects the vertices of the cells that a subsegment crosses if it is no edge of the triangulation; otherwise those
+/// of the cells around it and of their neighbours.
 void gather_about(ConstrainedMesh& mesh, const Subsegment& s, CellIndex cell, std::vector<VertexIndex>& out) {
   const TetMesh& cells = mesh.cells();
   out.clear();
@@ -100,7 +100,7 @@ double ScaleForecast::n_missing(const std::array<int, 3>& exponents) const {
 bool ScaleForecast::is_delaunay(const Sample& sample, const Vec3& scale) {
   const auto place = [&](const Vec3& p) { return Vec3{scale.x * p.x, scale.y * p.y, scale.z * p.z}; };
   const Vec3 a = place(sample.a), b = place(sample.b), o = 0.5 * (a + b), d = 0.5 * (b - a);
-  // The plane that bisects the subsegment, with axes as long as its half d.
+  // Axes in the plane that perpendicularly bisects the subsegment, each half as long as the subsegment.
   const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z), squared = dot(d, d),
                length = std::sqrt(squared);
   Vec3 u = cross(d, x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1});

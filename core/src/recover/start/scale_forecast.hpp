@@ -28,7 +28,7 @@ class ScaleForecast {
  private:
   struct Sample {
     Vec3 a, b;
-    std::vector<Vec3> about;  ///< vertices that may lie in a sphere through a and b
+    std::vector<Vec3> about;  ///< points that are tested against spheres through a and b
     double weight;            ///< number of subsegments that the sample represents
   };
 

@@ -47,10 +47,10 @@ std::size_t count_model_cells(const TetMesh& cells, std::size_t n_input) {
   return n;
 }
 
-/// A triangulation of all vertices, and the positions of the subsegments in it.
+/// A triangulation of all vertices, and for each subsegment a cell of it that has the subsegment as an edge.
 struct Candidate {
   TetMesh cells;
-  std::vector<CellIndex> subsegments;  ///< a cell that has each subsegment, no_cell if it is missing
+  std::vector<CellIndex> subsegments;  ///< for each subsegment a cell that has it; no_cell if it is no edge of the mesh
   DelaunayStatistics statistics;
 
   std::size_t n_missing() const {
@@ -94,9 +94,9 @@ class StartSearch {
     return exponents;
   }
 
-  /// Scales each axis as long as that reduces the crossings of missing segments, and accepts a triangulation that
-  /// misses few more segments. The needles of fans are missing until the last of several steps, while each step lets
-  /// them cross fewer cells. Nothing is tried unless flips would take much longer than all these triangulations.
+  /// Scales each axis by powers of two as long as the missing segments then cross fewer mesh items, and stores in
+  /// `best` the last triangulation with only a few more missing segments. Does nothing unless flips would take much
+  /// longer than all these triangulations.
   void reduce_crossings(Candidate& best, std::array<int, 3> exponents) const {
     constexpr std::size_t share = recovery_budget.crossings_loss;
     double least = n_crossings(best);
@@ -169,9 +169,8 @@ bool is_many(std::size_t n_missing, const Constraints& constraints) {
          recovery_budget.stretch_from * n_missing > constraints.subsegments.size();
 }
 
-/// Searches for a stretched frame in which fewer segments are missing: with level facets, if possible, and in the given
-/// frame unless fewer segments are missing with level facets. A level frame is also tried if inner edges of polygons
-/// are missing, which the search for scales does not count.
+/// Searches for scales of the axes with which the Delaunay triangulation contains more of the model's segments: after a
+/// shear that makes facets horizontal, if one exists, and unless that helps, also without it.
 void stretch(Candidate& best, std::size_t inner_edges, const std::vector<Vec3>& points, const Constraints& constraints,
              const DelaunayOptions& options, const RunContext& context) {
   if (!is_many(best.n_missing() + inner_edges, constraints)) return;
@@ -194,7 +193,7 @@ void remember(const Candidate& candidate, Constraints& constraints) {
     constraints.subsegments[s].seen_in = candidate.subsegments[s];
 }
 
-/// Counts missing subfacets and the inner edges of missing pieces. `candidate` and `points` are unchanged afterwards.
+/// Counts the facets that a start triangulation lacks. `candidate` and `points` are used meanwhile and restored.
 MissingSubfacets count_missing_facets(Candidate& candidate, std::vector<Vec3>& points,
                                       const PiecewiseLinearComplex& plc, const ModelNames& names, DeclaredModel& model,
                                       const RunContext& context) {

@@ -16,14 +16,14 @@ struct StartTriangulation {
   TetMesh mesh;
   std::vector<Vec3> points;  ///< the model's vertices, followed by the eight of the box
   DelaunayStatistics statistics;
-  std::size_t missing_edges = 0;  ///< missing edges of the unscaled Delaunay triangulation
+  std::size_t missing_edges = 0;  ///< segments that are no edges of the unscaled Delaunay triangulation
   std::size_t missing_facets = 0;
-  std::size_t tetrahedra = 0;  ///< number of finite cells without vertices of the box
+  std::size_t tetrahedra = 0;  ///< number of tetrahedra of the model's vertices alone
 };
 
 enum class StartFrame {
   as_given,
-  may_be_stretched,  ///< axes are scaled by powers of two if more than one segment in ten is missing
+  may_be_stretched,  ///< axes are scaled by powers of two if more than one segment in ten is no Delaunay edge
 };
 
 /// Makes the triangulation from which recovery starts. Searches the scales by hill climbing, one axis after the other:

@@ -15,7 +15,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns edges of the link of x that may be removed, sorted.
+/// Returns the edges of the link of x that are not subsegments, sorted.
 std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   std::vector<DirectedEdge> out;
   std::vector<CellIndex> star;
@@ -30,7 +30,7 @@ std::vector<DirectedEdge> link_edges(Recovery& recovery, VertexIndex x) {
   return out;
 }
 
-/// Calls `attempt` after the removal of each edge of the link of x; failed attempts are undone.
+/// Removes each edge of the link of x in turn and then calls `attempt`; undoes the removal if that returns false.
 template <class Attempt>
 bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt) {
   ConstrainedMesh& mesh = recovery.mesh;
@@ -52,7 +52,7 @@ bool after_link_flips(Recovery& recovery, VertexIndex x, const Attempt& attempt)
   return false;
 }
 
-/// Removes an edge that connects the neighbours of x on its segment and therefore runs beside x.
+/// Removes the mesh edge, if there is one, between the two neighbours of the point x on its segment.
 void clear_chord(Recovery& recovery, VertexIndex x) {
   const std::vector<VertexIndex> ends = segment_neighbors(recovery, x);
   if (ends.size() == 2 && recovery.mesh.find_edge(ends[0], ends[1]) != no_cell)
@@ -60,8 +60,8 @@ void clear_chord(Recovery& recovery, VertexIndex x) {
         .remove(ends[0], ends[1], recovery_budget.chord_depth, nullptr, recovery_budget.chord_effort);
 }
 
-/// Tries to take x off its segment or facet. Effort 0 uses the star of x only; 1 also makes flips at x; 2 also uses the
-/// cells around the star and flips of its link.
+/// Tries to remove the Steiner point x from its segment or facet: with effort 0 by filling its star anew, with 1 also
+/// after flips at x, with 2 also together with cells around the star and after flips of edges of its link.
 bool take_off_boundary(Recovery& recovery, VertexIndex x, unsigned effort) {
   if (take_point_off_boundary(recovery, x)) return true;
   if (effort == 0) return false;

@@ -24,7 +24,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Finds cells that fill the sectors of an added point's star, one sector after the other.
+/// Finds cells that fill the star of an added point without it, one sector (part between facets) after the other.
 class SectorFilling {
  public:
   SectorFilling(Recovery& recovery, VertexIndex x, const StarFans& around, RefilledCells refilled,
@@ -37,7 +37,8 @@ class SectorFilling {
         refilled_(refilled),
         grown_(star) {}
 
-  /// Fills a sector without a point if possible, otherwise with a point moved into it, and adds replaced cells to it.
+  /// Fills one part of the star of x, between facets: without a point if possible, otherwise with a point moved into
+  /// it.
   bool fill(Sector& s) {
     Cavity cavity = cavity_of(s);
     const std::vector<Triangle> boundary = cavity.boundary();
@@ -60,7 +61,7 @@ class SectorFilling {
     out.forbid(grown_);
     return out;
   }
-  /// Fills a sector together with cells around it, without a point.
+  /// Fills a part of the star of x, together with cells around it, without a point.
   bool fill_by_region(Sector& s) {
     std::optional<Region> region =
         region_about(recovery_, s.cells, {&x_, 1}, recovery_budget.region_vertices.back(), grown_);
@@ -125,7 +126,7 @@ class SectorFilling {
   VertexIndex x_;
   const StarFans& around_;
   RefilledCells refilled_;
-  std::vector<CellIndex> grown_;  ///< the star and the cells into which sectors have grown, sorted
+  std::vector<CellIndex> grown_;  ///< sorted cells: the star of x, and those added to its parts so far
 };
 
 /// Removes an added point from its facets or segment, and from the mesh.
@@ -154,8 +155,8 @@ class PointRemoval {
   }
 
  private:
-  /// Fills all sectors. Sectors that cannot be filled are divided by sheets, at most `n_sheets` in all. If that fails,
-  /// removes the points that were added inside and returns false.
+  /// Fills all parts of the star of x without x. A part for which that fails is divided by a triangle, as long as there
+  /// are at most `n_sheets` such triangles. Otherwise removes the points that were added inside and returns false.
   bool fill_sectors(unsigned n_sheets) {
     std::vector<Sector> sectors = gather_sectors(mesh_, x_, around_, star_);
     SectorFilling filling(recovery_, x_, around_, refilled_, star_);
@@ -175,8 +176,8 @@ class PointRemoval {
     }
     return false;
   }
-  /// Returns whether the edge that would replace the two halves of the segment at x already exists and is not the
-  /// border of a thin part of a facet.
+  /// Returns whether the mesh already has an edge between the neighbours of x on its segment, and it does not bound a
+  /// part of a facet of zero width.
   bool has_foreign_chord() {
     if (around_.halves.empty() || mesh_.find_edge(around_.ends[0], around_.ends[1]) == no_cell) return false;
     return std::none_of(around_.fans.begin(), around_.fans.end(), [](const Fan& f) { return f.is_thin(); });

@@ -123,7 +123,7 @@ void FillingCandidates::forbid_edges_through(const LocalTriangle& t) {
   }
 }
 
-/// Finds triangles of allowed edges that no required edge pierces.
+/// Finds the triangles that can be faces of a filling: their edges are possible, and no required edge pierces them.
 void FillingCandidates::find_allowed_faces() {
   for (LocalVertex c = 0; c < n_; ++c)
     for (VertexMask of_d = allowed_[c]; of_d != 0; of_d &= of_d - 1)
@@ -135,7 +135,7 @@ void FillingCandidates::find_allowed_faces() {
 /// Removes the faces (c, d, e) through whose interior or border the edge a-b passes: their edges pass a-b on the same
 /// side, and a and b lie on different sides of the face. For each pair c, d all e are handled at once.
 void FillingCandidates::forbid_faces_about(LocalVertex a, LocalVertex b) {
-  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // masks of the triangles (a, b, c) for all c
+  std::array<SideMasks::Masks, SideMasks::max_vertices> about;  // about[c]: vertices above and below plane (a, b, c)
   for (LocalVertex c = 0; c < n_; ++c)
     if (c != a && c != b) about[c] = sides_.of_edge(a, b, c);
   for (LocalVertex c = 0; c < n_; ++c) {
@@ -169,7 +169,7 @@ void FillingCandidates::gather() {
     }
 }
 
-/// Collects the cells of face a, b, c and a vertex after c.
+/// Collects the possible tetrahedra (a, b, c, d) with d > c.
 void FillingCandidates::gather_above_face(LocalVertex a, LocalVertex b, LocalVertex c) {
   const SideMasks::Masks& abc = sides_.of_sorted(a, b, c);
   for (VertexMask of_d = thirds(a, b) & thirds(a, c) & thirds(b, c) & (abc.first | abc.second) & beyond(c); of_d != 0;
@@ -205,8 +205,8 @@ void FillingCandidates::list_by_side() {
     for (const std::uint32_t side : cells_[row].sides) rows_[end_[side]++] = row;
 }
 
-/// Removes cells that have no cell on the other side of one of their inner faces, then the cells that needed these, and
-/// so on. Then the lists are rebuilt. Returns false if a boundary face has no cell left.
+/// Removes tetrahedra that have no other one across one of their inner faces, then those that needed these, and so on.
+/// Then the lists are rebuilt. Returns false if a boundary face has no tetrahedron left.
 bool FillingCandidates::prune() {
   std::vector<std::uint32_t> n_beside(is_required_.size()), emptied;
   std::vector<std::uint8_t> is_gone(cells_.size(), 0);

@@ -23,25 +23,25 @@ class FillingCandidates {
   struct Cell {
     std::array<LocalVertex, 4> vertices;  ///< increasing
     bool is_positive;                     ///< in that order
-    std::array<std::uint32_t, 4> sides;   ///< for each face of the cell, the side on which the cell lies
+    std::array<std::uint32_t, 4> sides;   ///< for each face of the cell, the number of its side where the cell is
     VertexMask mask() const { return bit(vertices[0]) | bit(vertices[1]) | bit(vertices[2]) | bit(vertices[3]); }
   };
 
   FillingCandidates(const ConstrainedMesh& mesh, const Constraints& constraints, const Region& region);
 
-  /// Finds the candidates. Returns false if it is already evident that there is no filling, because a boundary face has
-  /// no candidate on its inner side. O(n^4) for n vertices.
+  /// Finds all tetrahedra of which a filling can consist. Returns false if it is evident that there is no filling,
+  /// because a boundary face has no such tetrahedron on its inner side. O(n^4) for n vertices.
   bool find();
 
-  /// Returns the cells in increasing order of vertices.
+  /// Returns the tetrahedra of which a filling can consist, in lexicographic order of their vertices.
   const std::vector<Cell>& cells() const { return cells_; }
-  /// Returns the rows of the candidates on a side of a face.
+  /// Returns the rows of the possible tetrahedra that lie on this side of a face.
   std::span<const std::uint32_t> beside(std::uint32_t side) const {
     return {rows_.data() + begin_[side], rows_.data() + end_[side]};
   }
   std::size_t n_faces() const { return is_required_.size() / 2; }
   bool is_boundary(std::size_t face) const { return is_required_[2 * face] || is_required_[2 * face + 1]; }
-  /// Returns whether the boundary requires a cell on this side of a face.
+  /// Returns whether a filling must have a cell on this side of a face, because the face is on the region's boundary.
   bool is_required(std::uint32_t side) const { return is_required_[side] != 0; }
 
   LocalVertex local(VertexIndex v) const;
@@ -71,8 +71,8 @@ class FillingCandidates {
   std::size_t n_;
   SideMasks sides_;
   std::vector<LocalTriangle> boundary_;
-  std::vector<VertexMask> forced_;   ///< the other ends of required edges at each vertex
-  std::vector<VertexMask> allowed_;  ///< the other ends of possible edges at each vertex
+  std::vector<VertexMask> forced_;   ///< for each vertex, those with which every filling must connect it
+  std::vector<VertexMask> allowed_;  ///< for each vertex, those with which a filling may connect it
   std::vector<VertexMask> thirds_;   ///< for each pair of vertices, those with which it may form a face
   std::vector<std::uint8_t> is_required_;
   std::vector<Cell> cells_;

@@ -14,7 +14,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Fills the star of x without x: by a fan from a neighbour of x, or else by a search.
+/// Fills the star of x without x: by connecting its boundary with a neighbour of x, or else by a search.
 bool empty_star(Recovery& recovery, VertexIndex x) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<CellIndex> star;
@@ -67,7 +67,7 @@ template <class Remove>
 void remove_each(Recovery& recovery, std::vector<VertexIndex>& points, const Remove& remove) {
   std::erase_if(points, [&](VertexIndex x) {
     recovery.context.check_cancelled();
-    return !recovery.mesh.in_mesh(x) || remove(x);  // x may have been removed together with another point
+    return !recovery.mesh.in_mesh(x) || remove(x);  // removing another point may have removed x
   });
 }
 

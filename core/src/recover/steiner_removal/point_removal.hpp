@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Steps in the removal of added points, which added_points.cpp combines.
+/// Single operations for the removal of Steiner points, which added_points.cpp combines.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ inline bool is_on_boundary(const Recovery& recovery, VertexIndex x) {
 /// Returns the neighbours of x along its segment: two, unless the segment ends at x.
 std::vector<VertexIndex> segment_neighbors(Recovery& recovery, VertexIndex x);
 
-/// Removes edges at x by flips. Returns whether any was removed.
+/// Reduces the number of mesh edges at vertex x by flips. Returns whether any edge was removed.
 bool lower_degree(Recovery& recovery, VertexIndex x);
 
 /// Removes x from a segment that a region surrounds, at the cost of points in the region: up to five points beside x

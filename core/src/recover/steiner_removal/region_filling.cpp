@@ -37,7 +37,7 @@ std::vector<VertexIndex> lost_vertices(const std::vector<VertexIndex>& vertices,
   return lost;
 }
 
-/// Adds neighbours to the cells, and their vertices to `vertices`, as long as there is room.
+/// Adds neighbouring cells to a region, and their vertices to `vertices`, up to `max_vertices` vertices.
 void spread(const ConstrainedMesh& mesh, std::span<const CellIndex> forbidden, std::vector<CellIndex>& cells,
             std::vector<VertexIndex>& vertices, std::size_t max_vertices) {
   std::vector<CellIndex> in = cells;
@@ -109,10 +109,10 @@ class RegionFiller {
   }
 
  private:
-  /// States the formula. Returns false if it is already evident that there is no filling.
+  /// Passes the formula for a filling of the region to the solver. Returns false if there is evidently no filling.
   bool state() {
     const std::size_t n_cells = candidates_.cells().size(),
-                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // each face has at least two cells
+                      n_faces = std::min(2 * n_cells, candidates_.n_faces());  // faces have two candidates or more
     solver_.reserve(n_cells + n_faces, 2 * n_faces, 4 * n_cells + 2 * n_faces);
     for (std::size_t i = 0; i < n_cells; ++i) solver_.new_variable();
     prefer_kept();
@@ -125,7 +125,7 @@ class RegionFiller {
     }
     return state_segments();
   }
-  /// States that each segment is an edge of some cell.
+  /// Adds for each segment the clause that one of the tetrahedra with this edge is chosen.
   bool state_segments() {
     for (const auto& s : region_.segments) {
       const VertexMask ends = bit(candidates_.local(s[0])) | bit(candidates_.local(s[1]));
@@ -154,7 +154,7 @@ class RegionFiller {
     solver_.add_clause(clause_);
     solver_.add_choice(candidates_.beside(side));
   }
-  /// States that a triangle is a face if a cell on one side of it is chosen, and that a face has a cell on each side.
+  /// Adds clauses by which a triangle inside the region has one chosen tetrahedron on each side, or none on both.
   void state_inner(std::uint32_t face) {
     const std::uint32_t is_face = solver_.new_variable();
     for (const std::uint32_t side : {2 * face, 2 * face + 1}) {
@@ -217,7 +217,7 @@ std::uint64_t key_of(const ConstrainedMesh& mesh, const Region& region) {
 
 }  // namespace
 
-// If a region had the same key as one without a filling, a removable point might be kept, but nothing worse.
+// Two regions with the same hash key would be taken for one; the worst result is a removable point that is kept.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region) {
   const std::uint64_t key = key_of(recovery.mesh, region);
   if (recovery.refuted_regions.count(key) > 0) return std::nullopt;

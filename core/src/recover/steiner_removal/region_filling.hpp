@@ -22,12 +22,12 @@ namespace geomesh::recover {
 /// with multiplicity); no cell is a ghost.
 struct Region {
   std::vector<CellIndex> cells;
-  std::vector<VertexIndex> vertices;  ///< vertices of the cells without the dropped ones, sorted
+  std::vector<VertexIndex> vertices;  ///< vertices of the cells without those to be removed, sorted
   /// Boundary triangles, counter-clockwise as seen from the region's inside. A locked face between two of its cells is
   /// listed twice, once in each orientation.
   std::vector<Triangle> boundary;
   std::vector<std::array<VertexIndex, 2>> segments;  ///< subsegments of the cells, smaller vertex first, sorted
-  std::vector<Tetrahedron> kept;                     ///< cells without a dropped vertex
+  std::vector<Tetrahedron> kept;                     ///< cells without vertices that are to be removed
 };
 
 /// Returns `seeds` and cells around them, breadth first across faces that are not locked, up to `max_vertices` (at most
@@ -43,7 +43,7 @@ std::optional<Region> region_about(const Recovery& recovery, const std::vector<C
 /// added points, for example a point beyond the new facets of the boundary. O(n^4) for n vertices before the search.
 std::optional<std::vector<Tetrahedron>> fill_region(const ConstrainedMesh& mesh, const Constraints& constraints,
                                                     const Region& region, std::size_t max_conflicts);
-/// Does the same as fill_region within recovery's budget. Regions without a filling are remembered and not tried again.
+/// Fills the region as fill_region does, but returns nothing at once if an earlier call found no filling for it.
 std::optional<std::vector<Tetrahedron>> fill_region_once(Recovery& recovery, const Region& region);
 
 /// Exchanges cells for a filling. Vertices that the filling lacks are removed from the mesh. O(k log k) for k cells.

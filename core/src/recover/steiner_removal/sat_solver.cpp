@@ -127,7 +127,7 @@ bool SatSolver::imply(Literal cause, Literal effect) {
   return v != 0;
 }
 
-/// After a variable has become true, makes the other variables of its choices false and the flags of the choices true.
+/// After a variable has become true, makes all others of its at-most-one constraints false, and their flags true.
 bool SatSolver::propagate_choices(std::uint32_t variable) {
   const Literal cause = Literal::yes(variable);
   for (std::uint32_t o = first_choice_[variable]; o != no_occurrence; o = occurrences_[o].next) {
@@ -139,7 +139,7 @@ bool SatSolver::propagate_choices(std::uint32_t variable) {
   return true;
 }
 
-/// After a flag has become false, makes all variables of its choices false.
+/// After the flag of an at-most-one constraint has become false, makes all variables of the constraint false.
 bool SatSolver::propagate_flag(std::uint32_t flag) {
   for (std::uint32_t o = first_flag_[flag]; o != no_occurrence; o = occurrences_[o].next) {
     const Choice& choice = choices_[occurrences_[o].choice];

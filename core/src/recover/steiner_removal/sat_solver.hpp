@@ -45,7 +45,7 @@ class SatSolver {
   /// Adds a variable. It is first tried as false (prefer_yes changes this). Variables are decided in the order of their
   /// creation until conflicts change the order.
   std::uint32_t new_variable();
-  /// Reserves memory for `n_clauses` clauses and as many choices, each kind with `n_literals` in all.
+  /// Reserves memory for `n_clauses` clauses and as many at-most-one constraints, each kind with `n_literals` in all.
   void reserve(std::size_t n_variables, std::size_t n_clauses, std::size_t n_literals);
   void prefer_yes(std::uint32_t variable) { phase_[variable] = 1; }
   std::size_t n_variables() const { return values_.size(); }
@@ -64,10 +64,10 @@ class SatSolver {
  private:
   static constexpr std::uint32_t no_reason = 0xFFFFFFFFu;
   static constexpr std::uint32_t by_literal =
-      0x80000000u;  ///< bit of a reason that is the literal with the code in the lower bits
+      0x80000000u;  ///< bit of a stored reason: set if the reason is a literal instead of a clause
 
-  /// The two watches of clause c are 2c and 2c + 1, stored in linked lists, because each clause always has two of them
-  /// and they only change places.
+  /// Entry of the list of clauses that watch a literal. Clause c has the entries 2c and 2c + 1, one for each of its two
+  /// watched literals.
   struct Watch {
     Literal blocker;  ///< another literal of the clause: if it is true the clause need not be examined
     std::uint32_t next;
@@ -75,11 +75,11 @@ class SatSolver {
   struct Clause {
     std::uint32_t begin, size;
   };
-  /// Variables of which at most one is true.
+  /// A constraint: at most one of these variables is true.
   struct Choice {
     std::uint32_t begin, end, flag;
   };
-  /// An occurrence of a variable in a choice, or as the flag of a choice.
+  /// An occurrence of a variable in an at-most-one constraint, or as the flag of one.
   struct Occurrence {
     std::uint32_t choice, next;
   };
@@ -116,16 +116,16 @@ class SatSolver {
   std::vector<Clause> clauses_;
   std::vector<Watch> watches_;
   std::vector<std::uint32_t> first_watch_;  ///< for each literal: watches of the clauses that watch its negation
-  std::vector<std::uint32_t> chosen_;       ///< variables of all choices, choice by choice
+  std::vector<std::uint32_t> chosen_;       ///< variables of all at-most-one constraints, one after the other
   std::vector<Choice> choices_;
   std::vector<Occurrence> occurrences_;
-  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< occurrences of each variable
+  std::vector<std::uint32_t> first_choice_, first_flag_;  ///< by variable: first constraint with it, or with it as flag
   std::vector<std::int8_t> values_, phase_;
   std::vector<std::uint32_t> level_of_, reason_;
   std::vector<Literal> trail_;
   std::vector<std::uint32_t> level_begin_;
   std::size_t propagated_ = 0;
-  std::vector<Literal> conflict_;  ///< literals of the last conflict, all false
+  std::vector<Literal> conflict_;  ///< literals of the violated clause, all false
   bool contradictory_ = false;
 
   std::vector<double> activity_;

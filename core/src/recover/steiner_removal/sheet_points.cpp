@@ -16,7 +16,7 @@ namespace geomesh::recover {
 
 namespace {
 
-/// Returns a vector across the segment of x: towards a facet attached to it if there is one.
+/// Returns a vector perpendicular to the segment on which x lies, in a facet attached to the segment if there is one.
 Vec3 across_segment(Recovery& recovery, VertexIndex x, const std::vector<VertexIndex>& ends, const Vec3& along) {
   ConstrainedMesh& mesh = recovery.mesh;
   std::vector<VertexIndex> towards = mesh.neighbors(x);

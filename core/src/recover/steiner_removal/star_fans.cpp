@@ -38,8 +38,8 @@ class EarClipping {
  private:
   struct Corner {
     VertexIndex vertex;
-    double shape = -1;                     ///< shape of the corner's ear; negative if it has the wrong orientation
-    VertexIndex found_inside = no_vertex;  ///< a vertex that the corner's ear contains
+    double shape = -1;  ///< quality of the ear: the triangle cut off at this corner; negative if inverted
+    VertexIndex found_inside = no_vertex;  ///< a polygon vertex that lies in the ear at this corner
   };
 
   Triangle ear(std::size_t k) const {
@@ -133,7 +133,7 @@ class FanSearch {
   }
 
   bool gather_fans() {
-    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // directed edge opposite x, by subfacet
+    std::map<Index, std::pair<VertexIndex, VertexIndex>> rim_edge;  // by subfacet: its directed edge opposite x
     for (CellIndex c : star_)
       for (unsigned i = 0; i < 4; ++i) {
         if (!mesh_.is_locked(FaceRef(c, i)) || mesh_.cells().vertex(c, i) == x_) continue;
@@ -178,7 +178,7 @@ class FanSearch {
     return no_index;
   }
 
-  /// Triangulates the rim polygons by ears with the right orientation in the facet's main projection.
+  /// Triangulates, in the facet's main projection, the polygons that remain in facets when x is removed.
   bool triangulate_fans() {
     for (Fan& fan : out_.fans) {
       if (fan.is_thin()) continue;

@@ -14,30 +14,30 @@ namespace geomesh::recover {
 /// The subfacets of one facet at an added point x, from one half of its segment to the other or all around x; or a
 /// sheet, which is a triangle that divides the star of x.
 struct Fan {
-  Index facet = no_index;  ///< no_index for a sheet
+  Index facet = no_index;  ///< the facet; no_index for a triangle that only divides the star
   std::vector<VertexIndex>
-      /// vertices opposite x in the facet's orientation; the last is connected with the first if the fan is closed
+      /// link vertices of x in the facet, in its orientation; the last is connected with the first if x is inside
       rim;
   bool is_closed = false;
   std::vector<Index> subfacets;
-  std::vector<Triangle> triangles;  ///< triangles that replace the subfacets
-  /// A part of zero width between the segment and its chord, which rounding has left beside x; nothing replaces it.
+  std::vector<Triangle> triangles;  ///< triangles without x that replace the subfacets
+  /// Returns whether the facet has only one triangle at x, flat up to rounding, which is removed without replacement.
   bool is_thin() const { return rim.size() < 3; }
 };
 
 struct StarFans {
-  std::vector<Index> halves;      ///< the two subsegments at x, or none
+  std::vector<Index> halves;      ///< the two subsegments that end at x, or none if x is on no segment
   std::vector<VertexIndex> ends;  ///< what they join
   std::vector<Fan> fans;
 
   bool is_end(VertexIndex v) const { return std::find(ends.begin(), ends.end(), v) != ends.end(); }
 };
 
-/// Finds the constraints at x. Returns nothing if x cannot be removed: more than one segment ends there, or a fan has
-/// no triangulation in the facet's main projection.
+/// Finds the segment and the facets' triangles at x, and triangulates the facets without x. Returns nothing if x cannot
+/// be removed: more than one segment ends there, or a facet has no such triangulation in its main projection.
 std::optional<StarFans> find_star_fans(Recovery& recovery, VertexIndex x, const std::vector<CellIndex>& star);
 
-/// Returns twice the area vector of the fan around x.
+/// Returns the sum of the normals of a facet's triangles at x, each as long as twice the triangle's area.
 Vec3 fan_normal(const ConstrainedMesh& mesh, VertexIndex x, const Fan& fan);
 
 }  // namespace geomesh::recover

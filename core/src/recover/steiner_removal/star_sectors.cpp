@@ -11,7 +11,7 @@ namespace {
 
 using RimEdges = std::map<DirectedEdge, std::size_t>;
 
-/// Returns directed rim edges of all fans, by which their faces and sides are recognised.
+/// Returns for each directed edge opposite x in a facet's triangle at x the number of that facet in around.fans.
 RimEdges rim_edges(const StarFans& around) {
   RimEdges out;
   for (std::size_t f = 0; f < around.fans.size(); ++f) {
@@ -22,7 +22,7 @@ RimEdges rim_edges(const StarFans& around) {
   return out;
 }
 
-/// Adds to the sector the neighbours of its cell c that no fan separates from c, if they have no sector yet (`left`).
+/// Adds to a sector the neighbours of its cell c that are in the star of x (`left`) and that no facet separates from c.
 void extend(Sector& s, CellIndex c, VertexIndex x, const TetMesh& cells, std::vector<CellIndex>& left,
             const RimEdges& rims) {
   for (unsigned i = 0; i < 4; ++i) {
@@ -49,7 +49,7 @@ bool is_on_fan(const StarFans& around, VertexIndex v) {
                      [&](const Fan& f) { return std::find(f.rim.begin(), f.rim.end(), v) != f.rim.end(); });
 }
 
-/// Returns the direction across the segment that points away from the fans of the sector.
+/// Returns a vector from x away from the facets that bound this part of its star.
 Vec3 away_from_fans(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around, const Sector& s) {
   const Vec3& o = mesh.point(x);
   Vec3 out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// @file
-/// Sectors of an added point's star: the parts between the fans of its facets, and sheets that may divide them.
+/// Sectors of an added point's star: the parts into which facets at the point, and additional triangles, divide it.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@ namespace geomesh::recover {
 
 struct Sector {
   std::vector<CellIndex> cells;
-  /// for each number of a fan: 1 if the sector is above the fan, 2 if it is below, 3 if it is both
+  /// by number of the facet in StarFans::fans: 1 if the sector lies above the facet, 2 if below, 3 if on both sides
   std::map<std::size_t, unsigned> fans;
-  Vec3 inward;  ///< sum of the inner unit normals of the fans
+  Vec3 inward;  ///< sum of the unit normals of the facets around the sector, pointing into it
   std::vector<Tetrahedron> filling;
 
   bool wraps_round() const {
@@ -23,14 +23,14 @@ struct Sector {
   }
 };
 
-/// Returns the sectors of the star of x. `star` contains the cells of the star, sorted.
+/// Returns the sectors of the star of x: the parts into which facets divide it. `star` has its cells, sorted.
 std::vector<Sector> gather_sectors(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                    const std::vector<CellIndex>& star);
 
-/// Returns the triangles that replace those at x, in the orientation as seen from the sector.
+/// Returns new triangles for the facets around a sector, without x, counter-clockwise as seen from the sector.
 std::vector<Triangle> sheets_of(const Sector& s, const StarFans& around);
 
-/// Returns vertices of the sector that are connected with both ends of the segment, the most even division first.
+/// Returns vertices that form triangles with the segment's ends which divide a sector, the most even division first.
 std::vector<VertexIndex> sheet_apexes(const ConstrainedMesh& mesh, VertexIndex x, const StarFans& around,
                                       const Sector& s);
 

@@ -58,7 +58,7 @@ bool ConformingRefiner::insert_in_cell(CellIndex c, const Vec3& centre) {
   if (const auto face = encroached_face(*place)) return insert_in_face(*face);
   for (const CellIndex other : place->cavity)
     if (label_[other] != component && label_[other] != no_index)
-      return false;  // The place lies beyond a facet that could not be split.
+      return false;  // The cavity reaches into another component.
   put(*place, {VertexOrigin::inside, no_index}, [](VertexIndex) {}, {}, {no_vertex, no_vertex});
   for (const CellIndex fresh : mesh_.last_created()) label_[fresh] = component;
   ++counts_.inside;

@@ -62,7 +62,7 @@ RefineResult refine_constrained_instead(const PiecewiseLinearComplex& plc, Tetra
   result.mesh.delaunay = false;
   list_facets_off_delaunay(result.mesh);
   std::vector<Index>& off = result.mesh.recovery.facets_not_recovered;
-  if (off.empty())  // cells may not be Delaunay even if all facets are
+  if (off.empty())  // even if all facets are Delaunay, cells may not be
     for (Index f = 0; f < plc.n_facets(); ++f) off.push_back(f);
   return result;
 }
@@ -103,7 +103,7 @@ RefineResult refine_conforming(const PiecewiseLinearComplex& plc, const Constrai
     refuse("the sizes require about " + estimate + " elements, more", options.max_elements);
   std::optional<StageScope> stage(std::in_place, context, "refine");
   RunContext quiet = context;
-  quiet.stage = {};  // stages of tetrahedralization are part of this stage and are not reported
+  quiet.stage = {};  // only the stage refine is reported, not those of tetrahedralize()
   remesh::ConformingRefiner::Counts counts;
   bool is_too_large = false;
   const auto step = [&](recover::Recovery& recovery, const RecoverOptions& recover, std::vector<Index>& given_up) {

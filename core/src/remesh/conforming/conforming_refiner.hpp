@@ -32,7 +32,7 @@ class ConformingRefiner : public recover::ConformingRecovery {
   static constexpr double max_radius_to_edge = 2;
   static constexpr double min_spacing = 0.45;
 
-  /// `components` is indexed by the facets of recovery.plc; `size` uses the caller's coordinates and components.
+  /// `components`: those beside each facet of recovery.plc. `size` expects the caller's coordinates and components.
   ConformingRefiner(recover::Recovery& recovery, const RecoverOptions& options, const SizeField& size,
                     FacetComponents components, std::size_t max_cells);
 

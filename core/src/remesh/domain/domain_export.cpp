@@ -72,7 +72,7 @@ class Exporter {
   }
   void add_vertex(VertexIndex v) {
     if (row_[v] != no_vertex) return;
-    row_[v] = 0;  // marks the vertex as listed until all listed vertices are numbered
+    row_[v] = 0;  // marks v as listed; the number of v in the export is set later
     vertices_.push_back(v);
   }
   VertexIndex input_of(VertexIndex v) const { return input_vertex(domain_, before_, v); }

@@ -117,7 +117,7 @@ class Importer {
  private:
   void add_cells() {
     domain_.reserve(2 * input_.points.size(), 2 * input_.tetrahedra.size());
-    // All vertices start as corners, because curve_of finds no curve at a vertex of a kind that cannot be on one.
+    // All vertices start as corners, because curve edges are found only between vertices of the kinds corner and curve.
     for (const Vec3& p : input_.points) domain_.add_vertex(p, VertexKind::corner);
     for (std::size_t t = 0; t < input_.tetrahedra.size(); ++t)
       domain_.add_cell(input_.tetrahedra[t], input_.component[t]);

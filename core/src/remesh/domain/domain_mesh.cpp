@@ -58,7 +58,7 @@ void DomainMesh::set_shape(CellIndex c, double shape, std::uint64_t time) {
     for (const VertexIndex v : mesh_.vertices(c)) note_vertex(v);
   }
   attributes_.shape[c] = shape;
-  // Vertices smoothed concurrently may have fixed neighbours in common, so these writes must be atomic.
+  // Times of change are written atomically, because vertices smoothed concurrently may have fixed neighbours in common.
   for (const VertexIndex v : mesh_.vertices(c)) std::atomic_ref(changed_[v]).store(time, std::memory_order_relaxed);
 }
 

@@ -40,7 +40,7 @@ struct DomainAttributes {
     FaceTag& own = tags[added.cell()][added.face()];
     if (other.mark.constrained())
       own = other.mark;
-    else if (own.constrained())  // the operation moved a surface to the border of the region
+    else if (own.constrained())  // a new face on the border of the region is part of a surface
       tags[other.face.cell()][other.face.face()] = own.opposite();
   }
 
@@ -260,7 +260,7 @@ class DomainMesh : public EditableMesh<DomainAttributes> {
   }
   /// @}
 
-  // For import: first add all cells, then call link_cells, then set the tags.
+  // Functions that build the mesh. All cells are added first, then linked by link_cells, then their faces are tagged.
   CellIndex add_cell(const Tetrahedron& vertices, Index component, double shape = NewCell::unknown_shape);
   void link_cells();
   void set_tag(CellIndex c, unsigned face, FaceTag t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Concurrent changes of a DomainMesh, block by block.
+// Functions of DomainMesh by which threads change blocks of its cells concurrently.
 #include "remesh/domain/domain_mesh.hpp"
 
 namespace geomesh::remesh {

@@ -88,7 +88,7 @@ void DomainMesh::append(const MeshPart part, unsigned threads, std::vector<OpenF
       if (row_of_cell[c] != no_cell) copy_cell({mesh, row, row_of_cell}, static_cast<CellIndex>(c), found[k]);
   });
   for (const auto& of_chunk : found) open.insert(open.end(), of_chunk.begin(), of_chunk.end());
-  // Stores the last cell at each vertex, which is a cell of this part even if other parts have the vertex too.
+  // Each vertex refers to its cell of highest index, which belongs to the part that was added last.
   for_each_index(mesh.n_slots(), threads, [&](std::size_t c) {
     if (row_of_cell[c] == no_cell) return;
     for (const VertexIndex v : mesh.vertices(static_cast<CellIndex>(c))) {

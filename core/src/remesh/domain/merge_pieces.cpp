@@ -94,7 +94,7 @@ class PlaneGroups {
     return k;
   }
 
-  /// Marks facets as neighbours across edges with exactly these two, equally oriented, pieces of one input triangle.
+  /// Marks two facets as neighbours if they alone meet at an edge and are equally oriented pieces of a triangle.
   void join_across_edges(std::span<const EdgeUse> uses) {
     for (std::size_t i = 0, j; i < uses.size(); i = j) {
       for (j = i; j < uses.size() && uses[j].edge == uses[i].edge;) ++j;
@@ -120,7 +120,7 @@ class PlaneGroups {
            });
   }
 
-  /// Returns whether all members lie in their mean plane, weighted by area.
+  /// Returns whether all facets of a group lie in their mean plane, in which each facet is weighted by its area.
   bool are_in_mean_plane(const std::vector<Index>& members) const {
     Vec3 normal, middle;
     double weight = 0;
@@ -169,7 +169,7 @@ class Outlines {
   }
 
   Index group_of(Index f) const { return group_[f]; }
-  /// Returns the outline of the group whose first facet is f, or null.
+  /// Returns the outline of the group of merged facets whose first facet is f; null if f is not the first of a group.
   const Outline* find(Index f) const {
     const auto at = outlines_.find(f);
     return at == outlines_.end() ? nullptr : &at->second;
@@ -247,13 +247,13 @@ class Outlines {
 
   const PiecewiseLinearComplex& plc_;
   std::span<const EdgeUse> uses_;
-  std::vector<Index> group_;  // for each facet, the first facet of its group
+  std::vector<Index> group_;  // for each facet, the first facet of the group with which it is merged
   std::vector<std::vector<Index>> facets_at_;
   std::vector<bool> used_by_others_;
   std::map<Index, Outline> outlines_;
 };
 
-/// Writes the facet f, or the group whose first facet is f. Returns the index of the written facet.
+/// Adds facet f, or the merged facet with the given outline, to the complex `out`. Returns the index of the new facet.
 Index write_facet(const PiecewiseLinearComplex& plc, Index f, const Outline* outline, PiecewiseLinearComplex& out) {
   if (outline) {
     const Index row = out.add_polygon(outline->loops, plc.facet_provenance[f]);

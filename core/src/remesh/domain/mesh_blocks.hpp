@@ -86,7 +86,7 @@ class FaceClaims {
   std::unique_ptr<std::atomic<std::uint16_t>[]> owner_;
 };
 
-/// The state that one block needs to change the mesh.
+/// The state with which a thread changes the cells of one block: free cell slots and a clock.
 struct BlockEdit {
   const MeshBlocks* blocks = nullptr;
   MeshBlocks::Block block = 0;

@@ -52,7 +52,7 @@ enum class VertexKind : std::uint8_t {
 /// A class of edges on curves. Edges belong to one class if the same segments and the same patches meet at them.
 struct CurveClass {
   std::vector<Index> segments;  ///< indices in plc.segments, in ascending order
-  std::vector<Index> patches;   ///< in ascending order; a patch on both sides of the edge is listed twice
+  std::vector<Index> patches;   ///< patches of the faces at the edge, ascending; one entry for each face
   friend bool operator==(const CurveClass&, const CurveClass&) = default;
 };
 

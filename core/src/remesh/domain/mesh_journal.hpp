@@ -62,7 +62,7 @@ struct MeshJournal {
     vertex_marks_.begin();
     cell_marks_.begin();
   }
-  /// Returns whether the vertex existed at the start of the trial and has not been saved, and marks it as saved.
+  /// Returns whether the vertex is older than the trial and has not been saved in it. Marks such a vertex as saved.
   bool is_new_vertex(VertexIndex v) { return v < n_vertices && vertex_marks_.mark_first(v); }
   bool is_new_cell(CellIndex c) { return c < n_slots && cell_marks_.mark_first(c); }
   void note_freed(CellIndex c) { slots.push_back({c, SlotEvent::What::freed}); }

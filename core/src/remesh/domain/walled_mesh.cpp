@@ -177,7 +177,7 @@ bool WalledMesh::shrink(const Vec3& p, CellIndex home) {
   return true;
 }
 
-/// Collects the border faces of the cavity and the distance from p to its nearest vertex, as the kernel does.
+/// Collects the border faces of the cavity and the squared distance from p to its nearest vertex.
 void WalledMesh::collect_border(const Vec3& p) {
   n_border_ = 0;
   nearest_ = std::numeric_limits<double>::infinity();
@@ -193,7 +193,7 @@ void WalledMesh::collect_border(const Vec3& p) {
   }
 }
 
-/// Numbers the vertices of the cavity's border in order of occurrence, in their records; the caller resets these.
+/// Numbers the vertices of the cavity's border. The caller must reset these numbers, which are stored in the records.
 void WalledMesh::number_border() {
   numbered_.clear();
   number_.resize(border_.size());

@@ -57,7 +57,7 @@ class WalledMesh {
  private:
   static constexpr std::uint8_t in_cavity = 1, ghost = 2, is_new = 4;
   static constexpr unsigned note_shift = 3;
-  static constexpr unsigned table_side = 64;  ///< the cells of larger links are connected by sorting instead
+  static constexpr unsigned table_side = 64;  ///< cells of cavities with more border vertices are linked by sorting
 
   /// A ghost cell, the tag of the constrained face next to it, and the ghost on the other side of this face, if any.
   struct Ghost {
@@ -85,7 +85,7 @@ class WalledMesh {
   DomainMesh& mesh_;
   TetMesh& cells_;
   VertexIndex infinite_;
-  std::vector<PointRecord> records_;  ///< for each vertex; `place` is 1 for vertices on curves
+  std::vector<PointRecord> records_;  ///< record of each vertex; its `place` is 1 if the vertex is on a curve
   std::vector<Ghost> ghosts_;
 
   // Cells and border faces of the cavity: only the first n_cavity_ and n_border_ entries of these equally long lists.

@@ -145,7 +145,7 @@ class Settled {
       if (part.is_kept[v]) is_free_later_.push_back(!was_kept[v]);
     part.is_settled.clear();
   }
-  /// Ends the special treatment of settled tetrahedra: their faces and points are kept only if they were before.
+  /// Permits changes of tetrahedra that were repaired before: only faces and points kept by the caller remain kept.
   void release(TetrahedraPart& part) const {
     for (std::size_t v = 0; v < is_free_later_.size(); ++v)
       if (is_free_later_[v]) part.is_kept[v] = 0;
@@ -154,7 +154,7 @@ class Settled {
 
  private:
   std::size_t n_faces_;
-  std::vector<bool> is_free_later_;  // for each kept point, whether only settled tetrahedra keep it
+  std::vector<bool> is_free_later_;  // for each kept point, whether it is kept only until release() is called
 };
 
 /// The constraints of a mesh, each list in ascending order: constrained faces on the boundary, constrained faces
@@ -233,7 +233,7 @@ RefineStatistics refine_part(TetrahedraPart& part, const SizeField& size, const 
   };
   const auto improve = [&](remesh::Toolbox& tools) {
     const StageScope stage(context, "improve");
-    options.size_surfaces = true;  // improvement adds inner points only with this option
+    options.size_surfaces = true;  // without this option improvement would add no inner points
     remesh::improve_mesh(tools, options, context);
   };
   const bool has_settled = std::ranges::any_of(part.is_settled, [](std::uint8_t s) { return s != 0; });

@@ -14,10 +14,10 @@
 
 namespace geomesh::remesh {
 
-/// The requested size at one place, or a multiple of it.
+/// The target edge length at one place, or a multiple of it, with which vectors are compared.
 class LocalLength {
  public:
-  LocalLength() = default;  ///< length zero, which exceeds no vector
+  LocalLength() = default;  ///< length zero: no vector is shorter
   explicit LocalLength(double length) : length_(length) {}
   /// Returns whether a vector is shorter than this length.
   bool exceeds(const Vec3& d) const { return squared_length(d) < length_ * length_; }

@@ -79,7 +79,7 @@ class Collapse {
   /// already, except for the edges next to the contracted edge.
   bool topology_allows() const {
     if (mesh_.kind(u_) == VertexKind::inside) return true;
-    if (mesh_.is_pinched(v_)) return false;  // the star may be only a part of the surface at v
+    if (mesh_.is_pinched(v_)) return false;  // not all cells at v are found, so the surface cannot be checked
     std::vector<VertexIndex> beside;
     std::vector<std::array<VertexIndex, 2>> link;
     for (const Spoke& s : star_.spokes)

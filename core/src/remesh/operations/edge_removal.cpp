@@ -11,9 +11,9 @@ namespace {
 
 /// The condition for the removal of an edge. By default, it must raise the worst shape.
 struct RemovalRule {
-  /// If this is below the worst shape before the removal, the new shapes need only be above this value.
+  /// All new shapes must be above the worst shape before the removal, or above this value if it is less.
   double worst_before = 1;
-  const MeanGoal* goal = nullptr;  ///< if not null, the mean shape must rise instead of the worst
+  const MeanGoal* goal = nullptr;  ///< if not null, the removal must raise the mean shape, not the worst
   /// Whether to flip an edge of a surface to make the surface more nearly Delaunay; shapes may fall to `floor`.
   bool for_surface = false;
   double floor = 0;
@@ -62,7 +62,7 @@ class EdgeRemoval {
 
   double least_shape() const { return for_surface_ ? std::min(floor_, 0.9 * before_) : before_ * (1 + 1e-6) + 1e-12; }
 
-  /// Returns whether the removal would increase the number of bad cells; see cavity.hpp.
+  /// Returns whether the removal of the edge would increase the number of bad cells.
   bool adds_bad_cells() const {
     const double bad = mesh_.measure().bad();
     if (before_ >= bad) return false;
@@ -143,10 +143,10 @@ class EdgeRemoval {
     return true;
   }
 
-  /// Returns whether x-y is already an edge of the surface or of a curve (a well). If so, the new faces of the flip
-  /// would coincide with others, or two surfaces would share an edge that is on no curve. If the removed edge is not on
-  /// the boundary, x-y is an edge of the mesh only if a cell at the removed edge contains both x and y. Faces of other
-  /// surfaces at x-y may belong to further cells, so all cells at x are examined, or at y if those cannot be found.
+  /// Returns whether x-y, which a flip on the surface would create, is already an edge of a surface or of a curve (a
+  /// well). If so, new faces would coincide with others, or two surfaces would share an edge that is on no curve. If
+  /// the removed edge is not on the boundary, x-y is in the mesh only if a cell at the removed edge contains both x and
+  /// y. Faces of other surfaces at x-y may belong to further cells, so all cells at x are examined, or those at y.
   bool joined_on_surface(VertexIndex x, VertexIndex y) {
     if (mesh_.curve_of(x, y) != no_index) return true;
     const auto has_both = [&](CellIndex c) { return mesh_.cells().has_vertex(c, x) && mesh_.cells().has_vertex(c, y); };

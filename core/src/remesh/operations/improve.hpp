@@ -23,7 +23,7 @@ struct SmoothRule {
   double good_enough = 2;  ///< a vertex whose worst shape is above this is not moved any further
   SmoothGoal goal = SmoothGoal::worst;
   double floor = 0;
-  double least_rise = 1.0005;  ///< smallest factor by which the worst shape must rise
+  double least_rise = 1.0005;  ///< a move must raise the worst shape by at least this factor
   double least_gain = 0.02;    ///< smallest rise of the sum of worths around the vertex, if the mean is raised
   /// If surfaces are kept exactly: whether vertices on input edges may move along these edges.
   bool slides_on_edges = false;
@@ -63,14 +63,14 @@ bool surface_asks_for_flip(const DomainMesh& mesh, VertexIndex a, VertexIndex b,
 
 /// Moves a vertex within its patch to the centroid of its faces if their worst shape (4 sqrt 3 area / sum of squared
 /// sides) rises. The shape of no cell at the vertex may fall below both `floor` and its former value. May run
-/// concurrently, like smooth_beside_others.
+/// concurrently for vertices that share no edge.
 bool smooth_on_surface(Toolbox& tools, VertexIndex v, double floor, Workspace& work);
 
 /// Replaces face i of c by the edge between the two opposite vertices (2-3 flip) if this raises the worst shape.
 bool remove_face(Toolbox& tools, CellIndex c, unsigned i);
 
-/// Removes the edge a-b if all new shapes are above `floor`, even if they are worse than before. This is the first step
-/// of sequences that look ahead.
+/// Removes the edge a-b if all new shapes are above `floor`, even if they are worse than before. Later
+/// operations are expected to repair them.
 bool remove_edge_above(Toolbox& tools, CellIndex c, VertexIndex a, VertexIndex b, double floor);
 bool remove_face_above(Toolbox& tools, CellIndex c, unsigned i, double floor);
 

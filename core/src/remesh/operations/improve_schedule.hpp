@@ -18,22 +18,22 @@ namespace geomesh::remesh {
 struct AscentLimits {
   /// First step, as a share of the distance to the nearest vertex of the link; longer steps invert cells.
   double first_reach = 0.3;
-  double least_reach = 1e-3;   ///< smallest step, as a share of the first; shorter steps make no difference
-  double active_share = 1.03;  ///< shapes up to this factor of the smallest are raised together
-  /// Shapes within this difference of the smallest shape are raised together too, so that ties near zero count.
+  double least_reach = 1e-3;   ///< smallest step of the vertex, as a share of its first; shorter ones do not matter
+  double active_share = 1.03;  ///< a step raises all shapes up to this factor times the least shape
+  /// A step also raises the shapes within this difference of the least, so that shapes near zero count as equal.
   double active_margin = 1e-4;
   unsigned trials = 6;        ///< number of step lengths tried along one direction; the sixth is 0.01 of the first
-  double shorten = 0.4;       ///< factor of the step length after a step without gain
-  double lengthen = 1.5;      ///< factor of the step length after a step with gain
-  double lengthen_mean = 2;   ///< like `lengthen`, if the mean is raised, which is a smoother function
-  double least_slope = 1e-6;  ///< a step is tried if the slope predicts a rise of the shape above this
-  double mean_reach_by_gain = 7.5;  ///< smallest step if the mean is raised, as a multiple of the least gain
+  double shorten = 0.4;       ///< factor of the step length after a step that did not raise the worst shape
+  double lengthen = 1.5;      ///< factor of the step length after a step that raised the worst shape
+  double lengthen_mean = 2;   ///< factor of the step length after a step that raised the mean shape
+  double least_slope = 1e-6;  ///< the ascent ends if its slope predicts a rise of the shape below this
+  double mean_reach_by_gain = 7.5;  ///< if the mean is raised, smallest step / first step = this * least gain
   unsigned hull_steps = 40;         ///< iterations of Gilbert's method for the direction of a step; usually 12 suffice
   double hull_accuracy = 1e-3;      ///< relative accuracy in Gilbert's method, which suffices for a direction
 };
 inline constexpr AscentLimits ascent_limits{};
 
-/// Parameters of points that improvement adds. Their least distance to other points is `usual_room` (improve.hpp).
+/// Parameters for adding points to improve shapes. Their least distance to others is `usual_room` (improve.hpp).
 struct PointLimits {
   /// Width of gaps between surfaces, as a share of the target size, below which points only make flat cells.
   double thin_gap = 0.25;
@@ -44,23 +44,23 @@ struct PointLimits {
 };
 inline constexpr PointLimits point_limits{};
 
-/// Parameters of sequences of operations that look ahead (rescue.hpp).
+/// Parameters of the sequences of operations that repair a bad cell, and are kept only if the result is better.
 struct RescueLimits {
   /// Least distance of a new point to others, as a share of the target size; small, as a bad cell is worse than a short
   /// edge.
   double room = 0.03;
   double notable_rise = 1.05;  ///< factor by which a sequence must raise the worst shape to be worthwhile
-  /// Reduction of the deficit of bad cells (1 for a flat cell) that makes a search worthwhile.
+  /// With as many bad cells as before, a trial succeeds if the sum of their 1 - shape / bad_shape falls by this.
   double notable_relief = 0.02;
-  std::size_t most_given_up = 3;  ///< a sequence ends after it failed to improve this many cells
-  /// Number of openings (rescue/openings.hpp) in one trial of a search; more hardly ever help.
+  std::size_t most_given_up = 3;  ///< repair around a bad cell ends once this many cells could not be improved
+  /// Number of openings (random changes that may worsen shapes) in one trial to repair a cell; more hardly ever help.
   unsigned most_openings = 8;
-  std::size_t trials_a_clearing = 4;  ///< one in this many trials starts by removing all points around the cell
-  double hopeless = 2;  ///< a trial ends when the deficit of bad cells has risen by this; it is 1 for a flat cell
+  std::size_t trials_a_clearing = 4;  ///< one in this many trials first removes all points around the bad cell
+  double hopeless = 2;                ///< a trial fails if the sum of 1 - shape / bad_shape rises by more than this
   unsigned most_vain_openings = 12;
   /// Largest number of bad cells imposed by the input that may be added to remove one that it does not impose.
   std::size_t forced_instead = 1;
-  /// A search continues from another bad cell only if the deficit of bad cells has risen by at most this.
+  /// A search continues from a new bad cell unless the sum of 1 - shape / bad_shape has risen by more than this.
   double detour = 0.2;
   unsigned steps = 40;      ///< largest number of operations in a sequence
   unsigned bad_sweeps = 4;  ///< number of sweeps over all bad cells; the third improves one in a hundred
@@ -68,15 +68,14 @@ struct RescueLimits {
   unsigned free_sweeps = 64;
   /// Number of trials around one cell in the first sweep; doubled after each sweep that has not improved every cell.
   std::size_t first_trials = 200;
-  std::size_t least_trials = 500;  ///< least number of trials allowed for all cells together
+  std::size_t least_trials = 500;  ///< number of trials to repair bad cells that any mesh may take, however small
   std::size_t most_trials = 60'000;
-  std::size_t cells_a_vain_opening = 10;  ///< number of cells of the mesh per sequence of operations that may fail
-  std::size_t least_vain =
-      4'000;  ///< least number of sequences that may fail, for all cells together; takes some seconds
+  std::size_t cells_a_vain_opening = 10;  ///< one sequence of repair operations may fail per so many cells of the mesh
+  std::size_t least_vain = 4'000;  ///< number of sequences that may fail in any mesh, however small; takes seconds
   std::size_t most_vain = 60'000;
-  std::size_t least_vain_free = 10'000;  ///< like `least_vain`, for cells that the input does not impose
-  std::size_t most_vain_poor = 10'000;   ///< like `most_vain`, for cells that are poor but not bad; takes 1 to 2 s
-  /// Number of cells of the mesh per trial; all trials take less than a fifth of the time.
+  std::size_t least_vain_free = 10'000;  ///< least number of sequences that may fail at cells not imposed by the input
+  std::size_t most_vain_poor = 10'000;   ///< largest number of sequences that may fail at poor cells; takes 1 to 2 s
+  /// One trial to repair a bad cell is allowed per so many cells. All trials take less than a fifth of the time.
   std::size_t cells_a_trial = 25;
 };
 inline constexpr RescueLimits rescue_limits{};
@@ -86,8 +85,8 @@ struct ImproveSchedule {
   // Parameters of the passes that raise the mean shape.
   unsigned mean_rounds = 1;          ///< rounds that raise the mean before repair, which improves the worst cells only
   unsigned mean_rounds_if_poor = 2;  ///< rounds that raise the mean before and after repair if many cells are poor
-  double mean_floor_angle = 30;      ///< raising the mean lowers no cell below this angle
-  double floor_percentile = 0.01;    ///< the floor falls to this percentile (0..1) of all shapes if that is lower
+  double mean_floor_angle = 30;      ///< raising the mean lowers no cell below this angle (see floor_percentile)
+  double floor_percentile = 0.01;    ///< percentile (0..1) of all shapes to which raising the mean may lower a shape
   double many_poor = 0.1;            ///< share of cells (0..1) below `target_angle` from which many cells count as poor
 
   // Parameters of repair, which treats the worst cells first.
@@ -101,7 +100,7 @@ struct ImproveSchedule {
   unsigned smoothing_steps = 12;  ///< of one vertex
   double least_rise = 1.03;       ///< factor (> 1) by which a move must raise the worst shape around a vertex
   double progress = 0.9;       ///< repair continues if the number of poor cells falls below this factor of its minimum
-  double progress_angle = 16;  ///< progress is also measured by the number of cells below this angle
+  double progress_angle = 16;  ///< repair also continues while the number of cells below this angle falls
   unsigned idle_rounds = 2;    ///< number of rounds without a change after which repair ends
   /// Number of the first round that adds points; round 0 only flips and moves, round 1 also contracts edges.
   unsigned first_round_with_points = 2;
@@ -129,8 +128,8 @@ struct ImproveSchedule {
 };
 
 constexpr ImproveSchedule schedule_of(QualityLevel level) {
-  ImproveSchedule s;                  // the standard level takes one to three times as long as refinement
-  if (level == QualityLevel::fast) {  // the fast level takes about as long as refinement
+  ImproveSchedule s;  // improvement at the standard level takes one to three times as long as refinement
+  if (level == QualityLevel::fast) {  // improvement takes about as long as refinement
     s.mean_rounds_if_poor = 1, s.repair_rounds = 2, s.sliver_rounds = 0;
     s.target_angle = 20, s.insertion_angle = 0;
     s.smoothing_steps = 6, s.least_rise = 1.05;

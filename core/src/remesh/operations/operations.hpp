@@ -53,7 +53,7 @@ struct Toolbox {
     mesh.replace(removed, work.added, work.created, *block);
     return true;
   }
-  /// Advances the time of the block, or of the mesh if there is no block, and returns its former value.
+  /// Advances the modification time of the block, or of the mesh if there is no block. Returns the former value.
   std::uint64_t tick() { return block ? block->clock++ : mesh.tick(); }
   /// Returns whether all cells belong to the current block, or there is no block. Other threads may change cells of
   /// other blocks, so the neighbours of those must not be read.
@@ -83,7 +83,7 @@ enum class CollapseRule {
   /// The worst shape must not fall below both its former value and `floor`, and no new edge may be longer than 1.4
   /// times its size.
   coarsen,
-  thin_out,  ///< like `coarsen`; in addition, the number of bad cells must not rise unless this is allowed
+  thin_out,  ///< the conditions of `coarsen`, and no more bad cells than before unless bad_cells_may_spread is set
 };
 
 /// Contracts the edge u-v by moving u to v, if u is no corner and the edge lies on the curve or patch of u. The

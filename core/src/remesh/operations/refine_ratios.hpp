@@ -15,10 +15,10 @@ struct RefineRatios {
   /// A shorter edge is collapsed; below split_edge / 2, so that halves of split edges are kept.
   double collapse_edge = 0.6;
   double thin_out_edge = 0.5;  ///< an edge shorter than this is collapsed if improvement does not need its points
-  /// Like thin_out_edge, for edges on surfaces. It is above the third that is promised, as the edges around need a
-  /// margin.
+  /// A shorter edge on a surface is collapsed if improvement does not need its points. It leaves a margin
+  /// above a third of the target size, because the result shall have no edges below that.
   double thin_out_surface_edge = 0.4;
-  double promised_edge = 0.34;  ///< below this, an edge counts as too short; slightly above the third that is promised
+  double promised_edge = 0.34;    ///< limit for edges that are too short; the result is to have none below a third
   double stretched_edge = 0.355;  ///< an edge that cannot be collapsed is stretched to this length
   double spacing = 0.68;          ///< least distance of a new point to all others; improvement may halve it
   /// Required distance of surface points from vertices off the surface, as a factor of `spacing`.
@@ -33,7 +33,7 @@ struct RefineRatios {
   /// A new point has at least this share of its ideal height, even if the circumcentre is lower.
   double least_way = 0.5;
   double surface_shape = 1e-7;  ///< least shape of a cell created by a new point on a surface; more points follow there
-  double collapse_floor = 0.05;  ///< a contraction must not lower shapes from above to below this
+  double collapse_floor = 0.05;  ///< a contraction must not lower the worst shape from above to below this
   double regular_floor = 1e-3;   ///< flips and moves on surfaces must not lower shapes from above to below this
   unsigned regular_rounds = 4;   ///< rounds of flips and moves on surfaces; the fourth changes one face in a hundred
   /// A vertex is moved only if the worst face around it improves by this factor. At 1.01, with good faces left alone,
@@ -43,7 +43,7 @@ struct RefineRatios {
   double many_stuck = 0.15;
   /// Insertion counts as slow if a round leaves more than this many large cells for each new point.
   std::size_t slow_front = 20;
-  std::size_t idle_front = 100;  ///< from so many large cells for each new point on, circumcentres are tried instead
+  std::size_t idle_front = 100;  ///< with so many large cells left for each new point, circumcentres are inserted
 };
 inline constexpr RefineRatios refine_ratios{};
 

@@ -36,8 +36,8 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
     const Index patch = mesh.patch_of(t),
                 facet = guard.exact() ? members.nearest(plc, patch, middle) : guard.nearest_facet(patch, middle);
     if (facet == t.facet()) return;
-    // In exact mode, facets merged into one have the same orientation. Otherwise the side is found by the normal of the
-    // face, which points towards the cell from which the face is seen.
+    // In exact mode the new facet is oriented like the old one. Otherwise the cell is above the facet if the normal of
+    // the face, which points into the cell, is at an acute angle to the normal of the facet.
     const bool above =
         guard.exact() ? t.above() : dot(loop_normal(plc.points, plc.outer_loop(facet)), mesh.normal(mesh.face(f))) > 0;
     mesh.set_tag(f.cell(), f.face(), FaceTag(facet, above));

@@ -119,7 +119,7 @@ class Smoother {
   bool try_mean(double before, const SmoothRule& rule) {
     const double needed = std::min((1 - 1e-9) * before, rule.floor);
     const Vec3 best = optimize_mean(problem_, old_, needed, rule.max_steps, rule.least_gain);
-    if (best == old_) return false;  // the projection must not move v by rounding
+    if (best == old_) return false;  // projecting an unmoved vertex would move it by rounding
     return place(project(best), needed);
   }
 
@@ -178,7 +178,7 @@ class Smoother {
   VertexIndex v_;
   Vec3 old_;
   StarProblem problem_;
-  // The two adjacent vertices on the curve, or the ends of the input edge in on_input_edge.
+  // If v is on a curve: the adjacent vertices on the curve, or the ends of the input edge on which v is.
   std::array<Vec3, 2> ends_{};
 };
 

@@ -29,7 +29,7 @@ struct StarProblem {
 struct OptimizeLimits {
   unsigned max_steps = 12;
   double good_enough = 2;      ///< the ascent stops once the worst shape is above this
-  double least_rise = 1.0005;  ///< a step that raises the worst shape by a smaller factor is not made
+  double least_rise = 1.0005;  ///< each step must raise the worst shape by at least this factor
 };
 
 struct OptimizedPlace {

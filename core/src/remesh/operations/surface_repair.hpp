@@ -17,7 +17,7 @@ void renew_facets(DomainMesh& mesh, const SurfaceGuard& guard, const PiecewiseLi
 
 /// How a surface is repaired at a place that is too far from the input.
 enum class MendBy : std::uint8_t {
-  /// A vertex is moved to the place or an edge is split. A move may leave the former place of the vertex too far away.
+  /// A vertex is moved to the place or an edge is split. A move may take the surface too far from the old place.
   moves_and_splits,
   splits,
 };

@@ -157,7 +157,7 @@ class VolumeBalancer {
     Vec3 normal{};    ///< normal vector; its length is twice the area
     double lost = 0;  ///< twice the volume between the face and the input; positive on the side of the normal
   };
-  /// Sums over the faces around a vertex.
+  /// Normal vector, volume lost and area, summed over the faces around a vertex.
   struct Offset {
     Vec3 normal{};
     double lost = 0, area = 0;

@@ -15,8 +15,8 @@ namespace {
 /// With fewer vertices than MeshBlocks::Rules::vertices_a_block / fewest_a_block, one thread is as fast as blocks.
 constexpr std::size_t fewest_a_block = 4;
 constexpr std::size_t visits_between_looks = 256;  ///< number of visits between two checks of the cancel token
-/// Number of spare slots of a block, for cells that are created before others are removed: `least_slots`, and one more
-/// for every `visits_a_slot` visits.
+/// A block has `least_slots` spare slots for cells that are created before others are removed, and one more for every
+/// `visits_a_slot` vertices of the block that the pass visits.
 constexpr std::size_t least_slots = 32, visits_a_slot = 8;
 
 void add(RefineStatistics& all, const RefineStatistics& of_block) {

@@ -25,27 +25,27 @@ class BlockPass {
   /// envelope, the sizes and the rules with other blocks, but have no caches by vertex.
   using Visit = std::function<void(VertexIndex, Toolbox&)>;
 
-  /// Both arguments must outlive this object. An exception of a visit ends the pass.
+  /// Both arguments must outlive this object. An exception from the function called for a vertex ends the pass.
   BlockPass(Toolbox& tools, const RunContext& context) : tools_(tools), context_(context) {}
 
   /// Visits vertices, within each block in the given order. If they are fewer than `least`, one thread visits all in
   /// order.
   void run(std::vector<VertexIndex> vertices, std::size_t least, const Visit& visit);
 
-  /// Numbers of visits in all runs, by the way in which they were made.
+  /// Numbers of vertices visited in all calls of `run`: concurrently in blocks of vertices, or by one thread.
   struct Counts {
-    std::size_t in_blocks = 0;      ///< visits inside blocks, in all divisions
-    std::size_t put_off = 0;        ///< visits that reached another block's cells and were repeated later
-    std::size_t by_one_thread = 0;  ///< visits of the remaining vertices
-    std::size_t critical = 0;       ///< visits of the largest block of each division
+    std::size_t in_blocks = 0;      ///< vertices visited concurrently, inside blocks of vertices
+    std::size_t put_off = 0;        ///< vertices whose visit needed cells of another block and was repeated
+    std::size_t by_one_thread = 0;  ///< vertices left to be visited by one thread
+    std::size_t critical = 0;       ///< vertices in the largest block of each division into blocks
   };
   const Counts& counts() const { return counts_; }
-  /// Logs the numbers of visits under the name of a pass (debug level).
+  /// Logs the numbers of visited vertices under the name of a pass (debug level).
   void note_counts(std::string_view name) const;
 
  private:
   const MeshBlocks& division(unsigned k);
-  /// Visits vertices inside blocks. Returns the vertices that still have to be visited, in order.
+  /// Visits the vertices inside blocks concurrently. Returns the others, and those whose visit needs a repetition.
   std::vector<VertexIndex> run_in(const MeshBlocks& blocks, const std::vector<VertexIndex>& vertices,
                                   const Visit& visit);
   void visit_block(BlockEdit& block, const std::vector<VertexIndex>& vertices, std::vector<VertexIndex>& stopped,

@@ -157,7 +157,7 @@ void mend_what_is_left(const Mending& mending) {
               .round = [&](unsigned) { return thin_points(tools, look_at_unneeded, thin_unneeded); },
               .most_rounds = schedule.thinning_rounds,
               .applies = rescues_bad});
-  // Hardly any attempt succeeds if the input imposes many bad cells. Those that it does not impose are treated later.
+  // If the input imposes many bad cells, hardly any repair succeeds; bad cells that it does not impose come later.
   passes.once(
       "bad cells mended by looking ahead",
       [&] { rescue_bad_cells(tools, rescue_below(measure.bad(), schedule), out_of_time); },

@@ -216,7 +216,7 @@ class InsideRefiner {
     if (!(nn > 0)) return std::nullopt;
     const Vec3 offset = offset_of_circumcentre(mesh_, t);
     const double h = tools_.lengths.size_of_face(t), r2 = dot(offset, offset);
-    if (r2 > h * h) return std::nullopt;                                             // The face itself is too large.
+    if (r2 > h * h) return std::nullopt;  // The face's circumradius exceeds the target size.
     const Vec3 base = mesh_.point(t[0]) + offset, normal = (1 / std::sqrt(nn)) * n;  // towards the cell
     const auto height_of = [&](double edge) {
       return std::sqrt(std::max(edge * edge - r2, refine_ratios.least_height * edge * edge));

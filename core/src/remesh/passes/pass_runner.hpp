@@ -34,7 +34,7 @@ struct CpuSeconds {
 enum class Next : bool { again, done };
 
 struct Pass {
-  std::string_view name;  ///< description for the log
+  std::string_view name;  ///< what the pass does, for the log
   std::function<Next(unsigned round)> round;
   unsigned most_rounds = 1;
   bool applies = true;

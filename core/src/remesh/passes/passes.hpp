@@ -31,8 +31,8 @@ std::size_t collapse_short_edges(Toolbox& tools, ShortEdges which, const RunCont
 /// (DomainMesh::tick); all edges if this is 0. O(n log n).
 std::size_t thin_out(Toolbox& tools, ShortEdges which, double floor, std::uint64_t since, const RunContext& context);
 
-/// Collapses edges shorter than RefineRatios::promised_edge, or else stretches them. The cells around may become bad as
-/// long as they can be repaired (collapse_mending, stretch_mending). `since`: as in thin_out.
+/// Collapses edges shorter than RefineRatios::promised_edge, or else lengthens them. The cells around may become bad as
+/// long as they can be repaired. Skips edges without a change around them after the time `since`.
 std::size_t thin_out_mending(Toolbox& tools, ShortEdges which, const RescueRule& rule, std::uint64_t since,
                              const RunContext& context);
 

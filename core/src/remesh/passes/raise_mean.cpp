@@ -89,7 +89,7 @@ class MeanRaiser {
   Toolbox& tools_;
   DomainMesh& mesh_;
   MeanGoal goal_;
-  std::vector<bool> is_left_;  // for each vertex, whether it is left out; empty: no vertex is
+  std::vector<bool> is_left_;  // for each vertex, whether its cells are good enough to be left alone; empty: no
   struct Lists {
     std::vector<CellIndex> star;
     std::vector<std::pair<VertexIndex, CellIndex>> edges;
@@ -99,7 +99,7 @@ class MeanRaiser {
     VertexIndex from = no_vertex;
     std::uint32_t at = 0;  ///< in edges_
   };
-  // Entry of each vertex; accessed only by the block of the vertex.
+  // For each vertex, the edge by which it was reached last; accessed only by the thread that visits its block.
   std::vector<Seen> last_seen_ = std::vector<Seen>(mesh_.n_vertices());
 };
 

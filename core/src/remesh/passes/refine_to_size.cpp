@@ -18,7 +18,7 @@ void refine_to_size(Toolbox& tools, const RefineOptions& options, const RunConte
   const auto flip = [&] { flip_towards_delaunay(tools, context); };
   std::optional<SizeField> sparse;
   std::optional<Toolbox> apart;
-  const auto inside = [&]() -> Toolbox& {  // tools for points inside, once surfaces have their target sizes
+  const auto inside = [&]() -> Toolbox& {  // tools with target sizes for the interior, which may be larger
     if (!(options.sparse_growth > 0)) return tools;
     sparse.emplace(sparse_sizes(tools.mesh, tools.lengths.field(), options));
     apart.emplace(tools.mesh, tools.guard, *sparse, tools.statistics);

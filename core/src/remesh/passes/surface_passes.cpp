@@ -157,7 +157,7 @@ std::size_t collapse_edges(Toolbox& tools, const std::vector<MeasuredEdge>& edge
     if (k % 256 == 0) context.check_cancelled(), context.report(mesh.n_cells(), 0);
     VertexIndex u = edges[k].a, v = edges[k].b;
     if (mesh.kind(u) == VertexKind::dead || mesh.kind(v) == VertexKind::dead) continue;
-    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // The less constrained vertex is removed.
+    if (mesh.kind(u) < mesh.kind(v)) std::swap(u, v);  // Contraction removes u, the less constrained end.
     if (cell_with_edge(tools, u, v) == no_cell) continue;
     if (collapse(u, v) || collapse(v, u)) ++n;
   }

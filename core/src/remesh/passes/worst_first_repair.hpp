@@ -12,7 +12,7 @@
 
 namespace geomesh::remesh {
 
-/// The operations around a cell. Each value includes the operations of the values before it.
+/// Kinds of operations by which a cell is repaired. Each value includes the operations of the values before it.
 enum class RepairBy : std::uint8_t { nothing, flips_and_moves, contraction, points };
 
 class WorstFirstRepair {
@@ -21,9 +21,9 @@ class WorstFirstRepair {
   WorstFirstRepair(Toolbox& tools, const ImproveSchedule& schedule, std::function<bool()> out_of_time)
       : tools_(tools), mesh_(tools.mesh), schedule_(schedule), out_of_time_(std::move(out_of_time)) {}
 
-  /// Tries the operations up to `deepest` around each of the cells that still exists. New points keep the distance
-  /// `room`, as a share of the target size, from others. A failed operation is tried again only if something around the
-  /// cell has changed since. Returns the number of cells around which something changed.
+  /// Tries to improve each listed cell by flips and moves, then contractions, then new points, up to the kind
+  /// `deepest`. New points keep the distance `room`, as a share of the target size, from others. A failed operation is
+  /// repeated only after a change around the cell. Returns the number of cells around which something changed.
   std::size_t run(const std::vector<BadCell>& bad, RepairBy deepest, double room);
 
   /// Permits new points to be tried again where they failed, for example because they may be closer to others next
@@ -45,7 +45,7 @@ class WorstFirstRepair {
     std::uint64_t when = 0;  ///< the mesh's time
     RepairBy what = RepairBy::nothing;
   };
-  std::vector<Attempt> tried_;           // for each cell, the attempts that have failed
+  std::vector<Attempt> tried_;           // for each cell, the kinds of operations that failed
   std::vector<std::uint64_t> smoothed_;  // for each vertex, when moving it last failed
 };
 

@@ -63,7 +63,7 @@ struct FreeCellJudge {
   /// Finds bad cells that the input does not impose in the whole mesh.
   std::function<std::vector<CellIndex>(const DomainMesh&)> find;
   /// Finds bad cells that the input does not impose among the cells with a vertex that has changed since the given time
-  /// of the mesh; decides like find_among.
+  /// of the mesh. A doubtful cell is included.
   std::function<std::vector<CellIndex>(const DomainMesh&, std::uint64_t since)> find_since;
   /// Finds bad cells that the input does not impose among the given ones, the worst first. Decides by their
   /// surroundings alone, which is fast; a doubtful cell is included.

@@ -14,10 +14,10 @@ namespace {
 
 using Edge = std::array<VertexIndex, 2>;
 
-/// The bad cells that a trial improves.
+/// The bad cells that are repaired during a trial (a sequence of operations that can be undone).
 enum class MendScope : bool {
-  touched,  ///< bad cells at all vertices that the trial has touched
-  own,      ///< bad cells that the trial has created or changed
+  touched,  ///< bad cells that the trial has created or changed, and their neighbours
+  own,      ///< only bad cells that operations of the trial have created or changed
 };
 
 enum class NewPoints : bool { no, yes };
@@ -28,7 +28,7 @@ class RescuedPlace {
   RescuedPlace(Toolbox& tools, CellIndex seed, const RescueRule& rule, NewPoints points = NewPoints::yes)
       : tools_(tools), mesh_(tools.mesh), rule_(rule), points_(points), seed_(bad_cell(mesh_, seed)) {}
 
-  /// Returns the bad cell around which the trial takes place, in its former state.
+  /// Returns the bad cell that is to be improved, as it was before any operation.
   const BadCell& seed() const { return seed_; }
   void set_seed(CellIndex c) { seed_ = bad_cell(mesh_, c); }
   void set_scope(MendScope scope) { scope_ = scope; }
@@ -49,7 +49,7 @@ class RescuedPlace {
       if (given_up_.size() == rescue_limits.most_given_up) break;
     }
   }
-  /// Returns the worst bad cell of the trial that could still be improved, or no_cell.
+  /// Returns the worst of the bad cells to be repaired whose repair has not failed yet, or no_cell.
   CellIndex next_bad() const {
     CellIndex worst = no_cell;
     double least = rule_.bad_shape;
@@ -108,7 +108,7 @@ class RescuedPlace {
   NewPoints points_;
   BadCell seed_;
   MendScope scope_ = MendScope::touched;
-  std::vector<Tetrahedron> given_up_;  // cells for which every attempt has failed
+  std::vector<Tetrahedron> given_up_;  // bad cells that no operation has improved
 };
 
 enum class BadCells : bool { may_not_spread, may_spread };

@@ -23,7 +23,7 @@ using OutOfTime = std::function<bool()>;
 struct VainTrials {
   std::size_t left;
 };
-/// Returns the number of sequences that may fail in a mesh of n_cells cells, which is at most `most`.
+/// Returns how many sequences of repair may fail in a mesh of n_cells cells: in proportion, but at most `most`.
 VainTrials vain_trials(std::size_t n_cells, std::size_t most);
 
 /// Improves the bad cell c and every cell that becomes bad by this. Each operation raises the worst shape around it,
@@ -42,15 +42,15 @@ bool rescue_cell_by_openings(Toolbox& tools, CellIndex c, const RescueRule& rule
 /// neither the sum of what their shapes lack nor the worst of them is worse. Returns whether it was kept.
 bool collapse_mending(Toolbox& tools, VertexIndex u, VertexIndex v, const RescueRule& rule);
 
-/// Moves u away from its neighbour v until they are `length` apart, and repairs the cells around as collapse_mending
-/// does. The repair may bring u and v closer together again.
+/// Moves u away from its neighbour v until they are `length` apart, and repairs the cells around without new points,
+/// which may move u closer again. The result is kept only if bad cells are no more and no worse than before.
 bool stretch_mending(Toolbox& tools, VertexIndex u, VertexIndex v, double length, const RescueRule& rule);
 
-/// State shared by consecutive searches for better cells.
+/// State shared by consecutive calls of rescue_cell_by_search, which tries random sequences of operations.
 struct RescueSearch {
   Random choose;
   std::size_t trials_a_cell;
-  std::size_t trials_left;  ///< number of trials left for all cells
+  std::size_t trials_left;  ///< number of trials left, over all bad cells
   OutOfTime out_of_time;
   const FreeCellJudge& judge;
 };
@@ -72,8 +72,8 @@ void rescue_bad_cells(Toolbox& tools, const RescueRule& rule, const OutOfTime& o
 /// of a kind have failed, or fewer in a small mesh, because the input then imposes the remaining cells.
 void rescue_flat_cells(Toolbox& tools, const RescueRule& rule, std::size_t most_vain, const OutOfTime& out_of_time);
 
-/// Improves bad cells that the input does not impose, which are worth more effort: with openings and by search. More
-/// sequences may fail than for cells that the input imposes.
+/// Improves bad cells that the input does not impose: by repair alone, after an opening, or by random search. More
+/// sequences of operations may fail than for bad cells that the input imposes.
 void rescue_free_cells(Toolbox& tools, const RescueRule& rule, const FreeCellJudge& judge,
                        const OutOfTime& out_of_time);
 

@@ -32,7 +32,7 @@ class Stretch {
   }
 
  private:
-  /// Share of the requested length that must remain after the vertex has been projected to the surface.
+  /// The edge must have at least this share of the requested length after its moved end is projected to the surface.
   static constexpr double least_share = 0.99;
 
   Vec3 project(const Vec3& p) const {
@@ -46,7 +46,7 @@ class Stretch {
     }
   }
 
-  /// Returns whether no other edge at u becomes short, or shorter if it is short already.
+  /// Returns whether u may move to p: no other edge at u becomes too short, or shorter if it is too short already.
   bool leaves_room(const Vec3& p) {
     for (const LinkFace& f : star_.link)
       for (const VertexIndex x : f.vertices) {

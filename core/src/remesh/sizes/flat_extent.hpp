@@ -20,7 +20,7 @@ class FlatExtent {
     std::array<Vec3, 3> corners;
     Index patch;
   };
-  /// `widest` is the largest length that is examined.
+  /// `faces` are those of all surfaces. Lengths above `widest` are not examined.
   FlatExtent(std::vector<Face> faces, double widest) : faces_(std::move(faces)), widest_(widest) {}
 
   /// Returns the largest of the lengths `widest`, widest / 2, widest / 4, ... over which the patch around the place is
@@ -36,7 +36,7 @@ class FlatExtent {
   struct Level {
     double cell = 0;             ///< width
     std::vector<Entry> entries;  ///< sorted
-    /// Measured distance from a plane, for the first entry of each grid cell; -1 if not yet measured.
+    /// RMS distance of the surface around a grid cell from its best plane, at the first entry of the cell; -1: unknown.
     std::vector<double> off;
   };
   Level& level(unsigned number);

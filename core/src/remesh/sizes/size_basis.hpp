@@ -41,8 +41,8 @@ struct Bend {
 struct SizeBasis {
   std::vector<Index> patch;             ///< by facet: named_patches
   std::vector<EdgesAtVertex> edges;     ///< by vertex
-  std::vector<Bend> bends;              ///< empty if neither a tolerance nor an angle of curvature is set
-  std::vector<FlatExtent::Face> faces;  ///< faces of all surfaces, if bends are listed
+  std::vector<Bend> bends;              ///< edges at which surfaces bend; empty if sizes need no curvature
+  std::vector<FlatExtent::Face> faces;  ///< faces of all surfaces; empty if sizes need no curvature
 };
 
 /// Collects the input edges and the bends of a mesh. The sizes, the tolerance and the options on gaps in `options` have

@@ -20,7 +20,7 @@ constexpr Index leaf_size = 8;
 /// beyond. Computed without roots and divisions.
 bool asks_at_least(double bound, double squared_distance, double size, double radius, double gradation) {
   if (size >= bound) return true;
-  // Distance within which the source requires less than the bound, times the gradation.
+  // gradation times the distance from the source within which it requires a size below `bound`
   const double reach = radius * gradation + (bound - size);
   return squared_distance * gradation * gradation >= reach * reach;
 }

@@ -89,10 +89,10 @@ class Integral {
 
  private:
   static constexpr unsigned greatest_depth = 200;
-  /// A piece whose contribution is less than this share of the sum so far is sampled.
+  /// If a piece of a simplex contributes less than this share of the sum so far, only one of its halves is evaluated.
   static constexpr double small_share = 1e-4;
 
-  /// How often a piece was bisected, and how many such pieces it represents.
+  /// How often a simplex was bisected to give this piece, and how many pieces like it the piece stands for.
   struct Share {
     unsigned depth = 0;
     double weight = 1;

@@ -82,7 +82,7 @@ void pass(CellIndex, double) {}
 struct Facing {
   FaceRef face;
   Vec3 origin, normal;   ///< `normal`: unit vector into the cell
-  double width;          ///< distance from the origin to the other face along the normal
+  double width;          ///< distance between the two faces, along `normal` from `origin`
   Vec3 normal_of_other;  ///< unit normal of the other face, away from the first one
 };
 
@@ -90,7 +90,7 @@ struct Facing {
 /// planes of their faces intersect. Needles along the curve at which they meet may keep the faces from having common
 /// vertices.
 bool meet_within(const DomainMesh& mesh, const Facing& facing, double reach) {
-  // Relative distance from the line of intersection within which the surfaces may actually meet.
+  // Surfaces may meet up to this far from the line in which their planes intersect, relative to its distance.
   constexpr double share = 0.5;
   const Vec3 &n = facing.normal, m = facing.normal_of_other;
   const Vec3 down = m - dot(m, n) * n;  // direction in the plane of the face, towards the line of intersection

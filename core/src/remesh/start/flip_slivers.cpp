@@ -36,7 +36,7 @@ class SliverFlipper {
     if (g == f || !is_plain_[g] || plc_.facet_provenance[g] != plc_.facet_provenance[f]) return false;
     const Triangle other = triangle(g);
     const auto at_b = std::find(other.begin(), other.end(), b) - other.begin();
-    if (other[(at_b + 1) % 3] != a) return false;  // the triangles are oriented differently
+    if (other[(at_b + 1) % 3] != a) return false;  // both triangles pass the edge in the same direction
     const VertexIndex q = other[(at_b + 2) % 3];
     const Triangle first{a, q, m}, second{q, b, m};
     const Vec3 up = normal(other);
@@ -66,7 +66,7 @@ class SliverFlipper {
     if (squared(second) > squared(t)) t = second;
     return squared(third) > squared(t) ? third : t;
   }
-  /// Updates the edges of the facets: f = t and g = (t[1], t[0], q) become (t[0], q, t[2]) and (q, t[1], t[2]).
+  /// Updates the facets at each edge for the flip of f = t and g = (t[1], t[0], q) to (t[0], q, t[2]), (q, t[1], t[2]).
   void exchange(Index f, Index g, const Triangle& t, VertexIndex q) {
     const auto replace = [&](VertexIndex a, VertexIndex b, Index from, Index to) {
       std::vector<Index>& at = facets_at_[sorted(Edge{a, b})];

@@ -116,7 +116,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
     auto match = match_components(beside, fresh);
     if (match && std::find(match->begin(), match->end(), no_index) != match->end()) {
       seed_holes(fresh, *match, plc);
-      fresh = {};  // Frees the first mesh before the second one is made.
+      fresh = {};  // frees the mesh before its complex is meshed again with hole seeds
       fresh = tetrahedralize(plc, options, quiet);
       match = match_components(beside, fresh);
     }
@@ -134,7 +134,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_beside(const Compone
   }
 }
 
-/// Copies the data of components and of the previous run from `mesh`.
+/// Copies number and seeds of components, and the statistics of recovery and Delaunay insertion, from `mesh`.
 void inherit(const ConstrainedTetrahedralization& mesh, ConstrainedTetrahedralization& fresh) {
   fresh.n_components = mesh.n_components;
   fresh.component_seed = mesh.component_seed;
@@ -151,7 +151,7 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
   const auto beside =
       components_beside(mesh, plc.n_facets(), [&](Index f) { return row_of_facet[mesh.faces[f].facet]; });
   if (!beside) return std::nullopt;
-  constexpr unsigned most_attempts = 2;  // The caller repeats the call without the parts that have failed.
+  constexpr unsigned most_attempts = 2;  // after these, the caller tries again with fewer added points
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, std::move(plc), most_attempts, context, trouble);
   if (fresh) inherit(mesh, *fresh);
   return fresh;
@@ -159,8 +159,8 @@ std::optional<ConstrainedTetrahedralization> tetrahedralize_as(const Constrained
 
 bool mesh_anew(ConstrainedTetrahedralization& mesh, const RunContext& context) {
   const auto beside = components_beside(mesh, mesh.faces.size(), [](Index f) { return f; });
-  // Only one attempt is made, because the caller has an alternative. A further attempt would preserve points exactly,
-  // which takes minutes beside a needle that is a rounding error wide.
+  // Recovery of facets is attempted only once, because the caller keeps the old mesh if it fails. A further attempt
+  // would represent added points exactly, which takes minutes beside a needle that is a rounding error wide.
   constexpr unsigned most_attempts = 1;
   auto fresh = tetrahedralize_beside(*beside, mesh.n_components, complex_of(mesh), most_attempts, context, nullptr);
   if (!fresh) return false;

@@ -280,7 +280,7 @@ std::vector<std::vector<Edge>> segments_by_facet(const PiecewiseLinearComplex& p
 
 /// Returns whether the facet is so thin that rounding may change it.
 bool is_thin(const PiecewiseLinearComplex& plc, Index f) {
-  constexpr double least_width = 1e-6;  // width relative to the longest edge
+  constexpr double least_width = 1e-6;  // twice the area over the squared longest edge
   const auto loop = plc.outer_loop(f);
   double longest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i)

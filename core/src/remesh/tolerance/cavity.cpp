@@ -16,7 +16,7 @@ void add_spoke(StarCavity& cavity, const Triangle& f, VertexIndex apex, Index fa
 /// neighbour.
 void add_curves(const DomainMesh& mesh, VertexIndex v, StarCavity& cavity) {
   if (mesh.kind(v) > VertexKind::curve) return;
-  auto& asked = cavity.neighbours_asked;  // each neighbour occurs in about five cells
+  auto& asked = cavity.neighbours_asked;  // neighbours of v that were examined
   for (const CellIndex c : cavity.cells)
     for (const VertexIndex x : mesh.vertices(c)) {
       if (x == v || mesh.kind(x) > VertexKind::curve || std::ranges::find(asked, x) != asked.end()) continue;
@@ -143,7 +143,7 @@ void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex
     for (unsigned i = 0; i < 3 && !cavity.spokes.empty(); ++i) {
       const VertexIndex x = f.vertices[i], y = f.vertices[(i + 1) % 3];
       for (const Spoke& s : cavity.spokes) {
-        // If (x, y, z, apex) is positive, z is below the face (apex, x, y), whose normal points away from z.
+        // Seen from vertex z of the positive cell (x, y, z, apex), face (apex, x, y) is clockwise: z is below it.
         if (s.a == x && s.b == y) n.tags[(i + 2) % 3] = FaceTag(s.facet, false);
         if (s.a == y && s.b == x) n.tags[(i + 2) % 3] = FaceTag(s.facet, true);
       }

@@ -56,7 +56,7 @@ struct StarCavity {
   }
 };
 
-/// Temporary storage of one thread.
+/// Arrays and marks that local operations of one thread reuse, to avoid allocations.
 struct Workspace {
   EpochMarks marks;
   std::vector<CellIndex> cells, created;
@@ -72,8 +72,8 @@ struct Workspace {
 /// Gathers the star of v as a cavity, including its surfaces and curves.
 void gather_star(const DomainMesh& mesh, VertexIndex v, EpochMarks& marks, StarCavity& cavity);
 
-/// Removes the faces, spokes and curve edges that contain v from the cavity, because they disappear if its apex moves
-/// to v. Its cells are kept.
+/// Removes everything that contains v from the cavity, except cells: faces of its link, constrained faces and curve
+/// edges. These disappear if the apex is contracted into v.
 void drop_vertex(StarCavity& cavity, VertexIndex v);
 
 /// Gathers the cells around the edge (a, b) of cell c, which can be refilled from a point on the edge.
@@ -134,7 +134,7 @@ void fill_with_star(DomainMesh& mesh, const StarCavity& cavity, VertexIndex apex
 /// ring[k]).
 struct EdgeFaces {
   std::array<std::size_t, 2> at{};  ///< the first two
-  /// Tags of these two faces, seen from cell at[i] (the cell after the face), or from the last cell of an open ring.
+  /// Tags of the first two constrained faces, seen from the cell after each in the ring (or from the last cell).
   std::array<FaceTag, 2> tag{};
   std::size_t n = 0;
 };

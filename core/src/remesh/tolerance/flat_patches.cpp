@@ -90,7 +90,7 @@ bool FlatPatches::faces_cover_the_same(const std::vector<SurfaceFace>& before,
   });
 }
 
-/// Returns whether the pieces of each curve, before and after, follow a straight line and pass no part of it twice.
+/// Returns whether the removed pieces of each curve, and also the new ones, cover one straight line without overlap.
 bool FlatPatches::are_straight_between_ends(const std::vector<CurvePiece>& before,
                                             const std::vector<CurvePiece>& after) const {
   const auto is_straight = [&](const CurvePiece& c) {

@@ -39,7 +39,7 @@ bool SurfaceGuard::keeps_direction(const std::vector<SurfaceFace>& before, const
   struct Direction {
     Index patch;
     bool is_that_of_sheet = false;
-    double sum = 0, least = least_cosine;  // sum and least of the cosines of the removed faces of the patch
+    double sum = 0, least = least_cosine;  // sum and least of cosines between removed faces and reference
   };
   std::vector<Direction> directions;
   const auto direction_of = [&](Index patch) -> const Direction& {

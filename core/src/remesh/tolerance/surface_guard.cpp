@@ -223,7 +223,7 @@ bool SurfaceGuard::samples_near(Index patch, const Box3& box, const std::vector<
       if (!near || !contains(box, p)) return;
       const double limit = share_about({&p, 1}) * tolerance_;
       if (new_faces.is_near(p, limit) || others.is_near(p, limit)) return;
-      near = !old_faces.is_near(p, limit);  // other faces cover a point that the removed faces did not cover
+      near = !old_faces.is_near(p, limit);  // samples near removed faces must be near the new ones
     });
   });
   return near;
@@ -264,7 +264,7 @@ bool SurfaceGuard::corners_on(const std::vector<SurfaceFace>& before, const std:
              squared_distance(p, search::closest_on_triangle(p, a, b, c)) <= rounding_ * rounding_;
     });
   };
-  const Vec3* last = nullptr;  // most new faces have a corner in common
+  const Vec3* last = nullptr;  // first corner of the previous face, known to be on the surface
   return std::all_of(after.begin(), after.end(), [&](const SurfaceFace& f) {
     return std::all_of(f.corners.begin(), f.corners.end(), [&](const Vec3& p) {
       if (last && *last == p) return true;

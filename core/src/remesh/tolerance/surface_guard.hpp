@@ -46,9 +46,9 @@ struct Hold {
 class SurfaceGuard {
  public:
   SurfaceGuard() = default;
-  /// The reference consists of hold.surfaces, or else the faces of `given`, and of the curves of `mesh` at this time.
-  /// Both meshes have the same surfaces, but `mesh` may have more points, and lacks the edges between coplanar pieces
-  /// of a facet. The planes of patches are those of the facets of `plc`.
+  /// Distances are measured from hold.surfaces (if null, from the faces of `given`) and from the curves that `mesh` has
+  /// at this time. Both meshes have the same surfaces, but `mesh` may have more points, and lacks the edges between
+  /// coplanar pieces of a facet. The planes of patches are those of the facets of `plc`.
   SurfaceGuard(const DomainMesh& given, const DomainMesh& mesh, const PiecewiseLinearComplex& plc, Honour honour,
                LocalTolerance tolerance, const Hold& hold = {});
 
@@ -94,7 +94,7 @@ class SurfaceGuard {
   };
   /// Returns the smallest share of the tolerance that applies near the given points.
   double share_about(std::span<const Vec3> points) const;
-  /// Returns whether each new face is turned from the reference by no more than the removed ones, or not by much.
+  /// Returns whether the angle between each new face and the reference is small, or no larger than for removed faces.
   /// `over` has the result of is_proven_within for each new face; `curves_stay` is true if removed and new faces have
   /// the same border.
   bool keeps_direction(const std::vector<SurfaceFace>& before, const std::vector<SurfaceFace>& after,
@@ -125,17 +125,17 @@ class SurfaceGuard {
 
   Honour honour_ = Honour::exact;
   double rounding_ = 0;   // a distance that may be caused by rounding alone
-  double tolerance_ = 0;  // tolerance for samples outside of zones
+  double tolerance_ = 0;  // largest permitted distance of a sample from the other surface
   std::vector<TightZone> zones_;
-  search::ClosestPointTrees zone_boxes_;  // boxes of zones_, as segments between opposite corners
+  search::ClosestPointTrees zone_boxes_;  // search tree of boxes in which smaller tolerances apply
   mutable tbb::enumerable_thread_specific<search::RecentPlaces> recent_{search::RecentPlaces(1)};  // of allowed_
   LocalTolerance allowed_;                                                                         // what is promised
-  double reach_ = 0;            // largest tolerance of allowed_; places farther away do not matter
+  double reach_ = 0;            // largest tolerance anywhere
   std::vector<Plane> planes_;   // plane of each patch; in exact mode only
   std::vector<bool> oriented_;  // for each patch, whether its reference faces are consistently oriented
   std::shared_ptr<const search::ReferenceSurfaces> given_;  // the faces
   search::TriangleSurfaces given_curves_;
-  FlatPatches flat_;  // flat patches of given_, if it consists of triangles
+  FlatPatches flat_;  // planar patches of the reference, if it consists of triangles
 };
 
 /// Returns deterministic sample points of a triangle: corners, edge midpoints, centroid and six more.

@@ -59,15 +59,15 @@ Difference difference(const Items& first, const Items& second, std::size_t n_gro
   return d;
 }
 
-/// For each item, the result of an earlier verification, if it is still valid.
+/// For each face or curve edge, the distance found by an earlier verification, if it is still valid.
 using Known = std::vector<std::optional<search::Cover>>;
 
 struct KnownCovers {
   Known result, input;
 };
 
-/// Collects the earlier results that are still valid: for items of the result that existed before, and for items of the
-/// input near which no item of the result has been added or removed.
+/// Collects the distances found earlier that are still valid: for pieces of the result that existed before, and for
+/// pieces of the input near which no piece of the result has been added or removed.
 KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_groups, const Items& input, double reach,
                          const VerifiedSurfaces::Covers& covers) {
   const Difference d = difference(before, now, n_groups);
@@ -83,7 +83,7 @@ KnownCovers known_covers(const Items& before, const Items& now, std::size_t n_gr
   return known;
 }
 
-/// The surfaces whose pieces are verified, and those against which they are verified.
+/// The surfaces whose pieces must be near other surfaces, and these other surfaces.
 struct Judgement {
   const search::ReferenceSurfaces &judged, &set;
   Breach kind;
@@ -94,7 +94,7 @@ struct Judge {
   unsigned threads;
   std::vector<Breach>& breaches;  ///< receives pieces not proven to be within the tolerance
 
-  /// Verifies all pieces and returns the largest distance found. `covers` receives earlier and new results by piece.
+  /// Stores in `covers` how far each piece is from the other model, as in `known` if possible. Returns the largest.
   double largest(const Judgement& what, const Known& known, std::vector<search::Cover>& covers) const {
     const Items& items = what.judged.pieces();
     const double deviation = what.judged.deviation_of_pieces();

@@ -21,24 +21,24 @@ search::TriangleSurfaces curves_of(const DomainMesh& mesh);
 /// A piece of the input or of the result that is not proven to be within the tolerance of the other model.
 struct Breach {
   Vec3 place{};
-  double distance = 0;     ///< distance of an examined point; at most the tolerance if nothing could be decided
-  Index group = no_index;  ///< patch or curve class
+  double distance = 0;     ///< distance at `place`; within the tolerance if only the proof failed
+  Index group = no_index;  ///< patch of a face, or class of a curve edge
   Index facet = no_index;  ///< facet of the input; none for curves
   bool on_curve = false;
-  bool of_input = false;  ///< whether the item that is too far off is part of the input
+  bool of_input = false;  ///< whether this piece belongs to the input, not to the result
 };
 
 struct Deviations {
   /// Largest distances found, which are lower bounds of the true distances and nearly attain them. If there are no
   /// breaches, the true distances are within the tolerance.
   double result_to_input = 0, input_to_result = 0;
-  /// If empty, the input and the result are proven to be within the tolerance of each other.
+  /// Faces and curve edges not proven to be within the tolerance of the other model. If there are none, all are proven.
   std::vector<Breach> breaches;
 };
 
-/// Results of a verification that the next one uses, if the input is the same and the result differs in few places.
+/// Distances found by a verification. The next one of the same input reuses those around which nothing has changed.
 struct VerifiedSurfaces {
-  /// Results for each item of the result and of the input.
+  /// Distances by face or curve edge: of the result from the input, and of the input from the result.
   struct Covers {
     std::vector<search::Cover> result, input;
   };

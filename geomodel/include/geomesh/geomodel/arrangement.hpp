@@ -73,7 +73,7 @@ struct Spot {
   /// For forbidden crossings of two surfaces: each surface has a part that lies beyond the other one; this is the area
   /// of the smaller of these two parts, or 0 if nothing is cut off.
   double area = 0;
-  std::size_t n_pieces = 1;  ///< for free borders: number of connected pieces
+  std::size_t n_pieces = 1;  ///< for free borders and gaps: number of connected borders that the finding stands for
 };
 /// Describes a finding of the arrangement for a geologist: "horizon top crosses horizon base over 0.8 km2 along 3.1 km
 /// near (x, y, z)". `surfaces` are the input surfaces followed by the sides of the box.
@@ -105,8 +105,8 @@ struct ArrangementOptions {
   /// with an empty one, is a single part. Rules may remove one part of a surface and keep another, so a facet that
   /// stands for several parts names them all.
   std::vector<std::vector<Index>> parts;
-  /// For each surface, the ascending rows of the surfaces (walls) at which the parts that continue it end. Whatever
-  /// these walls cut off from the original surface (part 0) is removed before anything is merged. Surfaces without an
+  /// For each surface, the ascending rows of its walls: the surfaces at which its continuations (parts 1, 2, ...) end.
+  /// Facets that walls separate from the original surface (part 0) are removed before any merging. Surfaces without an
   /// entry, or with an empty one, are not cut.
   std::vector<std::vector<Index>> ends_at;
   /// Largest memory in bytes that may be used; 0 means three quarters of the machine's memory. Each step of arrange()
@@ -126,7 +126,7 @@ struct ArrangementResult {
   /// surface n + i.
   std::vector<TriangulatedSurface> box_sides;
   Displacement rounding;
-  /// Changes made by merging, within `tolerance` or at places too thin for any rounding.
+  /// Result of merging surfaces nearer to each other than `tolerance`, or so near that rounding cannot keep them apart.
   struct Merging {
     Displacement displacement;
     std::size_t vertices_merged = 0, vertices_inserted = 0, facets_merged = 0, facets_collapsed = 0;

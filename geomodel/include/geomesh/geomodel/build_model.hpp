@@ -27,7 +27,7 @@ struct SoupCurve {
   std::string kind;  ///< as NamedCurve::kind
 };
 
-/// The PLC of a model with everything needed to name the parts of its mesh. Points have the same rows as in the soup.
+/// A PLC with everything needed to name the parts of its mesh. Its points have the same rows as in the polygon soup.
 struct ModelPlc {
   PiecewiseLinearComplex plc;
   /// Soup facets that each facet of the PLC stands for: those of facet f are facet_soup[facet_soup_offsets[f]] ..
@@ -68,8 +68,8 @@ struct MeshedModel {
   double moved_at_most = 0;
 };
 
-/// A range of units in the column, by their rows from `first` to `last`, both included. It is empty if `first` is
-/// greater than `last`.
+/// A range of units in the stratigraphic column, by their rows from `first` to `last`, both included. It is empty if
+/// `first` is greater than `last`.
 struct UnitRange {
   Index first = 0, last = 0;
   bool empty() const { return first > last; }
@@ -89,9 +89,9 @@ struct NamingRules {
   /// Row of the surface that represents the convex hull; a region enclosed by it alone is named `hull`.
   Index hull_surface = no_index;
   std::vector<NamedPoint> seeds{};  ///< names that the user assigns to regions by points inside them
-  /// Names units of the column by fault block, for example `Unit__B2`. Blocks are the parts that faults separate
-  /// (regions joined across horizons), numbered by position in the same way as regions of one name. Nothing is added to
-  /// the name if there is only one block.
+  /// Names units of the stratigraphic column by fault block, for example `Unit__B2`. Blocks are the parts that faults
+  /// separate (regions joined across horizons), numbered by position in the same way as regions of one name. Nothing is
+  /// added to the name if there is only one block.
   bool fault_blocks = false;
   /// If set, all pieces of one unit in one fault block form one region, even if they do not touch.
   bool join_pieces = false;
@@ -106,7 +106,7 @@ struct NamingRules {
   std::map<std::string, std::vector<std::string>> groups{};
   /// Attribute values, by the name of the unit or region and then by the name of the attribute.
   std::map<std::string, std::map<std::string, double>> attributes{};
-  /// Returns the units of the column that can lie at a place, according to the order in which the horizons were
+  /// Returns the units of the stratigraphic column that can lie at a place, by the order in which the horizons were
   /// deposited; several if a horizon is missing. It names mesh components whose own faces leave several units possible
   /// or none, as where all of a horizon was removed.
   std::function<UnitRange(const Vec3&)> units_at{};

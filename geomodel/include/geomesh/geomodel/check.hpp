@@ -31,9 +31,9 @@ struct CheckRequest {
   /// Whether the mesh is also checked against the limits of solvers (solver_verdict.hpp), with the project's
   /// velocities.
   bool solver = false;
-  /// Largest distance by which rounding may have moved a mesh face off its input triangle, in the mesh's unit. A
-  /// negative value stands for the default: 1024 ulps of the largest coordinate (features closer than that are merged
-  /// when crossings are rounded) plus twice the project's `tolerance`, or 8 ulps for coordinates in single precision.
+  /// Largest distance by which rounding may have moved a mesh face off its input triangle, in the mesh's unit.
+  /// Negative: 1024 ulps of the largest coordinate (features closer than that are merged when crossings are rounded)
+  /// plus twice the project's `merge_within`, or 8 ulps for coordinates in single precision.
   double tolerance = -1;
   /// Largest distance of remeshed surfaces from the input and of the input from them, beyond rounding. Negative: the
   /// project's `honour: tolerance`, else 0. If it is not 0, distances, topology and volumes are checked instead of

@@ -37,7 +37,7 @@ struct Format {
   RawMesh (*read)(const std::filesystem::path& file);  ///< null: not read
   /// Writes a starter input of the solver beside the existing mesh files with this stem. Null if the format has none.
   std::filesystem::path (*starter)(const ModelMesh& mesh, const std::filesystem::path& stem) = nullptr;
-  /// Returns a coordinate as a file of this format holds it; null if files hold the same double.
+  /// Rounds a coordinate as writing it to a file of this format does; null if files hold the same double.
   double (*rounded)(double coordinate) = nullptr;
 };
 

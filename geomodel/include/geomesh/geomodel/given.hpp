@@ -59,7 +59,7 @@ struct GivenProject {
   std::string name = "model";
   std::filesystem::path folder;  ///< folder to which file names in the project text are relative
   GivenInputs inputs;            ///< inputs of the surfaces and wells that have no `file`
-  GivenFields fields{};          ///< functions of the surfaces that have a `value` and no `field`
+  GivenFields fields{};          ///< functions of the surfaces that are level sets without a file (no key `field`)
 };
 
 /// Reads a project given in memory. Each surface and each well has either a file or an input in memory. Throws as

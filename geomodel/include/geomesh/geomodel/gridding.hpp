@@ -36,7 +36,7 @@ struct GriddedSurface {
   std::size_t n_points = 0, n_nodes = 0;
   double spacing = 0, smoothing = 0;
   double largest_residual = 0,
-         /// Root mean square of the surface's height minus the point's, over the points above or below the surface.
+         /// Root mean square vertical distance of the surface from the points that lie above or below it.
       rms_residual = 0;
   Vec3 largest_place;         ///< the point with the largest difference in height from the surface
   std::size_t n_outside = 0;  ///< number of points that are not above or below the surface

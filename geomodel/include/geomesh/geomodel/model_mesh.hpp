@@ -96,7 +96,7 @@ struct Prism {
 };
 
 struct CohesiveLayer {
-  std::int32_t id;  ///< id of the layer, distinct from all other ids
+  std::int32_t id;  ///< id of the cohesive layer, distinct from the ids of all regions, surfaces, curves and points
   std::string name;
 };
 

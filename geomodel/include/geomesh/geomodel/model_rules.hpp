@@ -24,7 +24,7 @@ namespace geomesh::geomodel {
 /// plane for faults.
 enum class Extend {
   none,
-  flat,     ///< Each border point is extended at its own height; for faults, at its own distance from the mean plane.
+  flat,     ///< the extension keeps the height of each border point; for faults, its distance from the mean plane
   tangent,  ///< the surface is extended with its mean slope near the border
   nearest,  ///< the extension has the height of the nearest vertex of the surface
 };
@@ -41,7 +41,7 @@ enum class OnCrossing {
   leave,         ///< both crossing horizons are kept; regions between them get names, with a warning
   clip_younger,  ///< parts of the younger horizon below the older horizon are removed
   clip_older,    ///< parts of the older horizon above the younger horizon are removed
-  error,         ///< throws Error{invalid_input} with the names of the two horizons, the area and the place
+  error,         ///< the run ends with Error{invalid_input}, which names the crossing horizons, the area and the place
 };
 
 /// The triangles of a horizon that come from one scalar field, and the domain in which that field is valid.
@@ -113,7 +113,7 @@ struct SurfaceRules {
 enum class ThinLayers {
   keep,      ///< thin layers are kept, and a warning says where they are
   collapse,  ///< the younger horizon is lowered onto the older one where the layer is too thin
-  error,     ///< throws Error{invalid_input} with the names of both horizons, the area and the place
+  error,     ///< a too thin layer ends the run: Error{invalid_input} names both horizons, the area and the place
 };
 
 /// Distances over which surfaces without rules of their own are continued to the surfaces that bound them.
@@ -168,8 +168,8 @@ struct BuiltRows {
   std::vector<std::vector<Index>> parted_at;
   /// For each surface and block, whether the block is above each fault of parted_at. Empty for surfaces without blocks.
   std::vector<std::vector<std::vector<bool>>> sides_of_block;
-  /// For each surface and block, whether the scalar field of the block is valid on both sides of each fault of
-  /// parted_at. Empty for surfaces without fields that are restricted to certain sides of faults.
+  /// For each surface, fault block, and fault of parted_at: whether the scalar field of the block is valid on both
+  /// sides of the fault. Empty for surfaces without fields that are restricted to certain sides of faults.
   std::vector<std::vector<std::vector<bool>>> on_both_sides;
   /// Returns whether the block extends to both sides of the k-th fault of parted_at.
   bool is_on_both_sides(Index surface, Index block, std::size_t k) const {
@@ -182,8 +182,8 @@ struct BuiltRows {
   /// For each surface that was continued to its bounding surfaces: 0 for triangles that are input or fill a hole, k for
   /// triangles that continue the k-th run of border edges. Empty for other surfaces.
   std::vector<std::vector<Index>> part_of_triangle;
-  /// For each surface and each continuation k from 1: number of the fault block in which it continues the surface, or
-  /// no_index if it continues a run of border edges.
+  /// For each surface and each of its continuations, numbered from 1: the fault block in which it continues the
+  /// surface, or no_index if it continues a run of border edges.
   std::vector<std::vector<Index>> block_of_part;
   /// For each surface, the ascending rows of the surfaces at which its continuations end.
   std::vector<std::vector<Index>> continued_to;
@@ -213,7 +213,7 @@ struct BuiltRows {
 /// A surface that was continued to the surfaces that bound it, as described by the report.
 struct ContinuedSurface {
   std::string name;
-  std::string walls;    ///< comma-separated names of the surfaces up to which it was continued
+  std::string walls;    ///< comma-separated names of the bounding surfaces up to which this surface was continued
   double length = 0;    ///< of border, m
   double farthest = 0;  ///< m
   Vec3 place;           ///< of the farthest
@@ -230,8 +230,8 @@ struct BuiltSurfaces {
   BuiltRows rows;
   SettledStack stack;
   std::vector<ContinuedSurface> continued;
-  /// Returns the surfaces without triangles that only separate fault blocks; these surfaces should all be in the model
-  /// before any of them is trimmed.
+  /// Returns the surfaces without the triangles that only separate fault blocks: those that the arranged model should
+  /// contain before any of them is trimmed.
   std::vector<TriangulatedSurface> model_surfaces() const;
   std::vector<std::string> notes;     ///< descriptions, with areas, of what each model-building rule changed
   std::vector<std::string> warnings;  ///< model-building rules that could not be applied, and why

@@ -121,7 +121,7 @@ struct Project {
   std::vector<NamedPoint> points;
   /// Stratigraphic column: alternating units and horizons (unit, horizon, ..., unit), youngest first. May be empty.
   std::vector<std::string> column;
-  /// The keys `on_crossing` and `trim_overshoot` of `rules`; other rules come from other keys.
+  /// The values of the keys `on_crossing` and `trim_overshoot` of the project's key `rules`.
   ModelRules rules;
   NamingRules
       /// The keys that name regions: `regions`, `groups`, `attributes`, and `topography`, `fault_blocks`, `min_volume`,

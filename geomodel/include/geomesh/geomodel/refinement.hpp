@@ -16,7 +16,7 @@ namespace geomesh::geomodel {
 
 /// A target edge length near a point.
 struct PlaceSize {
-  Vec3 place;  ///< position in the project's coordinates
+  Vec3 place;  ///< place of the target size, in the project's coordinates
   AskedSize asked;
 };
 
@@ -57,7 +57,7 @@ struct RefinementSettings {
   ToleranceLedger tolerance;
   bool derive_size = false;           ///< set if no global size is given, so that it must be derived from the model
   bool gaps_by_default = false;       ///< set if the project does not say how gaps between surfaces are refined
-  bool gradation_by_default = false;  ///< set if the project does not give a gradation
+  bool gradation_by_default = false;  ///< set if the project gives no gradation, so that deriving sizes may change it
   double derived_elements = 1e5;      ///< approximate number of elements from which the global size is derived
   double target_elements = 0;  ///< all sizes are scaled to reach about this number of elements; 0: they are not scaled
   /// Whether points are added on surfaces to reach the target sizes (RefineOptions::size_surfaces).

@@ -39,7 +39,7 @@ struct QualityReport {
   MeshQuality measured;             ///< element quality by region; the row is the region's id - 1
   std::vector<std::string> causes;  ///< description of the cause for each of the worst elements (measured.worst)
   bool has_sizes = false;           ///< whether edge lengths were compared with target sizes
-  /// Edges shorter than a third of the target size; not filled if target sizes are not known.
+  /// Number and worst of the edges shorter than a third of the target size; not filled if target sizes are not known.
   ShortEdges short_edges{};
 };
 /// Describes in words why an element is bad, for example "input angle of 3 degrees between fault F2 and horizon H1".

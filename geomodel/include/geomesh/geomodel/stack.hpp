@@ -40,7 +40,7 @@ struct SettledHorizon {
   double area_merged = 0;  ///< area where the horizon coincides with a neighbouring horizon
   /// Area where the horizon's input lies above the topography, so that it is cut off.
   double area_above_topography = 0;
-  /// area, apart from that, where the horizon is farther from its input than the share of the tolerance
+  /// Area, without area_above_topography, where the horizon is farther from its input than its share of the tolerance.
   double area_moved = 0;
   /// Largest and mean distance by which the horizon was moved, over the area where it was moved.
   double largest_move = 0, mean_move = 0;
@@ -55,7 +55,7 @@ struct SettledHorizon {
 /// One unit between two horizons after horizons were put in order.
 struct SettledUnit {
   std::string name, top, base;
-  double area = 0;         ///< area over which the unit is present
+  double area = 0;         ///< map area over which the unit is present
   double area_merged = 0;  ///< area over which the top and the base of the unit coincide
   double volume = 0;       ///< volume between the two horizons of the unit inside the model volume
   /// Number of islands of the unit that were removed because they were too small to be merged or kept.

@@ -78,7 +78,7 @@ struct SourceFrame {
 /// Description of a grid that was converted to a surface by a reader.
 struct GridSummary {
   std::string surface;                                 ///< its name
-  std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< number of columns, of rows, and of nodes without a value
+  std::size_t n_columns = 0, n_rows = 0, n_blank = 0;  ///< numbers of the grid's columns, rows, and nodes without value
   Vec2 origin;                                         ///< the first node
   Vec2 spacing;         ///< distances between columns and between rows; zero if the nodes are not regular
   double rotation = 0;  ///< degrees counter-clockwise
@@ -88,7 +88,7 @@ struct GridSummary {
 /// The contents of one input file.
 struct FileContents {
   std::string format;  ///< name of the format: "GOCAD TSurf", "OFF", ...
-  SourceFrame frame;   ///< unit and axes of the first object, if objects differ (a warning then says so)
+  SourceFrame frame;   ///< unit and axes of the first object; a warning says so if other objects differ
   std::vector<TriangulatedSurface> surfaces;
   std::vector<Polyline> polylines;
   std::vector<NamedPoint> points;

@@ -51,12 +51,12 @@ class ToleranceLedger {
   double bound() const;
   const std::vector<ToleranceUse>& uses() const { return uses_; }
 
-  /// Sets the tolerance's length where the target size is largest. Does nothing if the tolerance is a constant length.
+  /// Sets the length of a tolerance that is a share of the target size, for the largest target size of the mesh.
   void follow_size(double largest);
   /// Records the tolerance that a stage used. Throws InternalError if it used more than is left.
   void take(ToleranceUse use);
   /// Restricts the tolerance of the following stages to this share of the target size at each place, if that is less
-  /// than before. `left` remains the limit everywhere.
+  /// than before. The length left() remains the limit everywhere.
   void limit_share(double share);
   /// Sets the remaining tolerance after all target sizes were scaled: `left` is its length for the new sizes.
   void rescale_left(double left) { left_ = left; }

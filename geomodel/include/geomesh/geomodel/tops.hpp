@@ -39,7 +39,7 @@ struct WellTop {
 struct FittedTop {
   std::string well, horizon;
   Vec3 place;
-  double misfit_given = 0;   ///< misfit of the horizon as the input has it
+  double misfit_given = 0;   ///< misfit of the horizon before it was moved to fit the tops
   double misfit_fitted = 0;  ///< misfit of the horizon after it was moved to fit the tops
   double misfit_meshed = 0;  ///< of the mesh
 };

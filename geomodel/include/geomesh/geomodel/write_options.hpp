@@ -12,8 +12,8 @@ namespace geomesh::geomodel {
 /// Which groups of faces and curves a solver file contains.
 enum class GroupChoice {
   whole,  ///< each surface is one group, and each curve is one group
-  /// Surfaces and curves are divided where different regions meet, and each part is a group that shares no face or
-  /// edge.
+  /// Surfaces and curves are divided where the regions beside them change. Each piece is a group, so that no face or
+  /// edge is in two groups.
   pieces,
   both
 };

@@ -22,9 +22,9 @@ struct BodyShape {
   bool closed = false;
   double border_length = 0;
   Vec3 border_place;
-  /// Direction of rays for winding numbers of an open body, one that leads away from all of its border. The border lies
-  /// beyond one side of the box, so any cap beyond that side closes such a "rooted" body. No direction: the body is
-  /// closed, and any axis serves, or its inside is not defined.
+  /// Direction of rays for winding numbers about an open body; it leads away from all of the body's border. That border
+  /// must lie beyond one side of the box, so that a cap beyond this side would close the body. Empty if the body is
+  /// closed, so that any direction serves, or if its inside is not defined.
   std::optional<RayDirection> open_direction;
   bool has_inside() const { return closed || open_direction.has_value(); }
 };

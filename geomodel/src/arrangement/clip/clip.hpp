@@ -17,7 +17,7 @@ namespace geomesh::geomodel::arrangement {
 struct ClipContext {
   Arranged& arranged;
   const SurfaceList& surfaces;
-  ArrangementResult& result;  ///< receives clipped areas, spots and warnings
+  ArrangementResult& result;  ///< receives clipped areas, findings (Spot) and warnings
   double tolerance = 0;       ///< distance within which surfaces were merged before clipping; 0 if nothing was merged
 };
 
@@ -32,8 +32,8 @@ void clip_to_volume(ClipContext context, const Complex& complex, const Ingested&
 
 /// Removes inner parts of bodies that cross themselves (winding number not zero on both sides), then the parts of
 /// horizons and faults strictly inside bodies with cuts_all, except for scarps (scarps.hpp). `crosses_itself` has one
-/// entry per input surface. Returns the largest distance of removed places that were outside the original body from the
-/// rest of their surface (lost_beside_body.hpp).
+/// entry per input surface. Some removed places were outside the body before merging moved them: returns their largest
+/// distance from the rest of their surface (lost_beside_body.hpp).
 Displacement cut_by_bodies(ClipContext context, const Complex& complex, const Ingested& ingested,
                            const std::optional<Box3>& box, const std::vector<std::uint8_t>& crosses_itself);
 

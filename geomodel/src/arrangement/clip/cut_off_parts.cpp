@@ -23,7 +23,7 @@ class PartFacets {
       first_.push_back(static_cast<Index>(before));
     }
     first_.push_back(static_cast<Index>(triangle_.size()));
-    // The last entry of the union-find stands for the original part of the surface.
+    // The last entry of the union-find stands for the surface's original part, as opposed to its continuations.
     joined_ = UnionFind(triangle_.size() + 1);
     for (Index k = 0; k < triangle_.size(); ++k)
       if (in.part[triangle_[k]] == 0) joined_.unite(k, given());
@@ -94,7 +94,7 @@ class PartFacets {
   const FacetsWithOrigins& of_;
   const SurfaceInParts& in_;
   std::vector<Index> facets_;    ///< ascending
-  std::vector<Index> first_;     ///< for each facet: index of its first entry in `triangle_`
+  std::vector<Index> first_;     ///< for each facet: where its entries in `triangle_` begin
   std::vector<Index> triangle_;  ///< of the surface
   UnionFind joined_{0};
   std::vector<Index> here_;

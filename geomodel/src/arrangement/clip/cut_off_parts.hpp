@@ -31,8 +31,8 @@ struct SurfaceInParts {
   const TriangulatedSurface& surface;
   Index row;                        ///< as in Origin::surface
   const std::vector<Index>& part;   ///< per triangle
-  const std::vector<Index>& walls;  ///< indices of the surfaces at which the continuations end, ascending
-  const LostParts& lost;            ///< removed parts of bounding surfaces, at which no continuation ends
+  const std::vector<Index>& walls;  ///< surfaces at which continuations of this one end, ascending
+  const LostParts& lost;            ///< removed parts of the surfaces in `walls`, at which no continuation ends
 };
 
 /// Returns the facets that bounding surfaces separate from the original part of the surface, each with the surface's

@@ -19,7 +19,7 @@ struct FacetEdge {
 
 /// Returns for each facet the index of its connected component, or no_index if it is not `chosen`. Chosen facets are
 /// connected across the edges for which `passes` returns true when it is called with all chosen and `barrier` facets at
-/// the edge. Components are numbered from 0 in the order of their smallest facets.
+/// the edge. Components are numbered from 0 in the order of their least facet indices.
 template <typename Passes>
 std::vector<Index> components(const Arranged& arranged, const std::vector<std::uint8_t>& chosen,
                               const std::vector<std::uint8_t>& barrier, Passes&& passes) {

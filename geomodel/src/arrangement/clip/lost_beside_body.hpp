@@ -11,13 +11,13 @@ namespace geomesh::geomodel::arrangement {
 
 /// Facets of one surface, as indices in the arrangement.
 struct CutOff {
-  std::vector<Index> gone, left;  ///< facets that a body cut off, and facets that were kept
+  std::vector<Index> gone, left;  ///< the surface's facets that a body cut off, and those that were kept
 };
 
 /// A body in its original shape, before anything was merged within `tolerance`.
 class BodyAsGiven {
  public:
-  /// Precondition: `body` outlives this object. O(n log n).
+  /// Prepares queries of the body, which must outlive this object. O(n log n).
   BodyAsGiven(const TriangulatedSurface& body, const BodyShape& shape, double tolerance);
 
   /// Returns the largest distance from the kept facets of points that were outside the body and lie on edges of removed

@@ -32,9 +32,9 @@ bool is_suspicious(const SurfaceList& surfaces, const Spot& spot) {
          b == SurfaceKind::surface;
 }
 
-/// Collects free borders by surface and connected piece, longest first; at most `limit` pieces of each surface and kind
-/// get a spot of their own, and the rest share one. A closed piece is a gap, unless it may be the surface's outer
-/// border. The outer border is the longest piece, except for horizons in a box, which should reach the box's sides.
+/// Reports the free borders of surfaces by connected piece, longest first: at most `limit` pieces of each surface and
+/// kind as findings (Spot) of their own, the rest as one. A closed piece is a gap, unless it may be the surface's outer
+/// border: the longest piece, except for horizons in a box, which should reach the box's sides.
 void add_free_borders(const PolygonSoup& soup, const SurfaceList& surfaces, std::vector<Spot>& spots) {
   struct FreeEdge {
     Index surface;
@@ -108,7 +108,7 @@ bool are_coplanar(const SurfaceList& surfaces, const Origin& a, const Origin& b)
   return true;
 }
 
-/// Adds spots for places where surfaces coincide: in the input, or because rounding or the tolerance merged them.
+/// Adds findings (Spot) of places where surfaces coincide: in the input, or as rounding or the tolerance merged them.
 void add_overlaps(const PolygonSoup& soup, const SurfaceList& surfaces, ArrangementResult& result) {
   std::map<std::pair<SurfacePair, bool>, Spot> overlaps;
   for (Index f = 0; f < soup.facets.size(); ++f) {

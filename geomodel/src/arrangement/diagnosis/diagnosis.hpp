@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Describes the places where surfaces cross, touch, overlap or dangle, as spots and in a geologist's words.
+/// Describes the places where surfaces cross, touch, overlap or dangle as findings (Spot), in a geologist's words.
 #pragma once
 
 #include "arrangement/model/arranged.hpp"
@@ -8,7 +8,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// A complex, its contacts, and the arrangement computed from both.
+/// A complex, the contacts (places where its facets meet), and the arrangement computed from both.
 struct ArrangedContacts {
   const Complex& complex;
   const Contacts& contacts;
@@ -23,7 +23,7 @@ void diagnose_crossings(const ArrangedContacts& round, const SurfaceList& surfac
 /// Throws Error{invalid_input} that names the pairs of surfaces and the places if any input surfaces cross.
 void refuse_crossings(const ArrangementResult& result, const SurfaceList& surfaces);
 
-/// Describes free borders and overlaps of the finished soup, and everything that was merged, vanished or clipped.
+/// Reports free borders and overlaps of the polygon soup, and all that was merged, vanished or clipped (as Spot).
 void diagnose_soup(const SurfaceList& surfaces, const std::vector<VanishedFacet>& vanished, ArrangementResult& result);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Lists the edges of a soup with the facets at each.
+/// Lists the edges of a polygon soup with the facets at each.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Edges of a soup in buckets by their smaller vertex, each bucket sorted. Built in linear time.
+/// Edges of a polygon soup in buckets by their smaller vertex index, each bucket sorted. Built in linear time.
 class EdgeBuckets {
  public:
   explicit EdgeBuckets(const PolygonSoup& soup) : begin_(soup.points.size() + 1, 0), edges_(3 * soup.facets.size()) {

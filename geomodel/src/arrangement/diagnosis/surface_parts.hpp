@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The parts into which the surfaces of a soup cut each other.
+/// The parts into which the surfaces of a polygon soup cut each other.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The facets of each surface in parts, bounded by edges at which other surfaces lie. Parts that only some of the other
-/// surfaces separate are joined on demand.
+/// Divides each surface into parts, bounded by edges at which other surfaces lie. If only one of those surfaces counts,
+/// parts that others separate are united again.
 class SurfaceParts {
  public:
   /// Near-linear.
@@ -30,7 +30,7 @@ class SurfaceParts {
   UnionFind joined_;          ///< rows of soup.origins
   std::vector<double> area_;  ///< per representative
   std::vector<SharedEdge> shared_;
-  /// For each surface: its entries in shared_; its parts, ascending.
+  /// For each surface: indices in shared_ of its edges with other surfaces; its parts, ascending.
   std::vector<std::vector<Index>> shared_of_, parts_of_;
 };
 

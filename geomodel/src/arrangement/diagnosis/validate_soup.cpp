@@ -78,7 +78,7 @@ class MedianTree {
   std::vector<Node> nodes_;
 };
 
-/// Tests by exact signs whether two items of a soup meet anywhere except in shared vertices and edges.
+/// Tests by exact signs whether two items of a polygon soup meet anywhere except in shared vertices and edges.
 class MeetingTests {
  public:
   explicit MeetingTests(const PolygonSoup& soup) : soup_(soup) {}
@@ -113,7 +113,7 @@ class MeetingTests {
   }
 
   static bool are_equal(const Triangle& a, const Triangle& b) { return has(a, b[0]) && has(a, b[1]) && has(a, b[2]); }
-  /// Returns a corner of `a` near which two different facets meet improperly.
+  /// Returns a corner of `a` near which the facets a and b meet other than in shared vertices and edges, if they do.
   std::optional<VertexIndex> facets_meet(const Triangle& a, const Triangle& b) const {
     if (clear(a, b) || clear(b, a)) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k)
@@ -189,7 +189,7 @@ class MeetingTests {
   const PolygonSoup& soup_;
 };
 
-/// Collects the faults of a soup, up to a limit: wrong array sizes, points, facets, then contacts.
+/// Collects the faults of a polygon soup, up to a limit: wrong array sizes, points, facets, then contacts.
 class Validator {
  public:
   Validator(const PolygonSoup& soup, std::size_t limit) : soup_(soup), tests_(soup), limit_(limit) {}

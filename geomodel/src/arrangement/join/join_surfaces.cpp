@@ -24,7 +24,7 @@ Box3 box_of(const Complex& complex, std::initializer_list<VertexIndex> vertices,
 class Ends {
  public:
   struct Near {
-    std::vector<std::uint8_t> facets;  ///< marks of the facets to be joined; empty if there are none
+    std::vector<std::uint8_t> facets;  ///< for each facet: whether it is near an end of a surface; empty if none is
     std::set<SurfacePair> surfaces;
   };
 

@@ -12,7 +12,7 @@ namespace {
 constexpr double nothing = 1e-3;      // of the distance
 constexpr double most_on_edge = 256;  // places
 
-/// A surface that lost facets.
+/// A surface that lost facets: the vanished ones, and those that it still has.
 struct Surface {
   std::vector<const VanishedFacet*> vanished;
   std::vector<Triangle> left;
@@ -36,7 +36,7 @@ Displacement extent_of(const std::vector<const VanishedFacet*>& vanished) {
   return {length(box.max - box.min), 0, box.min, 0};
 }
 
-/// Records the place along the facet's edges, including its corners, that is farthest from what is left of the surface.
+/// Records the place on the edges of a vanished facet that is farthest from the remaining facets of its surface.
 void note_farthest(const VanishedFacet& facet, const SurfaceDistance& left, double step, Displacement& lost) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 &a = facet.corners[k], along = facet.corners[(k + 1) % 3] - a;

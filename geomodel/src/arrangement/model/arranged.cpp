@@ -58,7 +58,7 @@ class Identification {
   std::vector<Index> alias_;
 };
 
-/// The vertices of a round: the place of each contact, constructed once, and the vertices that are at the same place.
+/// Constructs each place where facets meet in a round of the arrangement, and identifies vertices at equal places.
 class Places {
  public:
   Places(const Complex& complex, const Contacts& contacts, ExactVertices& vertices)
@@ -91,7 +91,7 @@ class Places {
     identify_.run(std::move(candidates));
   }
 
-  /// Returns the vertex that represents the place of vertex v.
+  /// Returns the one vertex that stands for all vertices at the place of v.
   Index operator()(Index v) const { return identify_(v); }
   Index row_of(const Symbol& s) const {
     if (s.is_point()) return s.a;
@@ -133,11 +133,11 @@ class Places {
   const Contacts& contacts_;
   ExactVertices& vertices_;
   Identification identify_;
-  std::vector<Index> active_;  ///< points of the complex that take part in contacts
+  std::vector<Index> active_;  ///< corners of facets that meet others, where intersection points may lie
   std::vector<Symbol> symbols_;
 };
 
-/// Clusters of facets that overlap, and facets that only cross others, in the order of their smallest facets.
+/// Clusters of facets that overlap, and facets that only cross others, in the order of their least facet indices.
 class Clusters {
  public:
   Clusters(const Complex& complex, const Contacts& contacts) {
@@ -157,13 +157,13 @@ class Clusters {
 
   std::size_t size() const { return begin_.size() - 1; }
   Index least_facet(std::size_t cluster) const { return members_[begin_[cluster]].second; }
-  /// Returns, for each facet, whether it is in a cluster.
+  /// Returns, for each facet, whether it overlaps or crosses other facets, so that it belongs to a cluster.
   std::vector<std::uint8_t> is_member(std::size_t n_facets) const {
     std::vector<std::uint8_t> out(n_facets, 0);
     for (const auto& m : members_) out[m.second] = 1;
     return out;
   }
-  /// Returns a cluster with the contacts on its facets; `contact_ends` is as in struct Arranged.
+  /// Returns a cluster with the contacts on its facets; `contact_ends` are the end vertices of all contacts.
   ClusterInput input(std::size_t cluster, const Contacts& contacts,
                      const std::vector<std::array<Index, 2>>& contact_ends) const {
     ClusterInput input;
@@ -184,7 +184,7 @@ class Clusters {
   }
 
  private:
-  std::vector<std::pair<Index, Index>> members_;  ///< pairs of a cluster's smallest facet and one of its facets, sorted
+  std::vector<std::pair<Index, Index>> members_;  ///< sorted (least facet index of a cluster, one of its facets)
   std::vector<std::size_t> begin_;
 };
 

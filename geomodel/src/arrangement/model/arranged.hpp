@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// Vertices of a round: those below n_given are points of the complex, the others were constructed.
+/// Vertices of an arrangement round: those below n_given are points of the complex, the others were constructed.
 class ExactVertices {
  public:
   ExactVertices(const std::vector<Vec3>& given, ExactFrame frame) : given_(given), frame_(frame) {}
@@ -32,7 +32,7 @@ class ExactVertices {
   std::vector<Vec3> made_rounded_;
 };
 
-/// Result of a round. Vertices at equal places share one index in `facets` and `segments`; vertices may be unused.
+/// Result of an arrangement round. Vertices at equal places have one index in `facets` and `segments`; some are unused.
 struct Arranged {
   ExactVertices vertices;
   std::vector<Triangle> facets;
@@ -41,17 +41,18 @@ struct Arranged {
   std::vector<std::uint8_t> changed;
   std::vector<PolygonSoup::Segment> segments;
   std::vector<PolygonSoup::IsolatedPoint> isolated_points;
-  /// Per facet contact: the one or two distinct vertices of its ends; the second is no_index if there is only one.
+  /// For each facet contact (a point or a segment): the vertices of its ends; the second is no_index for a point.
   std::vector<std::array<Index, 2>> contact_ends;
 };
 
-/// Arranges a complex with its contacts. Throws Error{cannot_mesh} if that would need more than `max_bytes` of memory.
+/// Cuts the facets of a complex along their contacts, so that they meet only in shared vertices and edges. Throws
+/// Error{cannot_mesh} if that would need more than `max_bytes` of memory.
 Arranged arrange_round(const Complex& complex, const Contacts& contacts, const RunContext& context,
                        std::size_t max_bytes = no_memory_bound);
 
 /// Coplanar facets that overlap, split into pieces together with all contacts on them.
 struct ClusterPieces {
-  static constexpr Index made_here = 0x80000000u;  ///< bit that marks an index into `made` rather than a vertex
+  static constexpr Index made_here = 0x80000000u;  ///< bit that is set in the indices of points in `made`
   std::vector<Triangle> facets;
   OriginLists origins;
   std::vector<ExactPoint> made;

@@ -39,7 +39,7 @@ struct OriginLists {
   }
 };
 
-/// Facets, segments and points of a round. Points are distinct; no facet is degenerate. Facets may cross and overlap.
+/// Facets, segments and points of an arrangement round. Points are distinct; facets have area, may cross and overlap.
 struct Complex {
   std::vector<Vec3> points;
   std::vector<Index> input_point;  ///< as PolygonSoup::input_point

@@ -36,7 +36,7 @@ struct Line {
   friend auto operator<=>(const Line&, const Line&) = default;
 };
 
-/// A point or a segment in which another item meets a facet. Its symbols denote one place, or the segment's two ends.
+/// A point or a segment in which a facet and another item meet; `ends` defines the point or the ends symbolically.
 struct FacetContact {
   Index facet = no_index;
   Index other = no_index;  ///< the other facet, or no_index if a well or point touches `facet`
@@ -72,8 +72,9 @@ void segment_segment_contact(const Complex& complex, Index a, Index b, Contacts&
 void point_facet_contact(const Complex& complex, VertexIndex point, Index facet, Contacts& out);
 void point_segment_contact(const Complex& complex, VertexIndex point, Index segment, Contacts& out);
 
-/// Returns all contacts, sorted, in which at least one dirty item takes part, without shared vertices and edges. Nearly
-/// linear, parallel. Throws Error{cannot_mesh} if they would take more than `max_bytes`.
+/// Returns all places where facets, wells' segments or points meet, sorted, except in shared vertices and edges. Pairs
+/// of which neither item is marked dirty (changed since they were last compared) are left out. Nearly linear, parallel.
+/// Throws Error{cannot_mesh} if the result would take more than `max_bytes`.
 Contacts find_contacts(const Complex& complex, const RunContext& context, std::size_t max_bytes = no_memory_bound);
 
 }  // namespace geomesh::geomodel::arrangement

@@ -7,10 +7,9 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The movements of points in one step.
+/// Number, sum and largest of the movements of points in one step of the arrangement.
 class MovesOfStep {
  public:
-  /// Records the movement of a point to `where` over the distance.
   void note(double distance, const Vec3& where) {
     ++moved_.points_moved;
     sum_ += distance;

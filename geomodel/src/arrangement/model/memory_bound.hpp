@@ -23,7 +23,7 @@ class MemoryUse {
 
   explicit MemoryUse(std::size_t bound, std::size_t used = 0) : bound_(bound), used_(used) {}
 
-  /// Throws Error{cannot_mesh}, naming the place in the model, if the bound is exceeded.
+  /// Counts memory of new items. Throws Error{cannot_mesh}, naming the place in the model, if the bound is exceeded.
   void take(std::size_t n_items, std::size_t bytes_each, const Vec3& place) {
     if (used_.fetch_add(n_items * bytes_each, std::memory_order_relaxed) + n_items * bytes_each > bound_) refuse(place);
   }

@@ -177,7 +177,6 @@ void PlanarTriangulation::split_edge(int f, int e, int p) {
   faces_[f] = {{o, a, p}, {g, f2, old.neighbour[eb]}, {line, none, old.constraint[eb]}};
   faces_.push_back({{o, p, b}, {g2, old.neighbour[ea], f}, {line, old.constraint[ea], none}});
   if (g != none) {
-    // The face `other` has the counter-clockwise corners q, b, a.
     const int q = other.v[m], opposite_b = next(m), opposite_a = previous(m);
     faces_[g] = {{q, p, a}, {f, other.neighbour[opposite_b], g2}, {line, other.constraint[opposite_b], none}};
     faces_.push_back({{q, b, p}, {f2, g, other.neighbour[opposite_a]}, {line, none, other.constraint[opposite_a]}});
@@ -193,7 +192,7 @@ void PlanarTriangulation::flip(int f, int e) {
   const int g = old.neighbour[e], m = mirror(f, e);
   const Face other = faces_[g];
   const int p = old.v[e], a = old.v[next(e)], b = old.v[previous(e)], q = other.v[m];
-  // Local indices in the face `other`, whose counter-clockwise corners are q, b, a.
+  // Indices of the edges opposite b and a in the face g, whose counter-clockwise corners are q, b, a.
   const int opposite_b = next(m), opposite_a = previous(m);
   faces_[f] = {{p, a, q},
                {other.neighbour[opposite_b], g, old.neighbour[previous(e)]},
@@ -296,7 +295,7 @@ int PlanarTriangulation::advance(int a, int b, int line) {
       legalize(crossed);
       return apex;
     }
-    // Leave the face through the edge between the apex and the vertex on the other side of the segment.
+    // The constraint leaves face g through the edge between its apex and its corner on the constraint's other side.
     e = index_of(g, s == Sign::positive ? left : right);
     f = g;
   }

@@ -61,7 +61,7 @@ class PlanarTriangulation {
   struct Stop {
     int vertex = none;
     bool is_edge = false;  ///< whether an edge from a to `vertex` exists
-    /// If no such edge exists: the constrained edge to split, or the first face that the segment crosses.
+    /// If no edge at a runs along the segment: the face at a that the segment crosses, and its edge opposite a.
     int face = none, edge = none;
   };
   Place locate(int p, int& face, int& index) const;

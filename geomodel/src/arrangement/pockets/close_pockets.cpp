@@ -83,7 +83,8 @@ class PocketRound {
   }
 
  private:
-  /// Returns whether a shell encloses a space that is thin on average and has no dangling faces in it.
+  /// Returns whether a shell (facet sides around a space) encloses a space that is thin on average, without dangling
+  /// faces.
   bool is_thin(const std::vector<FacetSide>& shell) const {
     if (shell.size() < 4) return false;
     for (std::size_t k = 0; k + 1 < shell.size(); ++k)
@@ -107,8 +108,7 @@ class PocketRound {
     ++done.n_pockets;
   }
 
-  /// Assigns to a kept wall's facet the surfaces of the removed facet nearest to its centre, as seen from beyond the
-  /// void.
+  /// Adds to a facet of the kept wall the surfaces of the nearest facet of the removed one, as if it had moved there.
   void give_origins(FacetSide stays, const std::vector<FacetSide>& that_goes, const SurfaceDistance& goes) {
     const Triangle& t = complex_.facets[facet_of(stays)];
     const Vec3 middle = (1.0 / 3) * (complex_.points[t[0]] + complex_.points[t[1]] + complex_.points[t[2]]);

@@ -9,7 +9,7 @@ namespace geomesh::geomodel::arrangement {
 
 struct ClosedPockets {
   std::size_t n_pockets = 0, n_facets_removed = 0;
-  Displacement moved;  ///< movement of the corners of removed walls to the walls that are kept
+  Displacement moved;  ///< movement of the corners of removed walls to the kept walls of their thin voids
 };
 
 /// Closes thin voids. A thin void is a closed space whose two walls are proven to be within the distance of each other.

@@ -45,7 +45,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
   const auto side = [&](std::size_t k) { return length(t[(k + 1) % 3] - t[k]); };
   for (std::size_t k = 1; k < 3; ++k)
     if (side(k) > side(longest)) longest = k;
-  if (side(longest) <= distance / 16) return true;  // accepting the triangle causes an error of at most this length
+  if (side(longest) <= distance / 16) return true;  // so small a triangle is decided by its corners, up to this error
   const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3], middle = 0.5 * (a + b);
   return is_within({a, middle, c}, edges, distance, halvings - 1) &&
          is_within({middle, b, c}, edges, distance, halvings - 1);
@@ -54,7 +54,7 @@ bool is_within(const std::array<Vec3, 3>& t, const std::vector<std::array<Vec3, 
 struct DanglingPiece {
   std::vector<Index> facets;
   std::vector<EdgeKey> hinge;
-  Displacement way;  ///< displacement of the piece's farthest corner to its hinge
+  Displacement way;  ///< distance and place of the piece's corner farthest from the hinge
 };
 
 /// The facets of one surface at each edge.
@@ -65,8 +65,8 @@ class SurfaceFacets {
       for (const EdgeKey& e : edges_of(complex.facets[f])) at_[e].push_back(f);
   }
   /// Removes and returns the dangling pieces of the surface that are within the distance of their hinge (the edges
-  /// along which they are attached). If pieces share a hinge, the one whose free border begins with the smaller edge
-  /// comes first.
+  /// along which they are attached). If pieces share a hinge, the one with the first free edge, in the order of vertex
+  /// indices, comes first.
   std::vector<DanglingPiece> take_dangling_pieces(double distance) {
     std::vector<DanglingPiece> pieces;
     for (std::vector<Index>& facets : pieces_that_end()) {
@@ -170,7 +170,7 @@ using FacetsAtEdges = std::map<EdgeKey, std::vector<Index>>;
 struct Borne {
   /// Origin (input triangle) of a surface that ends on the dangling piece; `reversed` if their orientations differ.
   std::optional<Origin> ending;
-  /// Whether the surface that meets the piece continues beyond it, or a second surface meets it.
+  /// Whether the surface that meets the dangling piece continues beyond it, or a second surface meets the piece.
   bool by_others = false;
 };
 
@@ -181,7 +181,7 @@ struct Change {
 };
 using Changes = std::map<Index, Change>;  ///< by facet
 
-/// Returns whether a facet of the dangling piece, or one beside it (except at its hinge), is already to be changed.
+/// Returns whether a facet of the dangling piece, or one at its edges other than the hinge, is already in `changes`.
 bool is_beside_a_change(const FacetsAtEdges& at, const Changes& changes, const Complex& complex,
                         const DanglingPiece& piece) {
   for (const Index f : piece.facets)

@@ -14,12 +14,12 @@ struct CutDanglingFaces {
   std::vector<VanishedFacet> vanished;
 };
 
-/// Removes dangling pieces of surfaces. A dangling piece is a part of one surface between its hinge and edges at which
-/// the surface ends. At the edges of the hinge the surface has three facets or more. They arise where a needle
-/// vanished, and the surface is whole without them. A piece is removed from its surface if all of it is within the
-/// distance of its hinge. Each edge of the hinge keeps at least two facets of the surface. If one other surface ends on
-/// the piece, the piece becomes part of that surface, which then continues to the hinge. If more surfaces meet the
-/// piece, it is kept. No facet moves, so no new crossings can arise. Unused points may be left. O(n log n).
+/// Removes dangling pieces of surfaces. A dangling piece is a part of one surface that is attached along its hinge,
+/// edges at which the surface has three facets or more; at all its other edges the surface ends. Such pieces arise
+/// where a needle vanished; the surface has no hole without them. A piece is removed from its surface if all of it is
+/// within `distance` of its hinge, at which the surface keeps at least two facets at each edge. If one other surface
+/// ends on the piece, the piece becomes part of that surface, which then continues to the hinge. If more surfaces meet
+/// the piece, it is kept. No facet moves, so no new crossings can arise. Unused points may be left. O(n log n).
 CutDanglingFaces cut_dangling_faces(Complex& complex, double distance);
 
 }  // namespace geomesh::geomodel::arrangement

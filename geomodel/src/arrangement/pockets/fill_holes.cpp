@@ -61,8 +61,8 @@ class Holes {
     const double longest = std::max({edge_length(f, 0), edge_length(f, 1), edge_length(f, 2)});
     return 2 * area(complex_.points[a], complex_.points[b], complex_.points[c]) <= height_ * longest;
   }
-  /// Returns whether facet f fills a hole in the surface of `end`, which ends at edge k of f: the surface ends at the
-  /// next edge too, and it also ends at the third edge, or that edge is short.
+  /// Returns whether facet f fills a hole in the surface that ends (`end`) at edge k of f. This surface must also end
+  /// at the next edge of f, and either end at the third edge as well, or the third edge must be short.
   bool fills(Index f, std::size_t k, const SurfaceEnd& end) const {
     if (end.facet == f || !ends_at(f, k + 1, end.surface)) return false;
     if (ends_at(f, k + 2, end.surface)) return true;

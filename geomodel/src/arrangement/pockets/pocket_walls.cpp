@@ -77,9 +77,10 @@ std::optional<PocketWalls> WallSearch::of(const std::vector<FacetSide>& shell) c
   return best;
 }
 
-/// Returns the parts of a shell: facets of the same surfaces, connected across edges to which nothing else is attached.
+/// Returns the parts of a shell, the facet sides around a closed space: a part consists of facets of the same surfaces,
+/// connected across edges to which nothing else is attached.
 std::vector<std::vector<FacetSide>> WallSearch::parts_of(const std::vector<FacetSide>& shell) const {
-  const auto row = [&](Index facet) {  // position in the shell, whose facets are ascending
+  const auto row = [&](Index facet) {  // index of a facet in `shell`, which is sorted by facet
     return static_cast<Index>(
         std::lower_bound(shell.begin(), shell.end(), facet, [](FacetSide s, Index f) { return facet_of(s) < f; }) -
         shell.begin());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Finds the two walls of a closed space.
+/// Finds the two walls of a thin void, a closed space between surfaces.
 #pragma once
 
 #include <optional>
@@ -17,15 +17,16 @@ struct PocketWalls {
   std::vector<FacetSide> that_goes, that_stays;
 };
 
-/// Looks for a wall that can be removed from a complex. The complex must not change meanwhile.
+/// Finds the wall of a thin void that can be removed from a complex. The complex must not change meanwhile.
 class WallSearch {
  public:
   /// Surfaces from index `first_side` on are sides of the model volume.
   WallSearch(const Complex& complex, const EdgeFacets& edges, Index first_side);
 
-  /// Returns the two walls of a shell: the removable part whose area is nearest to half of the shell's, and the rest.
-  /// All facets of a part belong to the same surfaces. Returns nothing if no part has about half of the area, if
-  /// something else is attached to the part, or if a side of the volume belongs to the shell. O(n log n) for n facets.
+  /// Returns the two walls of a shell (facet sides around a closed space): the removable part whose area is nearest to
+  /// half of the shell's, and the rest. All facets of a part belong to the same surfaces. Returns nothing if no part
+  /// has about half of the area, if other facets are attached to the part, or if it contains a side of the volume. O(n
+  /// log n).
   std::optional<PocketWalls> of(const std::vector<FacetSide>& shell) const;
 
  private:

@@ -32,7 +32,7 @@ std::vector<Box3> boxes_of(const Complex& complex, const std::vector<Index>& fac
   return boxes;
 }
 
-/// The input and the limits of a search for pairs of facets.
+/// A complex in which pairs of facets that may meet are sought, the run that may be cancelled, and a memory limit.
 struct Limits {
   const Complex& complex;
   const RunContext& context;
@@ -64,7 +64,7 @@ void collect(std::size_t n, std::size_t chunk, Contacts& all, const Limits& limi
   for (const Contacts& part : found) all.append(part);
 }
 
-/// Returns the facets whose boxes a dirty facet's box meets, including the dirty ones; all facets if most are dirty.
+/// Returns all dirty facets (to be tested) and those whose boxes meet a dirty one's; all facets if most are dirty.
 std::vector<Index> facets_to_test(const Complex& complex) {
   std::vector<Index> dirty, result;
   for (Index f = 0; f < complex.facets.size(); ++f)

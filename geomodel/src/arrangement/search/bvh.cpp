@@ -85,12 +85,12 @@ BoxTree::BoxTree(const std::vector<Box3>& boxes, std::span<const Index> groups) 
 void BoxTree::group_nodes(std::span<const Index> groups) {
   groups_.resize(order_.size());
   for (std::size_t i = 0; i < order_.size(); ++i) groups_[i] = groups[order_[i]];
-  // Nodes without boxes are never visited, so their group does not matter.
+  // Nodes of the tree without boxes are never visited, so their group does not matter.
   node_groups_.assign(2 * n_slots_, no_index);
   for (std::size_t leaf = 0; leaf < n_leaves_; ++leaf) {
     const std::size_t begin = leaf * leaf_size, end = std::min(begin + leaf_size, groups_.size());
     if (groups_[begin] == groups_[end - 1])
-      node_groups_[n_slots_ + leaf] = groups_[begin];  // boxes are sorted by group
+      node_groups_[n_slots_ + leaf] = groups_[begin];  // the leaf's boxes are sorted by group, so all are of this one
   }
   for (std::size_t node = n_slots_; node-- > 1;)
     if (node_groups_[2 * node] == node_groups_[2 * node + 1]) node_groups_[node] = node_groups_[2 * node];

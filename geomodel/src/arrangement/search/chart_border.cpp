@@ -31,7 +31,7 @@ class Border {
   };
   Vec2 flat(VertexIndex v) const { return {points_[v][i_], points_[v][j_]}; }
 
-  /// Returns whether all edges of the border meet only in shared vertices.
+  /// Returns whether the edges of the chart's border, projected along an axis, meet only in shared vertices.
   bool is_simple() const {
     std::vector<Box3> boxes(edges_.size());
     for (std::size_t e = 0; e < edges_.size(); ++e)
@@ -110,7 +110,7 @@ class Border {
       const VertexIndex a = root(e.from), b = root(e.to);
       parent[std::max(a, b)] = std::min(a, b);
     }
-    // For each component: index in begin_ of its smallest vertex in the projection.
+    // For each connected part of the border: index in begin_ of its vertex with the least projected coordinates.
     std::map<VertexIndex, std::size_t> first_of;
     for (std::size_t k = 0; k + 1 < begin_.size(); ++k) {
       const auto [at, is_new] = first_of.try_emplace(root(ends_[begin_[k]].at), k);
@@ -119,7 +119,7 @@ class Border {
     std::size_t n = 0;
     for (const auto& [component, k] : first_of) {
       sort_by_angle(begin_[k], begin_[k + 1]);
-      n += ends_[begin_[k]].is_out;  // the outside lies below the smallest vertex
+      n += ends_[begin_[k]].is_out;  // directly below this vertex is the outside of its part of the border
     }
     return n;
   }

@@ -56,7 +56,7 @@ struct View {
   double least_cosine;
 };
 
-/// Finds charts among the facets begin .. end - 1, and numbers them from 0 in the order of their smallest facets.
+/// Finds charts among the facets begin .. end - 1, and numbers them from 0 in the order of their least facet indices.
 class ChartFinder {
  public:
   ChartFinder(const Complex& complex, const Neighbours& neighbours, Index begin, Index end,
@@ -80,7 +80,7 @@ class ChartFinder {
   }
 
  private:
-  /// Number of facets below which it takes longer to prove a chart than the chart saves.
+  /// Smallest number of facets of a chart. For fewer, proving that they do not cross takes longer than testing pairs.
   static constexpr std::size_t least_facets = 24;
 
   void try_chart(Index seed, double least_cosine) {

@@ -39,7 +39,7 @@ class Drawing {
     edges_.insert(crease);
   }
 
-  /// Splits facets at the collected vertices. Returns nothing, without a change, if none is beside a feature edge.
+  /// Splits facets at the collected vertices; changes and returns nothing if all are exactly on their edges and facets.
   std::optional<SnapOutcome> rebuild() {
     Insertions insertions{on_edges_.take_sorted(), std::move(in_facet_)};
     if (!is_any_beside_) {
@@ -57,7 +57,7 @@ class Drawing {
  private:
   const Vec3& point(VertexIndex v) const { return complex_.points[v]; }
 
-  /// Inserts vertex v into edge e. `orientation` is zero if v lies exactly on the item that it is inserted in.
+  /// Inserts vertex v into edge e. `orientation` is zero if v lies exactly on both items that are joined at v.
   void insert(const EdgeKey& e, VertexIndex v, Sign orientation) {
     if (on_edges_.is_on(e, v)) return;
     on_edges_.insert(e, v);
@@ -106,13 +106,13 @@ class Drawing {
   Complex& complex_;
   std::size_t n_points_;  ///< that there were
   double rounding_;
-  /// Remains false if everything lies exactly on edges of the volume, and is left to the exact intersection.
+  /// Whether some inserted vertex is beside its edge or facet. If none is, exact intersection inserts all vertices.
   bool is_any_beside_ = false;
   BoxPlanes planes_;
   VerticesOnEdges on_edges_;
   std::map<Index, std::vector<VertexIndex>> in_facet_;
   VerticesByPlace places_;
-  std::set<EdgeKey> edges_;  ///< edges of the examined facets, and feature edges of the volume
+  std::set<EdgeKey> edges_;  ///< edges of the facets near feature edges of the volume, and these feature edges
 };
 
 Box3 box_about(const Complex& complex, const auto& vertices, double margin) {

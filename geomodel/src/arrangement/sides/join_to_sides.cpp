@@ -27,7 +27,8 @@ bool is_apart(const Corners& plane, const Corners& t, double distance) {
   return side != 0 && near.side(t[1]) == side && near.side(t[2]) == side;
 }
 
-/// Position of two items relative to each other: apart, touching exactly, or beside each other within the distance.
+/// Position of a point or edge relative to a triangle or another edge: farther away than the distance (apart), or
+/// within the distance and exactly coplanar with it (exact) or not (beside).
 enum class Nearness : std::uint8_t { apart, exact, beside };
 
 Nearness nearness(double distance, double most, Sign orientation) {
@@ -35,7 +36,8 @@ Nearness nearness(double distance, double most, Sign orientation) {
   return orientation == Sign::zero ? Nearness::exact : Nearness::beside;
 }
 
-/// Returns the closest position (apart, exact or beside) of the corners of triangle t relative to the triangle `of`.
+/// Returns `beside` if a corner of t is near the triangle `of` but not in its plane, else `exact` if one is near and in
+/// the plane, else `apart`.
 Nearness nearness_of_corners(const Corners& t, const Corners& of, double distance) {
   Nearness found = Nearness::apart;
   for (const Vec3& p : t)
@@ -44,7 +46,7 @@ Nearness nearness_of_corners(const Corners& t, const Corners& of, double distanc
   return found;
 }
 
-/// Returns the closest position (apart, exact or beside) of edges of two triangles that pass each other.
+/// Returns `beside` if two edges pass each other within the distance, else `exact` if two cross, else `apart`.
 Nearness nearness_of_edges(const Corners& s, const Corners& t, double distance) {
   Nearness found = Nearness::apart;
   for (std::size_t i = 0; i < 3; ++i)

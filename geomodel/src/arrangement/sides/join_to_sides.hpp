@@ -33,7 +33,7 @@ Displacement move_to_sides(Complex& complex, const Joining& joining, double tole
 /// edges. O(n log c) for n facets and c such edges, if each facet's box meets few of these.
 std::optional<SnapOutcome> draw_to_feature_edges(Complex& complex, const Joining& joining, double tolerance);
 
-/// Returns SnapOptions::sides_of for a volume that is not an axis-aligned box; otherwise empty. O(n log s).
+/// Returns, as bits, the sides of the volume on which each vertex lies; empty for an axis-aligned box. O(n log s).
 std::vector<std::uint64_t> sides_of_vertices(const Complex& complex, const Joining& joining);
 
 }  // namespace geomesh::geomodel::arrangement

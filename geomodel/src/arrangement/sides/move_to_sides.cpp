@@ -47,8 +47,8 @@ class SidePlaces {
     return corner.place ? corner.place : edge.place ? edge.place : side.place;
   }
 
-  /// Returns a side's facet that the end of a surface passes within reach: both ends of the edge are within reach of
-  /// the facet's plane, wherever they are along it. Returns no_index if there is none.
+  /// Returns a facet of a side of the volume along which the edge e, an end of a surface, runs: both ends of e are
+  /// within reach of the facet's plane, even if they are beside the facet. Returns no_index if there is none.
   Index followed_by(const SurfaceEnd& e) const {
     const Vec3 &a = complex_.points[e.a], &b = complex_.points[e.b];
     Index found = no_index;
@@ -82,7 +82,7 @@ class SidePlaces {
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     std::optional<Vec3> place{};
-    /// Considers moving the point p to the place `at`; `reach()` returns the distance from which p may move there.
+    /// Replaces `place` by `at` if `at` is nearer to p, and p may move as far as that according to `reach()`.
     void see(const Vec3& p, const Vec3& at, auto reach) {
       const double d = length(p - at);
       if (!(d < distance) || !(d < reach())) return;
@@ -189,7 +189,7 @@ Displacement take_over(Complex& complex, const std::vector<Vec3>& points) {
 Displacement move_to_sides(Complex& complex, const Joining& joining, double tolerance) {
   const SideFacets sides(complex, joining);
   if (sides.all().empty()) return {};
-  // Number of small moves that add up to the distance within which surfaces are joined.
+  // A vertex whose new place is taken is shifted by the merging distance divided by this number.
   constexpr double moves_a_distance = 16;
   const SidePlaces places(complex, joining, sides, tolerance);
   std::vector<SurfaceEnd> ends = surface_ends(complex);

@@ -29,7 +29,7 @@ class Reach {
   bool is_crease(const EdgeKey& e) const { return sides_at_.contains(e); }
   const std::map<EdgeKey, std::array<Index, 2>>& creases() const { return sides_at_; }
 
-  /// Returns the distance from which a facet moves to the side to which the facet `side` belongs.
+  /// Returns the distance within which a facet is moved onto the side of the volume that contains the facet `side`.
   double of_facet(Index facet, Index side) const { return follows(facet, side) ? least_ : tolerance_; }
   double of_facet(Index facet, const EdgeKey& crease) const {
     const auto& [s, t] = sides_at_.at(crease);
@@ -55,7 +55,7 @@ class Reach {
 
  private:
   static constexpr double least_share = 0.05;  // of the tolerance
-  // Largest sine of the angle between a side and a facet that runs along it.
+  // Largest sine of the angle between a facet and a side of the volume that counts as running along the side.
   static constexpr double sine_of_followed = 0.1;
 
   Vec3 normal(Index f) const {
@@ -74,7 +74,7 @@ class Reach {
     return reach;
   }
 
-  /// Lists the facets at each vertex that do not belong to sides.
+  /// Lists for each vertex its facets, without those that are sides of the volume.
   void list_facets_of_vertices(const SideFacets& sides) {
     first_facet_.assign(complex_.points.size() + 1, 0);
     const auto visit = [&](auto take) {
@@ -91,7 +91,7 @@ class Reach {
 
   const Complex& complex_;
   double tolerance_, least_;
-  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< for each edge between two sides: a facet of each side
+  std::map<EdgeKey, std::array<Index, 2>> sides_at_;  ///< for edges between two sides of the volume: a facet of each
   std::map<VertexIndex, std::vector<EdgeKey>> creases_at_;
   std::vector<Index> first_facet_, facets_;  ///< by vertex
 };

@@ -31,7 +31,7 @@ void sort_in_rows(std::vector<int>& order, const std::vector<PlanarPoint>& point
   for (std::size_t k = 0; k < keys.size(); ++k) order[k] = keys[k].p;
 }
 
-/// The lines of a cluster's constraints and the points made where two of them cross.
+/// The constraint lines in a cluster of coplanar facets, and the points made where two of these lines cross.
 class Crossings {
  public:
   Crossings(const Complex& complex, const ExactFrame& frame, Index plane)
@@ -57,11 +57,11 @@ class Crossings {
     rows_.push_back(static_cast<int>(row));
     return {frame_.to_nearest(made_.back()), &made_.back()};
   }
-  /// Converts a made point's index in the triangulation to its index among the made points.
+  /// Converts the triangulation's index of a point made where constraints cross to its index among these points.
   Index number(int row) const {
     return static_cast<Index>(std::lower_bound(rows_.begin(), rows_.end(), row) - rows_.begin());
   }
-  /// Moves the made points to `pieces`, with their nearest doubles as stored in the triangulation.
+  /// Moves the points made where constraints cross to `pieces`, with the doubles that the triangulation has for them.
   void move_to(ClusterPieces& pieces, const std::vector<PlanarPoint>& points) {
     for (std::size_t k = 0; k < made_.size(); ++k) {
       pieces.made_rounded.push_back(points[rows_[k]].rounded);
@@ -78,7 +78,7 @@ class Crossings {
 
   const Complex& complex_;
   const ExactFrame& frame_;
-  Index plane_;  ///< some facet of the cluster, which gives the cluster's plane
+  Index plane_;  ///< one of the cluster's coplanar facets, which gives their plane
   std::vector<Line> lines_;
   std::deque<ExactPoint> made_;
   std::vector<int> rows_;  ///< of made_, ascending
@@ -109,7 +109,7 @@ void cover(const PlanarTriangulation& mesh, const std::array<int, 3>& corners, I
   }
 }
 
-/// The triangulation of a cluster in its plane, and the pieces extracted from it.
+/// The triangulation of a cluster (overlapping coplanar facets) in its plane, and the pieces of facets made from it.
 class Cluster {
  public:
   Cluster(const Complex& complex, const ExactVertices& vertices, ClusterInput input)
@@ -144,7 +144,6 @@ class Cluster {
     const Triangle& t = complex_.facets[member];
     return mesh_.orient(local(t[0]), local(t[1]), local(t[2]));
   }
-  /// Returns the indices of the triangle's corners in the triangulation.
   std::array<int, 3> local_corners(const Triangle& t) const { return {local(t[0]), local(t[1]), local(t[2])}; }
   Triangle turning_left(Index member) const {
     Triangle t = complex_.facets[member];
@@ -234,7 +233,6 @@ class Cluster {
       std::vector<Origin> origins;
       for (const Index m : members_of[f])
         for (Origin o : complex_.origins.of(m)) {
-          // whether the surface is clockwise in the cluster's projection
           o.reversed = (sign_of(m) == Sign::negative) != o.reversed;
           origins.push_back(o);
         }

@@ -66,11 +66,12 @@ class JoinRule {
   }
 
   bool restricts() const { return restricts_; }
-  /// Indexes the complex in its current state. Edges with one facet are borders, except those for which `lies_on_box`
-  /// returns true. `asked`, if not empty, marks the vertices that will be queried; others are left out.
+  /// Determines the surfaces at each vertex and edge of the complex, and whether one ends there: at edges with one
+  /// facet, except those for which `lies_on_box` returns true. If `asked` is not empty, only the vertices that it marks
+  /// may be queried.
   void index(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box,
              std::vector<std::uint8_t> asked = {});
-  /// Updates the index of edges only; the vertices must be unchanged.
+  /// Determines the surfaces and borders at edges again after facets changed; the vertices must be the same.
   void index_edges(const Complex& complex, const std::function<bool(VertexIndex, VertexIndex)>& lies_on_box);
 
   Thing of_vertex(VertexIndex v) const { return v < of_vertex_.size() ? of_vertex_[v] : Thing{}; }
@@ -88,13 +89,13 @@ class JoinRule {
   std::set<SurfacePair> meeting_, following_;
   Index first_fixed_ = no_index;
   bool restricts_ = false, joins_all_ = false, needs_border_ = true;
-  std::vector<std::uint8_t> asked_;  ///< for each vertex, whether it may be queried; empty if all may be
+  std::vector<std::uint8_t> asked_;  ///< for each vertex: whether its surfaces are determined; empty if all are
   std::vector<std::vector<Index>> sets_{{}};
   std::map<std::vector<Index>, Set> numbers_{{{}, none}};
   std::vector<Thing> of_vertex_;
   std::vector<std::pair<EdgeKey, Thing>> of_edge_;  // ascending by edge
-  /// For each pair of surface sets, without and with a border: whether merging is allowed (1), not allowed (2) or not
-  /// known yet (0). Used only while there are few sets.
+  /// For each pair of surface sets, each without or with a border: whether they may be merged (1), may not (2), or it
+  /// was not determined yet (0). Used only while there are few sets.
   mutable std::vector<std::uint8_t> known_;
 };
 

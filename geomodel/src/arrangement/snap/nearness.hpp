@@ -25,7 +25,8 @@ class PlaneWithin {
 
  private:
   Vec3 at_, normal_;
-  /// The distance times the length of the normal, and the error per unit of length from the triangle's first corner.
+  /// The distance, and the rounding error of a height above the plane per unit of distance from the first corner, both
+  /// times the length of `normal_`.
   double distance_, error_;
 };
 

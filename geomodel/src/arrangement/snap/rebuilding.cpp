@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns the edge pieces between vertices of one facet; facets that share the vertices then share the edge, too.
+/// Returns those pieces of edges that have both ends among these vertices of a facet, to become edges of the facet.
 std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::vector<EdgeKey>& pieces) {
   std::sort(vertices.begin(), vertices.end());
   std::vector<EdgeKey> found;
@@ -22,7 +22,7 @@ std::vector<EdgeKey> pieces_among(std::vector<VertexIndex> vertices, const std::
 /// The facets and segments of a complex with the vertices inserted in them.
 class Rebuilding {
  public:
-  /// `edges` are those of the facets that take part in snapping; `touched` are the facets with a merged corner.
+  /// `edges` are all edges of the facets to be snapped; `touched` are facets with a corner that was merged.
   Rebuilding(Complex& complex, Insertions& insertions, const std::vector<EdgeKey>& edges,
              const std::set<Index>& touched, SnapOutcome& outcome)
       : complex_(complex), insertions_(insertions), edges_(edges), touched_(touched), outcome_(outcome) {}
@@ -102,7 +102,7 @@ class Rebuilding {
     }
     return split_these(facets);
   }
-  /// Splits those facets again of which an edge must remain whole.
+  /// Splits again the facets with an edge in `whole`, from which all insertions were dropped.
   std::vector<Index> split_again(const std::set<EdgeKey>& whole) {
     std::vector<Index> facets;
     for (const auto& [f, split] : splits_) {

@@ -24,7 +24,7 @@ class Anchors {
 
   void add(const Vec3& p) { cells_[cell_of(p)].push_back(p); }
 
-  /// Returns the rounded place of a constructed point p: a near anchor, otherwise p itself, which becomes an anchor.
+  /// Returns the rounded place of a constructed point p: a stored place near it, or p itself, which is then stored.
   Vec3 place(const Vec3& p) {
     if (const Vec3* const anchor = nearest(p)) return *anchor;
     add(p);
@@ -32,7 +32,7 @@ class Anchors {
   }
 
  private:
-  /// Returns the nearest anchor within the snapping distance of p that lies on all of p's box planes, or null.
+  /// Returns the nearest stored place within the snapping distance of p that lies on all box planes of p, or null.
   const Vec3* nearest(const Vec3& p) const {
     const Vec3 reach{snap_, snap_, snap_}, low = cell_of(p - reach), high = cell_of(p + reach);
     const Vec3* best = nullptr;

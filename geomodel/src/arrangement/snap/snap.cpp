@@ -52,7 +52,7 @@ class Snapper {
         marks_of_vertices());
   }
 
-  /// Marks the vertices of active facets, segments and points; empty if all facets are active.
+  /// Marks the vertices of segments, points and facets to be snapped; empty if all facets are to be snapped.
   std::vector<std::uint8_t> marks_of_vertices() const {
     if (facets_.size() == complex_.facets.size()) return {};
     std::vector<std::uint8_t> marks(complex_.points.size(), 0);
@@ -131,11 +131,11 @@ class Snapper {
   SnapOptions options_;
   BoxPlanes planes_;
   VertexGrid grid_;
-  /// Active facets; those of them that have three distinct corners after merging.
+  /// Facets to be snapped; those of them that have three distinct corners after vertices were merged.
   std::vector<Index> facets_, active_facets_;
   std::vector<VertexIndex> vertices_, now_;
   std::vector<EdgeKey> edges_;
-  std::set<Index> touched_;  ///< facets with a merged corner
+  std::set<Index> touched_;  ///< facets of which a corner was merged with another vertex
   SnapOutcome outcome_;
   MovesOfStep moves_;
 };

@@ -29,7 +29,7 @@ struct SnapOptions {
 struct SnapOutcome {
   std::size_t n_vertices_merged = 0, n_vertices_inserted = 0, n_facets_merged = 0;
   std::vector<VanishedFacet> vanished;
-  Displacement moved;  ///< movement of merged vertices, and of edges and facets at inserted vertices
+  Displacement moved;  ///< movement of vertices merged with others, and of edges and facets to inserted vertices
   bool changed() const { return n_vertices_merged + n_vertices_inserted + vanished.size() + n_facets_merged > 0; }
 };
 
@@ -43,7 +43,7 @@ struct SnapOutcome {
 SnapOutcome snap_near(Complex& complex, const std::vector<std::uint8_t>& active, const SnapOptions& options,
                       std::vector<VertexIndex>* vertex_now = nullptr);
 
-/// Vertices inserted in edges and facets; those on an edge are in order from its smaller end.
+/// Vertices inserted in edges and in facets; those on an edge are in order from its end with the smaller index.
 struct Insertions {
   std::map<EdgeKey, std::vector<VertexIndex>> on_edge;
   std::map<Index, std::vector<VertexIndex>> in_facet;

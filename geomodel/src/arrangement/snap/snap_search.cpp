@@ -13,7 +13,6 @@
 namespace geomesh::geomodel::arrangement {
 namespace {
 
-/// Returns the bounding box of the vertices, enlarged by the distance on all sides.
 Box3 box_about(const Complex& complex, std::span<const VertexIndex> vertices, double distance) {
   Box3 box;
   for (const VertexIndex v : vertices) box.add(complex.points[v]);
@@ -90,7 +89,7 @@ class Search {
     const EdgeKey &e = edges_[row_e], &f = edges_[row_f];
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second) return;
     const auto nearest = nearest_of_edges(point(e.first), point(e.second), point(f.first), point(f.second));
-    if (!nearest) return;  // if the edges are parallel, their ends that are near were inserted already
+    if (!nearest) return;  // parallel edges, or nearest at an end, which was inserted in the other edge before if near
     const auto& [p, q] = *nearest;
     if (length(p - q) >= distance_) return;
     const VertexIndex on_e = on_edges_.nearer(e, p), on_f = on_edges_.nearer(f, q);
@@ -104,8 +103,9 @@ class Search {
     insert(f, x);
   }
 
-  /// Returns a vertex of the grid near the place, otherwise the complex' vertex at that place, which is made if there
-  /// is none, so that places remain distinct. Returns no_vertex if the rule forbids using the vertex there.
+  /// Returns the vertex to insert at a place: one of the grid within the snapping distance, else the complex' vertex at
+  /// exactly this place, which is made if there is none, so that no two vertices share a place. Returns no_vertex if
+  /// the join rule does not allow the vertex found there.
   VertexIndex vertex_at(const Vec3& place, unsigned planes, const JoinRule::Thing& thing) {
     const Vec3 p = planes_.onto(place, planes);
     const auto may_take = [&](VertexIndex v) { return rule_.allows(rule_.of_vertex(v), thing); };

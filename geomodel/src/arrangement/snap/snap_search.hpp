@@ -48,13 +48,13 @@ class VertexGrid {
   const std::vector<Vec3>& points_;
   double distance_;
   std::vector<Slot> slots_;        // hash table with linear probing; its size is a power of two
-  std::vector<VertexIndex> next_;  // for each vertex: the next vertex in its cell
+  std::vector<VertexIndex> next_;  // for each vertex: the next one in its cell of the hash grid
   std::size_t n_cells_ = 0;
 };
 
-/// Finds vertices near edges, edges near each other and vertices near facets, among the given facets, edges and
-/// vertices, where the join rule allows it. For edges near each other it adds a vertex to the complex, the grid and the
-/// rule.
+/// Finds vertices to insert in the given facets and edges: those of the given vertices that are near an edge or a
+/// facet, and new ones where two edges are near each other, if the join rule allows merging them. New vertices are
+/// added to the complex, the grid and the rule.
 Insertions find_insertions(Complex& complex, const std::vector<Index>& facets, const std::vector<EdgeKey>& edges,
                            std::vector<VertexIndex> vertices, VertexGrid& grid, SnapOptions& options);
 

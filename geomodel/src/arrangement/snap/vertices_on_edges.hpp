@@ -11,7 +11,6 @@
 
 namespace geomesh::geomodel::arrangement {
 
-/// The vertices inserted on each edge.
 class VerticesOnEdges {
  public:
   VerticesOnEdges(const Complex& complex, double distance) : complex_(complex), distance_(distance) {}
@@ -78,7 +77,7 @@ class VerticesByPlace {
 
  private:
   Complex& complex_;
-  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< the first n_known_ points, by their coordinates
+  std::unordered_map<Vec3, VertexIndex, PointHash> known_;  ///< indices of the first n_known_ points by coordinates
   std::size_t n_known_ = 0;
 };
 

@@ -19,8 +19,8 @@ struct ElementShape {
   /// flat as rounding, and infinite if the volume is zero in floating point (shape ratios are 0 then).
   double turn;
   double ulp;  ///< as given
-  /// Returns how far the angles (in degrees) that another program measures for this element may differ from these; the
-  /// next two functions do so for ratios and lengths.
+  /// Bounds on the difference, due to rounding, between this element's measures and another program's measures of it:
+  /// for angles (in degrees), for ratios and for lengths.
   double slack_of_angles() const;
   double slack_of_ratios() const;
   double slack_of_lengths() const;

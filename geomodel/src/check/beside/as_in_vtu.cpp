@@ -183,8 +183,8 @@ class Comparison {
   CheckResult& result_;
 };
 
-/// Returns the number in `places` of each mesh point. If a point is missing in the .vtu, reports it and returns
-/// nothing.
+/// Returns the number of each mesh point in `places`, the points of the .vtu. If a point is missing in the .vtu,
+/// reports it and returns nothing.
 std::optional<std::vector<Index>> places_of(const ModelMesh& mesh, const Places& places, const std::string& file,
                                             CheckResult& result) {
   FaultCollector elsewhere(fault_id);

@@ -16,8 +16,8 @@ using MeshEdge = std::array<VertexIndex, 2>;
 /// The curves of the curves file, expressed in vertices of the mesh.
 struct CheckedCurves {
   const CurvesFile& file;
-  std::vector<MeshEdge> edges;        ///< In the order of the file; no_vertex if a point is not in the mesh.
-  std::vector<VertexIndex> vertices;  ///< as the file's
+  std::vector<MeshEdge> edges;  ///< mesh edges of the curves, in file order; no_vertex for an end that the mesh lacks
+  std::vector<VertexIndex> vertices;              ///< as the file's
   std::map<std::int32_t, std::size_t> row_of_id;  ///< in file.curves
 };
 

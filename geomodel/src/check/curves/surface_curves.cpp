@@ -15,7 +15,6 @@ struct Named {
   friend auto operator<=>(const Named&, const Named&) = default;
 };
 
-/// Returns the indices of the faces at each edge of the face set.
 std::map<MeshEdge, std::vector<Index>> faces_at_edges(const CheckedFaces& checked) {
   std::map<MeshEdge, std::vector<Index>> at;
   for (Index f = 0; f < checked.candidates().size(); ++f) {

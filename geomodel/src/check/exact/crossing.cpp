@@ -73,13 +73,13 @@ int ray_crossing(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& c, int
              s1 = centroid_side(c[0], c[1], c[2], t[1], t[2], axis),
              s2 = centroid_side(c[0], c[1], c[2], t[2], t[0], axis);
   if (s0 == Sign::zero || s0 != s1 || s1 != s2) return 0;
-  // For cyclic axes, the normal's component along the axis has the sign of the triangle's projected area.
+  // With axes in cyclic order, the normal's component along `axis` has the sign of the triangle's projected area.
   const Sign side = centroid_orientation(t[0], t[1], t[2], c[0], c[1], c[2]);
   if (side == Sign::zero) {
     on = true;
     return 0;
   }
-  const bool above = side == s0;  // whether the centroid is on the +axis side of the triangle's plane
+  const bool above = side == s0;  // whether the ray starts on the +axis side of the plane of the triangle t
   if (above == up) return 0;
   const bool leaves_along_normal = (s0 == Sign::positive) == up;
   return leaves_along_normal ? 1 : -1;

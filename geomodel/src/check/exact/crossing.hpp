@@ -14,7 +14,7 @@ namespace geomesh::geomodel::checking {
 enum class Meeting {
   proper,    ///< The triangles are disjoint, or meet in shared vertices and edges only.
   overlap,   ///< The triangles are coplanar and share an area or a part of an edge.
-  crossing,  ///< The triangles share any other point: they cross, or one touches the other.
+  crossing,  ///< The triangles share a point inside a triangle or an edge: they cross, or one touches the other.
 };
 /// Classifies how two triangles meet. Points are identified by index. A triangle of zero area is `proper` with all
 /// others.

@@ -12,8 +12,8 @@ namespace {
 
 /// One triangle is cut into at most this many pieces; the rest of it is only sampled.
 constexpr std::size_t most_pieces = 4000;
-/// Number of bisections of a piece that has a corner beyond the tolerance where this is not a fault. Eight bisections
-/// divide the triangle's edges by sixteen.
+/// A piece with a corner beyond the tolerance, at a place where this is no fault, is not bisected further after this
+/// number of bisections. Eight bisections divide the triangle's edges by sixteen.
 constexpr int depth_beyond = 8;
 
 double length(const Vec3& a) { return std::sqrt(dot(a, a)); }

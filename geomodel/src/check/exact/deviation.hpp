@@ -38,9 +38,8 @@ class TriangleSet {
   };
   /// Returns the triangles of the set within `reach` of p.
   std::vector<Near> near(const Vec3& p, double reach) const;
-  /// Returns the distance of a point to the whole set; infinite if the set is empty.
+  /// Returns the distance of a point to the nearest triangle of the set; infinite if the set is empty.
   double distance(const Vec3& p) const;
-  /// Returns the edge that triangles a and b share; nothing if there is none.
   std::optional<std::array<Vec3, 2>> shared_edge(Index a, Index b) const;
   bool empty() const { return triangles_.empty(); }
 
@@ -53,9 +52,9 @@ class TriangleSet {
 
 /// Results of measuring triangles against a triangle set, accumulated over all measured triangles.
 struct Deviation {
-  double largest = 0;  ///< largest distance to the set among the samples within the tolerance
-  /// Areas of the measured triangles: of all, of the part proven within the tolerance, and of pieces whose corners are
-  /// all beyond the tolerance at places where this is not a fault.
+  double largest = 0;  ///< largest distance from a sampled point to the set; points beyond the tolerance are left out
+  /// Areas of the measured triangles: total, proven within the tolerance, and of pieces with all corners beyond the
+  /// tolerance at places where this is no fault.
   double area = 0, proven = 0, beyond = 0;
   double spacing = 0;  ///< longest edge of a piece that was only sampled, not proven
 };
@@ -66,9 +65,9 @@ class DeviationChecker {
   /// `is_due` returns whether a point beyond the tolerance counts as a fault; without it every such point does.
   DeviationChecker(const TriangleSet& set, double tolerance, std::function<bool(const Vec3&)> is_due = {});
 
-  /// Measures one triangle and adds the results to `so_far`. Returns a point that is beyond the tolerance and counts as
-  /// a fault, if there is one. At most `most_pieces` pieces are examined; undecided ones are then only sampled at their
-  /// corners.
+  /// Measures how far one triangle is from the set and adds the results to `so_far`. Returns a point that is beyond the
+  /// tolerance and counts as a fault, if there is one. The triangle is cut into at most `most_pieces` pieces; those for
+  /// which nothing is proven are only sampled at their corners.
   std::optional<Vec3> check(const Corners& triangle, Deviation& so_far) const;
 
  private:

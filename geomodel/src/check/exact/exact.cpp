@@ -113,7 +113,7 @@ Sign centroid_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& u, c
   const Exact pj = Exact(a[j]) + Exact(b[j]) + Exact(c[j]) - three * Exact(u[j]);
   const Sign s = sign_of(di * pj - dj * pi);
   if (s != Sign::zero) return s;
-  const Sign first = sign_of(u[j] - v[j]);  // ties: derivative of the determinant along the first axis
+  const Sign first = sign_of(u[j] - v[j]);  // ties: the centroid is shifted by an infinitesimal (e, e^2)
   return first != Sign::zero ? first : sign_of(v[i] - u[i]);
 }
 
@@ -127,7 +127,7 @@ Sign centroid_orientation(const Vec3& p, const Vec3& q, const Vec3& r, const Vec
 double six_volumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a, v = c - a, w = d - a;
   const Estimate e = estimate(u, v, w);
-  // There is no cancellation, so the floating-point value is correct to 1e-12.
+  // The terms hardly cancel, so the floating-point determinant is correct to 1e-12.
   if (std::abs(e.value) > 1e-3 * e.magnitude + underflow_guard) return e.value;
   if (has_zero_column(u, v, w)) return 0;
   return CGAL::to_double(determinant(difference(b, a), difference(c, a), difference(d, a)));

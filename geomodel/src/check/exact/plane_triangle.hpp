@@ -23,7 +23,6 @@ class PlaneTriangle {
   const Vec3& normal() const { return normal_; }  ///< of unit length
   const std::array<Vec3, 3>& corners() const { return corner_; }
 
-  /// Returns the distance of p from the triangle's plane.
   double distance(const Vec3& p) const;
   /// Returns how far p, projected into the plane, is outside the triangle (0: inside), measured to the lines of the
   /// sides.
@@ -33,7 +32,6 @@ class PlaneTriangle {
   bool are_beyond_a_side(const Vec3& p, const Vec3& q, double tolerance) const;
   /// Returns the area of overlap between the triangle p q r, projected into the plane, and this triangle.
   double common_area(const Vec3& p, const Vec3& q, const Vec3& r) const;
-  /// Returns the area of the triangle's part inside the closed box.
   double area_inside(const Box3& box) const;
   /// Returns the triangle's part inside the box as a convex polygon; empty if it has fewer than three points.
   std::vector<Vec3> inside(const Box3& box) const;

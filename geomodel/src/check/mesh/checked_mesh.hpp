@@ -43,12 +43,11 @@ bool is_finite(const Vec3& p);
 /// Returns true if sorting the corners of `t` takes an odd number of exchanges.
 bool is_odd(const Triangle& t);
 Triangle sorted(Triangle t);
-/// Returns the face, oriented outwards as seen from its even (odd) tetrahedron.
+/// Returns the face, with its normal out of its tetrahedron `even` (`odd`).
 inline Triangle outward_of_even(const FacePair& f) { return f.key; }
 inline Triangle outward_of_odd(const FacePair& f) { return {f.key[0], f.key[2], f.key[1]}; }
 inline bool is_boundary(const FacePair& f) { return (f.even == no_index) != (f.odd == no_index); }
 inline bool is_inner(const FacePair& f) { return f.even != no_index && f.odd != no_index; }
-/// Returns the mesh face with these vertices, or nullptr if there is none.
 const FacePair* find_face(const CheckedMesh& mesh, const Triangle& t);
 
 /// Checks that coordinates are finite, that all cells are tetrahedra and (exactly) positive, and that all points are

@@ -11,7 +11,7 @@ using Place = std::array<double, 3>;
 
 struct Use {
   Index triangle;
-  bool forward;  ///< whether the triangle traverses the edge from the smaller end to the larger
+  bool forward;  ///< whether the triangle traverses the edge from the smaller vertex index to the larger
 };
 
 /// Returns the triangles at each edge of a surface. Edges are identified by coordinates: duplicate points count as one.

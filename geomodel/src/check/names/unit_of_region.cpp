@@ -91,8 +91,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
   for (Index h = 0; h < horizons_.size(); ++h) {
     const double below = area_of(contacts.below, h), above = area_of(contacts.above, h);
     if (!(std::max(below, above) > 0)) continue;
-    // The region is not bounded by this horizon if it lies on both sides of it, or of one beyond it, over a larger
-    // area.
+    // This horizon does not bound the region if the region lies on both sides of it, or of a horizon beyond it, over a
+    // larger area.
     const auto goes_on = [&](const auto& both) {
       return (below >= above ? both.first <= h : both.first >= h) && both.second > std::max(below, above);
     };
@@ -106,8 +106,8 @@ UnitVerdict UnitFinder::verdict_of(const Contacts& contacts) const {
       has_under = true;
     }
   }
-  // Only one unit is possible; or the unit above the younger horizon is taken, because the region lies below an older
-  // one.
+  // The horizons leave one unit possible; or they contradict each other, because the region is above a horizon and
+  // below an older one. Then it is the unit just above the younger one.
   if (first >= last) {
     verdict.first = verdict.last = last;
     return verdict;

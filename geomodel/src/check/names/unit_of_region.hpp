@@ -18,7 +18,7 @@ namespace geomesh::geomodel::checking {
 /// The unit of a region, or the range of neighbouring units that it may belong to.
 struct UnitVerdict {
   Index first = no_index, last = no_index;  ///< range of units that are joined in the region; no_index if none
-  /// Whether the region has nearly equal areas below and above one horizon, so that nothing is decided.
+  /// Whether the region has nearly equal areas below and above one horizon, so that its side of it is uncertain.
   bool close = false;
   bool open = false;  ///< whether the horizons at the region leave several units possible; the nearest was taken
   Index first_possible = no_index, last_possible = no_index;  ///< of these
@@ -58,7 +58,7 @@ class UnitFinder {
   /// Narrows the units first .. last by horizons of the input that lie entirely above or below p; if two of them
   /// contradict each other, the range is unchanged. Returns false if no horizon is above or below p.
   bool narrow(const Vec3& p, Index& first, Index& last) const;
-  /// The units that `narrow` leaves possible at those sampled points where it gives a result.
+  /// The units that horizons of the input above and below sampled points of a region leave possible.
   struct Narrowed {
     std::vector<UnitVerdict> verdicts;
     bool tells_everywhere;

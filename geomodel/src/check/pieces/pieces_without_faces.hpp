@@ -24,8 +24,7 @@ class PiecesWithoutFaces {
   /// Adds an input triangle of the surface that `faces`, the mesh faces in its plane, do not cover.
   void add(const PlaneTriangle& triangle, Index row, const std::vector<Index>& faces);
   std::size_t size() const { return uncovered_.size(); }
-  /// Returns the uncovered triangles that must not be missing: those outside all pieces that a horizon may have cut
-  /// off.
+  /// Returns the triangles that mesh faces must cover but do not: those in no piece that a horizon may have cut off.
   std::vector<UncoveredTriangle> not_taken() const;
 
  private:
@@ -37,7 +36,7 @@ class PiecesWithoutFaces {
   double tolerance_;
   /// Mesh edges at which the faces of the surface end, stored as triangles with the second end repeated.
   std::vector<Triangle> open_edges_;
-  /// Whether each open edge runs along a surface that cuts, or along the surface's border.
+  /// For each open edge: whether it runs along a surface that cuts this one, or along this surface's own border.
   std::vector<bool> at_cutter_;
   BoxTree tree_;  ///< over open_edges_
   std::vector<UncoveredTriangle> uncovered_;

@@ -25,7 +25,7 @@ std::vector<std::array<Index, 3>> corners_by_place(const TriangulatedSurface& su
 
 UnionFind pieces_of(const TriangulatedSurface& surface, const std::vector<UncoveredTriangle>& uncovered) {
   const auto corners = corners_by_place(surface, uncovered);
-  std::map<std::array<Index, 2>, Index> first_at;  // first triangle at each side that no mesh face covers
+  std::map<std::array<Index, 2>, Index> first_at;  // for each triangle side without mesh faces: its first triangle
   UnionFind pieces(uncovered.size());
   for (Index row = 0; row < uncovered.size(); ++row)
     for (std::size_t i = 0; i < 3; ++i) {

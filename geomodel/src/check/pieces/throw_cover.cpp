@@ -116,7 +116,7 @@ class ThrowCover {
     return length > 0 && !is_taken(p) && !rules_.may_be_away_but_for_throw(row_, triangle, p) &&
            !checked_.is_removed(row_, p, (reach_ / length) * normal);
   }
-  /// Returns whether a rule removed the horizon above or below p, so that p may be data that overshoot a fault.
+  /// Returns whether rules may have removed the horizon above or below p, as where data at p overshoot a fault.
   bool is_taken(const Vec3& p) const {
     bool taken = false;
     for_each_height(given_.surface, given_.tree, p, 0, [&](Index triangle, double z) {

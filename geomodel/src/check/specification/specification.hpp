@@ -29,20 +29,20 @@ struct SpecifiedNames {
   std::vector<std::string> unconformities;  ///< names of the horizons that are unconformities, which cut older horizons
   std::vector<Index> continued;  ///< indices of the column's horizons that are continued to other surfaces by default
   double continued_within = 0;   ///< m; how far
-  /// Volume in m3 below which pieces may have joined a region of another unit, if merges_small is set.
+  /// Regions may contain pieces of other units with less than this volume in m3, if merges_small is set.
   double min_volume = 0;
 };
 
 /// Describes which parts of one surface the rules of the model may remove. Indices refer to `Specification::surfaces`.
 struct TrimRules {
-  std::vector<Index> above, below;    ///< rules may remove parts of the surface vertically above (below) these ones
+  std::vector<Index> above, below;    ///< rules may remove parts of this surface above (below) these surfaces
   double near_others = 0;             ///< parts that overshoot another surface by at most this distance may be removed
   double near_faults = 0;             ///< largest distance by which a fault may overshoot other faults on which it ends
   std::size_t n_given_triangles = 0;  ///< number of input triangles; triangles after these were made by rules
-  bool continuation = false;          ///< whether rules may remove any part of the triangles that rules made
+  bool continuation = false;          ///< whether any triangle by which rules continued this surface may be removed
   /// Whether any part of a horizon with throw may be removed because it continues beyond its fault.
   bool given_beyond_faults = false;
-  /// The fields of the surface, one per fault block. Each may be absent outside its domain, which faults bound.
+  /// Parts of the surface that come from one scalar field each, and may be missing outside the block of that field.
   std::vector<FieldPart> fields;
   /// Triangles that extend faults only to separate the blocks of one horizon, and that the mesher removed again.
   std::vector<std::array<Vec3, 3>> partings;
@@ -60,22 +60,22 @@ struct Specification {
   /// The parts of each surface that rules may remove; empty if rules remove nothing from any surface.
   std::vector<TrimRules> trims;
   double within = 0;  ///< largest distance between surfaces and their input, in both directions, beyond rounding
-  bool within_by_count = false;  ///< whether `within` follows from sizes that were derived from a number of elements
-  double merging = 0;            ///< distance within which features were merged (the project's `tolerance`)
+  bool within_by_count = false;  ///< whether the distance `within` follows from a requested number of elements
+  double merging = 0;            ///< distance within which features were merged (the project's `merge_within`)
   bool may_be_trimmed(Index row) const { return row < trims.size() && trims[row].any(); }
   const Box3* box() const { return volume && volume->box ? &*volume->box : nullptr; }
-  bool named = false;                    ///< whether surfaces have the same names as in the faces file
+  bool named = false;                    ///< whether mesh files and `surfaces` use the same names, as with a project
   bool refined = false;                  ///< whether the mesher may have added points to improve sizes and shapes
   std::vector<std::string> cell_arrays;  ///< names of the cell arrays of sizes and shapes that the project requests
   double size_growth = 0;  ///< largest growth of target sizes per unit of distance within one region; 0: not known
 
-  WriteOptions output;  ///< contents and forms of the files that the project requests; only for projects
+  WriteOptions output;  ///< which files the project requests, with their contents and form; defaults without a project
 
   // Names of regions, wells and points, which only projects specify.
   SpecifiedNames names;
   std::vector<Polyline> wells;
   std::vector<NamedPoint> points;
-  std::vector<Vec3> input_points;  ///< points of all surfaces concatenated, to which `input_vertex` refers
+  std::vector<Vec3> input_points;  ///< points of all surfaces in their order, to which the mesh's `input_vertex` refers
 };
 
 /// Reads a project, transforms it to the mesh's frame and builds its surfaces. This shares code with the mesher:

@@ -142,7 +142,8 @@ Specification specification_of_project(const std::filesystem::path& file) {
   RefinementSettings refinement = project.mesh.refinement;
   settle_sizes(refinement, specification.volume ? specification.volume->bounds : bounds_of(inputs.surfaces),
                project.naming.attributes, Vec3{});
-  RefinementSettings of_build = refinement;  // tolerance left to build surfaces after level sets were triangulated
+  // Settings whose tolerance is reduced by the part that triangulating level sets uses up.
+  RefinementSettings of_build = refinement;
   if (has_level_sets(project)) of_build.tolerance.take({"level sets", level_set_share * of_build.tolerance.left()});
   if (specification.volume) {
     ask_stack(rules, of_build, *specification.volume);
@@ -151,11 +152,11 @@ Specification specification_of_project(const std::filesystem::path& file) {
   inputs.add_throws(rules);
   grid_in_blocks(inputs.surfaces, inputs.gridded, rules);
   inputs.complete_field_parts(rules);
-  std::vector<std::string> found, doubts;  // messages, which the checker ignores because the run itself reports them
+  std::vector<std::string> found, doubts;  // warnings, unused here because the run that made the mesh gave them
   find_ramps(inputs.surfaces, rules, found);
   leave_out_unreached_faults(inputs.surfaces, rules, doubts);
   const BuiltSurfaces built = build_surfaces(inputs.surfaces, rules);
-  if (built.stack.settled) {  // settled regions are units in fault blocks, and small regions were merged into others
+  if (built.stack.settled) {  // if horizons were put in order, regions are units in fault blocks without small parts
     specification.names.fault_blocks = true;
     specification.names.merges_small = true;
     if (!(specification.names.min_volume > 0))

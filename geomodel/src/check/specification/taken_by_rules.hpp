@@ -14,7 +14,7 @@ namespace geomesh::geomodel::checking {
 
 class TakenByRules {
  public:
-  /// `room`: points closer than this to the limit of a rule may have been removed.
+  /// Points closer than `room` to a part that a rule removes may be missing in the mesh, too.
   TakenByRules(const Specification& specification, double room);
 
   /// Returns whether the point p of the given triangle of the surface may be missing in the mesh, because it is outside

@@ -151,7 +151,7 @@ class SplitJoiner {
           ++n_pairs;
           plus = faces_.region_minus[other->second];
           const Triangle from = nodes(f), to = nodes(other->second);
-          // If both faces have the same nodes, all three are at a fault tip, where the fault does not open.
+          // A minus and a plus face with the same three nodes lie wholly at a fault tip, where the sides are not split.
           if (sorted(from) != sorted(to)) {
             open_pairs_.emplace_back(from, to);
             if (!bounds(from) || !bounds(to)) inside.add(f, mesh_.points[from[0]]);
@@ -196,7 +196,7 @@ class SplitJoiner {
 
   /// Checks that cohesive prisms extend from the minus face, as seen from within the prism, to the plus face.
   void check_prisms(CheckResult& result) {
-    // Required pairs of minus and plus faces, with the parity of the minus face.
+    // Required cohesive prisms by their minus and plus faces, with the parity of the corner order of the minus face.
     std::map<std::pair<Triangle, Triangle>, bool> due;
     if (asked_.cohesive)
       for (const auto& [minus, plus] : open_pairs_) due[{sorted(minus), sorted(plus)}] = is_odd(minus);

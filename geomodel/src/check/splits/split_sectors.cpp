@@ -8,7 +8,7 @@
 namespace geomesh::geomodel::checking {
 namespace {
 
-/// A face of a tetrahedron; `corner` is in the order of the vertices in `key`.
+/// A face of a tetrahedron; `key` has its sorted vertices, and `corner` its corners in the same order.
 struct CellFace {
   Triangle key;
   std::array<Index, 3> corner;  ///< the face's corners, corner i of tetrahedron t stored as 4 t + i

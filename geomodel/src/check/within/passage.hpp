@@ -56,10 +56,10 @@ class FollowedSurface {
   TriangleSet set_;
 };
 
-/// Functions called at the points of a followed line until it is farther from the other surface than the depth.
+/// Functions called at points of a line on a surface, until the line is farther than the depth from another surface.
 struct AlongLine {
-  std::function<bool(const Vec3&)> ends;  ///< returns whether the surface counts as ended at a point of the line
-  /// Called with every examined point. Neighbouring points are at most a quarter of the depth apart.
+  std::function<bool(const Vec3&)> ends;  ///< returns whether to stop at a point, as if the surface ended there
+  /// Called with each examined point; successive points are at most a quarter of the depth apart.
   std::function<void(const Vec3&)> visit;
 };
 

@@ -257,7 +257,7 @@ std::vector<Corners> TopologyChecker::free_edges(Index row, bool but_excused) co
   return free;
 }
 
-/// Returns the triangles that rules made to continue a surface. They may be absent, so the surface may end on them.
+/// Returns the triangles by which rules continued a surface; any of them may be missing at the mesh surface's border.
 std::vector<Corners> TopologyChecker::continuation_of(Index row) const {
   std::vector<Corners> made;
   if (row >= specification_.trims.size() || !specification_.trims[row].continuation) return made;

@@ -33,8 +33,8 @@ class UnnamedFaces {
   std::vector<Triangle> listed_;
 };
 
-/// Returns whether a mesh face without names is on one of the volume's own sides, up to rounding. If no unit ends
-/// inside, only these sides bound the mesh.
+/// Returns whether a mesh face without names is on one of the volume's own sides, up to rounding. If the model fills
+/// the volume, only these sides bound the mesh.
 bool is_side_of_volume(const CheckedFaces& checked, Index f, double rounding) {
   const Specification& specification = checked.specification();
   if (!specification.volume || !is_boundary(checked.mesh().faces[f])) return false;

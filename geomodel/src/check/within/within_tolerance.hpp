@@ -12,7 +12,7 @@
 
 namespace geomesh::geomodel::checking {
 
-/// The allowed distances, in the mesh's unit.
+/// Largest distances between mesh faces and the input that are not faults, in the mesh's unit.
 struct Allowed {
   double surfaces = 0;  ///< allowed distance between a surface and its input, in both directions
   double rounding = 0;  ///< allowance for rounding of coordinates, as in the exact check of coverage

@@ -23,7 +23,8 @@ constexpr double most_by_face = 2, most_in_all = 0.125;
 /// Measurements of one fault zone of the mesh.
 struct Seen {
   std::set<VertexIndex> minus, plus;  ///< nodes of the fault zone's two walls
-  CompensatedSum volume, due;  ///< actual and required volume (area of the minus wall times thickness, less at ends)
+  /// Actual volume of the zone; required: area of the minus wall times thickness, less at ends.
+  CompensatedSum volume, due;
   std::map<VertexIndex, std::set<VertexIndex>> edges;  ///< of its elements
 };
 
@@ -100,7 +101,8 @@ class ZoneChecker {
     seen_text_ += text;
     if (!(std::abs(ratio - 1) <= most_in_all)) wrong_.add(z, mesh_.point(*seen_[z].minus.begin()));
   }
-  /// Counts the edges on the shortest path from the minus wall to each plus node, which must not pass through the ends.
+  /// Checks that the shortest path along the zone's edges from its minus wall to each node of its plus wall has as many
+  /// edges as layers are requested. Nodes that are on both walls, at the zone's ends, are left out.
   void check_layers(std::size_t z) {
     const Seen& seen = seen_[z];
     std::map<VertexIndex, unsigned> steps;

@@ -41,7 +41,7 @@ class ZoneCloser {
       const Vec3 p = file.before_zones[v] + Vec3{0, 0, 0};  // -0 is 0
       const auto [entry, is_new] = at.try_emplace({p.x, p.y, p.z}, static_cast<VertexIndex>(out.points.size()));
       if (is_new && !used[v]) {
-        at.erase(entry);  // the point belongs only to a zone, so its entry is removed
+        at.erase(entry);  // only elements of fault zones, which are removed, use this point
         continue;
       }
       row_[v] = entry->second;
@@ -163,8 +163,8 @@ class ZoneCloser {
       from = to + 1;
     }
   }
-  /// Returns the mesh edges of the closed face set that have two faces of the same surfaces. They belong to no curve.
-  /// Only where two walls of a zone met there is a curve, as beside a triangle with all corners on the fault's border.
+  /// Returns the edges at which, with zones closed, exactly two faces meet, both of the same surfaces. Such an edge is
+  /// inside a surface, so the curve at which the two walls of a zone met does not remain there.
   std::set<std::array<VertexIndex, 2>> edges_within_sheets() const {
     std::map<std::array<VertexIndex, 2>, std::vector<std::int32_t>> sets;
     const FacesFile& faces = closed_.faces;
@@ -233,7 +233,7 @@ class ZoneCloser {
   std::vector<std::string> faults_;
   std::map<std::int32_t, std::size_t> zone_ids_;
   ClosedFiles closed_;
-  std::vector<VertexIndex> row_;  // Row of each point of the file in the closed mesh; no_vertex for points of zones.
+  std::vector<VertexIndex> row_;  // index of each point after closing fault zones; no_vertex for points inside zones
   std::map<std::int32_t, std::int32_t> now_;  // ids of surfaces
   std::map<std::string, std::int32_t> id_of_fault_;
   std::int32_t next_id_ = 0;

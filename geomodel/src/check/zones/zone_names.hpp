@@ -19,7 +19,6 @@ inline std::vector<std::string> faults_of(const std::vector<FaultZone>& zones) {
   return faults;
 }
 
-/// Returns the index of the fault zone whose region has this name.
 inline std::optional<std::size_t> zone_of_region(const std::string& name, const std::vector<FaultZone>& zones) {
   for (std::size_t z = 0; z < zones.size(); ++z)
     if (name == zones[z].fault + ".zone") return z;

@@ -32,7 +32,7 @@ class SolidFile {
   }
 
  private:
-  /// Nodes are written before the first volume that uses them; later volumes refer to them.
+  /// Writes the volume of a region. A node is written before the first volume that uses it; later volumes refer to it.
   void write_volume(const CellGroup& label, const std::string& name) {
     out_ << "TVOLUME " << name << "\n";
     const auto each = [&](const auto& visit) {
@@ -63,8 +63,8 @@ class SolidFile {
     }
     sidecar_.push_back({"surface", 2, 0, name, label.full_name, label.members});
   }
-  /// Writes a region with one part of a surface that bounds it, and the side of this part on which the region lies.
-  /// Normals of faces point from the minus to the plus side.
+  /// Writes a region of a GOCAD TSolid with one part of a surface that bounds it, and the side of this part on which
+  /// the region lies. Normals of faces point from the minus to the plus side.
   void write_region(const SidecarGroup& group) {
     for (std::size_t p = 0; p < parts_.size(); ++p) {
       const bool minus = parts_[p]->region_minus == group.id, plus = parts_[p]->region_plus == group.id;

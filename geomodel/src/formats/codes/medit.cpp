@@ -72,7 +72,7 @@ class BinaryForm {
   }
 
  private:
-  /// Number of bytes before the data of a keyword: its code, the position of the next keyword, and a count.
+  /// Bytes before the data of a keyword in a binary Medit file: its code, the next keyword's position, and a count.
   static constexpr std::size_t head_bytes = 2 * sizeof(std::int32_t) + sizeof(std::int64_t);
   OutputText& out_;
   std::size_t at_ = 0;
@@ -80,7 +80,7 @@ class BinaryForm {
 
 std::int32_t number_of(VertexIndex v) { return static_cast<std::int32_t>(v + 1); }
 
-/// Writes nodes. Their references are ids of named points, which are marked as corners because remeshers keep corners.
+/// Writes Medit nodes. Named points get their ids as references, and are marked corners because remeshers keep those.
 template <class Form>
 void write_nodes(Form& form, const SolverMesh& mesh) {
   std::vector<std::int32_t> reference(mesh.n_nodes(), 0);

@@ -53,7 +53,7 @@ class ExodusWriter {
   struct Set {
     std::int32_t id;
     std::string name;
-    std::vector<int> entries, sides;  ///< rows of nodes; or rows of elements with the numbers of their sides
+    std::vector<int> entries, sides;  ///< node set: rows of nodes; side set: rows of elements and numbers of sides
   };
 
   std::string add_name(SolverNames& names, const char* type, const CellGroup& group) {
@@ -130,7 +130,7 @@ class ExodusWriter {
       add_dimension("num_nod_ns" + std::to_string(s + 1), node_sets_[s].entries.size());
   }
 
-  /// Writes the status and ids of blocks and sets. Status 1 means that they have entries; ids are the first property.
+  /// Writes the status (1: not empty) and ids (first property) of element blocks, node sets and side sets.
   void add_ids() {
     out_.add_doubles("time_whole", {"time_step"}, [this] { return std::vector<double>(has_time_ ? 1 : 0, 0.0); });
     std::vector<int> status, ids;
@@ -188,7 +188,7 @@ class ExodusWriter {
     add_list_of_names("coor", "num_dim", {"x", "y", "z"});
   }
 
-  /// Returns the name of an element type. For tetrahedra it is TETRA, which all readers know; one does not know TETRA4.
+  /// Returns the Exodus name of an element type. Linear tetrahedra are TETRA, because one reader does not know TETRA4.
   const char* type_of(const CellBlock& block) const {
     return block.shape == CellShape::prism ? "WEDGE6" : mesh_.second_order() ? "TETRA10" : "TETRA";
   }

@@ -52,7 +52,7 @@ class NemesisWriter {
     file_.add_dimension("num_nodes_global", all_.parts.n_nodes_of_whole());
     file_.add_dimension("num_elems_global", all_.parts.n_cells_of_whole());
     file_.add_dimension("num_el_blk_global", ids.size());
-    file_.add_ints("nem_ftype", "", {0});  // type 0 of Nemesis: one file for each processor
+    file_.add_ints("nem_ftype", "", {0});  // file type 0 of the Nemesis format: one file for each processor
     file_.add_ints("el_blk_ids_global", "num_el_blk_global", ids);
     file_.add_ints("el_blk_cnt_global", "num_el_blk_global", sizes);
     for (const auto& [kind, entry, n] : {std::tuple{"ns", "node", sets.nodes}, {"ss", "side", sets.sides}}) {

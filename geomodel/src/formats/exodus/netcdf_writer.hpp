@@ -18,19 +18,19 @@ namespace geomesh::geomodel {
 /// have 4 GiB, and the file any size. Numbers are 32-bit integers or doubles.
 class NetcdfWriter {
  public:
-  /// Writes entries [first, first + n) of a variable, counted along its first dimension. Returns false on failure.
+  /// Writes entries [first, first + n) of a netCDF variable, counted along its first dimension; false on failure.
   using Put = std::function<bool(std::size_t first, std::size_t n, const void* data)>;
 
-  /// Adds a dimension of a certain length; 0 means the unlimited dimension.
+  /// Adds a netCDF dimension of the given length; 0 means the unlimited dimension.
   void add_dimension(const std::string& name, std::size_t size) { dimensions_.emplace_back(name, size); }
   void add_ints(const std::string& name, const std::string& dimension, std::vector<int> values);
-  /// Adds a variable of integers, which `write` provides piece by piece.
+  /// Adds a netCDF variable of integers, which `write` provides piece by piece.
   void add_ints(const std::string& name, std::vector<std::string> dimensions, std::function<bool(const Put&)> write);
   void add_doubles(const std::string& name, std::vector<std::string> dimensions,
                    std::function<std::vector<double>()> values);
-  /// Adds a variable of texts, stored in rows of a fixed length that are padded with zeros.
+  /// Adds a netCDF variable of texts, stored in rows of a fixed length that are padded with zeros.
   void add_texts(const std::string& name, const std::string& dimension, std::vector<std::string> texts);
-  /// Adds an attribute to the last variable that was added.
+  /// Adds an attribute to the netCDF variable that was added last.
   void add_attribute(const std::string& name, const std::string& value);
   void add_global(const std::string& name, const std::string& value) { texts_.emplace_back(name, value); }
   void add_global(const std::string& name, int value) { ints_.emplace_back(name, value); }

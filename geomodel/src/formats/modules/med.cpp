@@ -119,8 +119,8 @@ class MedWriter {
     return bytes;
   }
 
-  /// Writes rows of `width` numbers, a limited number at a time, because a copy of all would be as large as the mesh.
-  /// `add(row, list)` appends the numbers of a row, `put(filter, list)` writes them.
+  /// Writes rows of `width` numbers in portions, because a copy of all rows would be as large as the mesh. `add(row,
+  /// list)` appends the numbers of a row to `list`, `put(filter, list)` writes the listed numbers.
   template <class Number, class Add, class Put>
   void put_rows(std::size_t n, std::size_t width, Add&& add, Put&& put) {
     constexpr std::size_t at_once = 1 << 16;
@@ -138,7 +138,7 @@ class MedWriter {
       require(status);
     }
   }
-  /// Writes the family number of each node or cell, which `family(row)` returns.
+  /// Writes the MED family number of each node or cell, which `family(row)` returns.
   template <class F>
   void put_families(med_entity_type entity, med_geometry_type type, std::size_t n, F&& family) {
     put_rows<med_int>(
@@ -165,7 +165,7 @@ class MedWriter {
     put_families(MED_NODE, MED_NONE, mesh_.n_nodes(), [&](std::size_t v) { return family_of_node_[v]; });
   }
 
-  /// Writes the cells, sorted by shape. The family of block b has the number -1 - b.
+  /// Writes the cells of a MED file, sorted by shape. The family of block b has the number -1 - b.
   void put_cells() {
     std::vector<std::vector<std::string>> groups_of(mesh_.blocks.size());
     SolverNames give(name_limit_med);

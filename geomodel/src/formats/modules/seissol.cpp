@@ -59,7 +59,7 @@ class Conditions {
     bits = (bits & ~(0xFFu << shift)) | static_cast<std::uint32_t>(condition) << shift;
     of_cell_[tetrahedron] = static_cast<std::int32_t>(bits);
   }
-  /// Marks boundary faces that belong to no named surface; they are absorbing too.
+  /// Marks all boundary faces as absorbing; faces that lie on no named surface remain so.
   void mark_outside() {
     const std::vector<Neighbours> across = tetrahedra_across(mesh_.tetrahedra);
     for (std::size_t t = 0; t < across.size(); ++t)

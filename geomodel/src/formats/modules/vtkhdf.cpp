@@ -70,7 +70,7 @@ class GridFile {
       }
     });
   }
-  /// Writes the cells. Their offsets begin with 0, so there is one more offset than there are cells.
+  /// Writes the cells of a VTKHDF file. Their offsets begin with 0, so there is one more offset than there are cells.
   void put_cells(const VtkSection& section) {
     for (const VtkArray& array : section.arrays) {
       if (array.name == "connectivity") put("VTKHDF/Connectivity", array, H5T_NATIVE_INT64, {});
@@ -83,7 +83,7 @@ class GridFile {
     h5_.group(group);
     for (const VtkArray& array : section.arrays) put(group + "/" + set_name(array.name), array, type_of(array), {});
   }
-  /// Writes the field data. Values of fields with the same name are concatenated.
+  /// Writes the field data of a VTK file. Values of fields with the same name are concatenated.
   void put_fields() {
     h5_.group("VTKHDF/FieldData");
     std::map<std::string, std::vector<std::int32_t>> values;

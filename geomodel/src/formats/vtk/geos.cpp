@@ -23,8 +23,8 @@ namespace {
 using Place = std::tuple<double, double, double>;
 Place place_of(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// The faces of a split fault, each one once. `corners` are positions in `nodes`, which lists for each place all nodes
-/// of the mesh there.
+/// The faces of a split fault, each listed once. `nodes` lists for each place on the fault all nodes of the mesh there;
+/// `corners` has the corners of the faces, as positions in `nodes`.
 struct Fracture {
   std::vector<std::vector<VertexIndex>> nodes;
   std::vector<std::int64_t> corners;
@@ -41,7 +41,7 @@ Fracture fracture_of(const ModelMesh& mesh, std::int32_t minus_side,
     if (std::find(set.begin(), set.end(), minus_side) == set.end()) continue;
     const Triangle& v = mesh.faces[f].vertices;
     const auto is_doubled = [&](VertexIndex a) { return nodes_at.at(place_of(mesh.points[a])).size() > 1; };
-    // The face has only nodes on the fault tip and does not open.
+    // All nodes of the face are on the tip of the fault, where the fault does not open to a zone.
     if (std::none_of(v.begin(), v.end(), is_doubled)) continue;
     fracture.faces.push_back(f);
     for (const VertexIndex a : v) {

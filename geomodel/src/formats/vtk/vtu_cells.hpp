@@ -19,8 +19,8 @@ inline constexpr std::size_t n_vtu_cell_kinds = 5;
 
 class VtuLayout {
  public:
-  /// Lays out the cells of a mesh or of one part, which has only tetrahedra. For the whole mesh `part` is null. Mesh
-  /// and part must outlive this object.
+  /// Lays out the cells of a VTU file: those of a mesh, or of one part, which has only tetrahedra. For the whole mesh
+  /// `part` is null. Mesh and part must outlive this object.
   VtuLayout(const ModelMesh& mesh, const WriteOptions& options, const MeshPart* part = nullptr);
 
   std::size_t n_nodes() const { return n_nodes_; }
@@ -38,7 +38,7 @@ class VtuLayout {
   }
   std::uint8_t type(std::size_t cell) const;
   std::int64_t end_of(std::size_t cell) const;  ///< VTK offset of a cell, which is the end of its nodes
-  /// number in the file of the node at a position in the list of all cells' nodes
+  /// number in the file of the node at position `entry` in the concatenated node lists of all cells
   VertexIndex node(std::size_t entry) const;
   /// Id of the region, cohesive layer, surface, curve or point to which a cell belongs.
   std::int32_t id(std::size_t cell) const;

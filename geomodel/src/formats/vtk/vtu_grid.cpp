@@ -9,7 +9,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Value of the point array `kind` at midpoint nodes.
+/// Value of the point array `kind`, which says how a point arose, at midpoint nodes of second-order elements.
 constexpr std::uint8_t kind_of_midpoint = 5;
 
 VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
@@ -20,7 +20,7 @@ VtkSection points_section(const ModelMesh& mesh, const VtuLayout& layout) {
   return {"Points", "", {vtk_array<double>("Points", 3 * layout.n_nodes(), coordinate, 3)}};
 }
 
-/// Makes the section of cells. Numbers have 32 bits if these suffice, which halves the bytes to compress.
+/// Makes the section `Cells` of a VTU file. Numbers have 32 bits if these suffice, which halves the bytes to compress.
 VtkSection cells_section(const VtuLayout& layout) {
   VtkSection section{"Cells", "", {}};
   const auto node = [&layout](std::size_t i) { return layout.node(i); };

@@ -38,7 +38,7 @@ class GridField final : public ScalarField {
     std::array<std::size_t, 3> n{};
     std::vector<Range> blocks;
   };
-  using Cells = std::array<std::array<std::size_t, 2>, 3>;  ///< first and last cell of the grid along each axis
+  using Cells = std::array<std::array<std::size_t, 2>, 3>;  ///< block of grid cells: first and last along each axis
 
   double node(std::size_t i, std::size_t j, std::size_t k) const {
     return lattice_.nodes[i + lattice_.n[0] * (j + lattice_.n[1] * k)];

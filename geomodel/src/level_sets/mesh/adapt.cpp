@@ -17,7 +17,7 @@ constexpr std::array<std::array<std::size_t, 2>, 6> edges_of_cell{{{0, 1}, {0, 2
 struct Quadratic {
   std::array<Vec3, 4> corners;
   std::array<double, 4> values;
-  std::array<double, 6> bend;  ///< for each edge: value at the midpoint minus the mean of the values at the ends
+  std::array<double, 6> bend;  ///< for each edge: the field's value at the midpoint minus the mean of those at the ends
 
   Quadratic(const BackgroundMesh& mesh, const BackgroundMesh::Cell& cell) : corners(mesh.corners(cell)) {
     for (std::size_t i = 0; i < 4; ++i) values[i] = mesh.value(cell.v[i]);

@@ -138,7 +138,7 @@ void BackgroundMesh::conform() {
     for (std::size_t c = 0, n = cells_.size(); c < n; ++c) {
       if (!has_bisected_edge(cells_[c])) continue;
       bisect_cell(c);
-      // The two new cells may still contain a bisected edge, so they are examined in the next sweep.
+      // The two halves of a bisected cell may still contain a bisected edge, so they are examined in the next sweep.
       for (const auto& [i, j] : edges_of_cell) fresh_cuts_.push_back({cells_[c].v[i], cells_[c].v[j]});
       for (const auto& [i, j] : edges_of_cell) fresh_cuts_.push_back({cells_.back().v[i], cells_.back().v[j]});
       is_near_cut_.resize(points_.size(), 0);

@@ -21,7 +21,7 @@ class BackgroundMesh {
  public:
   struct Cell {
     std::array<VertexIndex, 4> v;
-    std::uint8_t tag;  ///< number of the corner at the other end of the refinement edge, which begins at v[0]
+    std::uint8_t tag;  ///< The cell is bisected at the edge from v[0] to v[tag].
     /// Set by the refinement algorithm for cells that need no refinement; false for new cells.
     bool is_settled = false;
   };
@@ -63,7 +63,7 @@ class BackgroundMesh {
   void conform();
   void evaluate();
 
-  const ScalarField* field_ = nullptr;  ///< scalar field of the mesh; null if it is never bisected
+  const ScalarField* field_ = nullptr;  ///< gives the values at new vertices; null for a mesh that is never bisected
   Box3 box_;
   std::vector<Vec3> points_;
   std::vector<double> values_;

@@ -9,8 +9,8 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of the difference between the value at a vertex and the nearest isovalue by which the field may be shifted
-/// there. With any share below 1 the vertex remains on its side of the isosurface.
+/// Largest shift of the field at a vertex, as a share of the difference between its value there and the nearest
+/// isovalue. With any share below 1 the vertex remains on its side of the isosurface.
 constexpr double most_of_difference = 0.5;
 
 /// Barycentric coordinates of the three quadrature points of a triangle, whose mean is exact for quadratic functions.

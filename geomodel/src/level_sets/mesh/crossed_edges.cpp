@@ -56,8 +56,8 @@ bool CrossedEdges::is_known(const Edge& edge, const MovedVertices& vertices) con
   return !vertices.is_moved[edge.below] && !vertices.is_moved[edge.above];
 }
 
-/// Returns the interval in which the root of an isovalue lies: above the root of the previous isovalue, so that roots
-/// have the order of the values even if the field is not monotonic along the edge.
+/// Returns the interval of an edge in which an isosurface crosses it: above the crossing of the previous isovalue, so
+/// that crossings have the order of the values even if the field is not monotonic along the edge.
 Bracket CrossedEdges::bracket(std::size_t v, std::size_t e, const MovedVertices& vertices,
                               const std::vector<double>& values) const {
   const auto [below, above] = edges_[e];

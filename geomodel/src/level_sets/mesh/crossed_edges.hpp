@@ -26,8 +26,8 @@ class CrossedEdges {
   struct Edge {
     VertexIndex below, above;  ///< ends of the edge; the field is less at `below` than at `above`
   };
-  /// Finds all crossed edges and their roots. Roots of `known` are reused for edges whose ends were not moved; `known`
-  /// may be null. If `field` is null, the field is linear between the vertices.
+  /// Finds all edges that an isosurface crosses, and the crossings (roots). Roots of `known` are reused for edges whose
+  /// ends were not moved; `known` may be null. If `field` is null, the field is linear between the vertices.
   CrossedEdges(const BackgroundMesh& mesh, const MovedVertices& vertices, const ScalarField* field,
                const std::vector<double>& values, const CrossedEdges* known);
 
@@ -46,12 +46,12 @@ class CrossedEdges {
   void solve(std::size_t row_of_value, const MovedVertices& vertices, const ScalarField* field,
              const std::vector<double>& values, const CrossedEdges* known);
   bool is_known(const Edge& edge, const MovedVertices& vertices) const;
-  /// Returns the part of an edge in which the root of an isovalue lies, above that of the previous isovalue.
+  /// Returns the part of an edge in which an isosurface crosses it: above the crossing of the previous isosurface.
   Bracket bracket(std::size_t row_of_value, std::size_t edge, const MovedVertices& vertices,
                   const std::vector<double>& values) const;
 
   std::vector<Edge> edges_;               ///< by their ends
-  std::vector<std::vector<Vec3>> roots_;  ///< root for each isovalue and edge; undefined for edges that are not crossed
+  std::vector<std::vector<Vec3>> roots_;  ///< crossing of each isosurface with each edge; undefined where there is none
 };
 
 }  // namespace geomesh::geomodel

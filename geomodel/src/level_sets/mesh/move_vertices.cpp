@@ -8,7 +8,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Share of an edge's length within which a root attracts the vertex at its end, as for Labelle and Shewchuk's lattice.
+/// Largest distance, as a share of an edge's length, from which the edge's end is moved to a root of an isovalue on it.
 constexpr double reach = 0.25;
 /// Least share of its volume that every cell keeps when vertices are moved, so that none is inverted.
 constexpr double least_volume_share = 0.1;
@@ -28,7 +28,7 @@ void offer(Target& target, double edge2, const Target& root) {
   if (root.distance2 <= reach * reach * edge2 && root.distance2 < target.distance2) target = root;
 }
 
-/// Calls visit(vertex, other end, root, isovalue) for both ends of each edge, at each root on the edge.
+/// Calls visit(vertex, other end, root, isovalue) for each root on an edge, once for each end of the edge.
 template <class Visit>
 void for_each_root(const CrossedEdges& edges, const std::vector<double>& values, const MovedVertices& vertices,
                    Visit&& visit) {
@@ -67,7 +67,7 @@ void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const 
                    MovedVertices& vertices) {
   const std::vector<Target> targets = find_targets(mesh, edges, values, vertices);
   const auto has_target = [&](VertexIndex v) { return std::isfinite(targets[v].distance2); };
-  // First entry of the cells around each vertex that will be moved.
+  // For each vertex to be moved, where the list of its cells begins in `about`.
   std::vector<std::size_t> begin(mesh.n_points() + 1, 0);
   for (const BackgroundMesh::Cell& cell : mesh.cells())
     for (const VertexIndex v : cell.v) begin[v + 1] += has_target(v);

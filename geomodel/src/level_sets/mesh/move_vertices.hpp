@@ -9,9 +9,9 @@
 
 namespace geomesh::geomodel {
 
-/// Moves each vertex that has a root within a quarter of one of its edges to the nearest such root, with the isovalue
-/// there. A vertex is not moved if a cell would lose nine tenths of its volume, or if the vertex would leave a side of
-/// the box.
+/// Moves each vertex to the nearest crossing of an isosurface with one of its edges, if that is within a quarter of the
+/// edge's length; the vertex gets the isovalue. A vertex is not moved if a cell would lose nine tenths of its volume,
+/// or if the vertex would leave a side of the box.
 void move_vertices(const BackgroundMesh& mesh, const CrossedEdges& edges, const std::vector<double>& values,
                    MovedVertices& vertices);
 

@@ -108,7 +108,7 @@ class Header {
     if (n > left_ / least_bytes) throw Damaged{};
     return n;
   }
-  /// Reads the beginning of a list in the header and returns its length. The list has this tag, or is absent.
+  /// Reads the tag and length of a list in the header; returns the length, which is 0 if the list is absent.
   std::uint64_t begin_list(std::uint64_t tag, std::uint64_t least_bytes) {
     const std::uint64_t found = number(4), n = count(least_bytes);
     if (found != tag && (found != 0 || n != 0)) throw Damaged{};
@@ -129,7 +129,7 @@ class Header {
   std::uint64_t bytes_, left_;  // number of bytes of the file, and of the part that was not read yet
   unsigned width_, width_of_offset_;
   std::uint64_t n_records_ = 0;
-  std::vector<std::uint64_t> lengths_;  // lengths of the dimensions; 0 for the unlimited one
+  std::vector<std::uint64_t> lengths_;  // lengths of the file's dimensions; 0 for the unlimited one
   std::vector<PartOfRecord> parts_;
 };
 

@@ -12,7 +12,6 @@ namespace {
 
 using Values = std::map<std::string, std::vector<double>>;
 
-/// Returns the names of the arrays that all pieces of a mesh have.
 Values common_names(const std::vector<MeshFile>& pieces, Values MeshFile::*values) {
   Values names;
   for (const auto& [name, ignored] : pieces.front().*values) {

@@ -159,7 +159,7 @@ class PieceMerger {
   }
 
   const std::filesystem::path& path_;
-  std::size_t most_points_ = 0;  // number of points of all pieces, with shared ones counted several times
+  std::size_t most_points_ = 0;  // sum of the numbers of points of all pieces, which share some points
   MeshFile mesh_;
   std::vector<bool> is_known_;  // by point
 };

@@ -112,7 +112,8 @@ CurvesFile take_curves(const VtkData& data, const std::filesystem::path& path) {
 /// of a separate file.
 class PartOfGrid {
  public:
-  /// Begins the extraction from a grid. The grid's array of ids is named `renamed`, and `id_name` in a separate file.
+  /// Prepares to extract cells of one dimension from `grid`. Their array of ids is called `renamed` in the grid, and
+  /// gets the name `id_name`.
   PartOfGrid(const VtkData& grid, const char* renamed, const char* id_name)
       : grid_(grid), renamed_(renamed), id_name_(id_name) {
     data_.kind = VtkData::Kind::poly;

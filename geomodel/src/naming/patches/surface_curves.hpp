@@ -9,12 +9,11 @@
 
 namespace geomesh::geomodel {
 
-/// Returns the curve to which an edge belongs that is not inside a patch (docs/output-files.md). `rows` are the
-/// ascending indices in `surfaces` of the surfaces whose `n_facets` facets meet at the edge.
+/// Returns the curve at an edge, which must not be inside a patch (docs/output-files.md). `rows` are the ascending
+/// indices in `surfaces` of the surfaces whose `n_facets` facets meet at the edge.
 SoupCurve curve_of(const std::vector<Index>& rows, std::size_t n_facets,
                    const std::vector<TriangulatedSurface>& surfaces);
 
-/// Curves together with their edges in a mesh.
 struct MeshCurves {
   struct Edge {
     VertexIndex a, b;  ///< rows of ModelMesh::points

@@ -23,7 +23,7 @@ std::filesystem::path write_cells(const MeshExcerpt& place, const std::filesyste
   return file;
 }
 
-/// Writes the constraints around a failure. Cells are in VTK's order: vertices, lines, polygons.
+/// Writes the constraints around a failed recovery. Cells are in VTK's order: vertices, lines, polygons.
 std::filesystem::path write_constraints(const MeshExcerpt& place, const ModelPlc& model, const PolygonSoup& soup,
                                         const std::vector<TriangulatedSurface>& surfaces,
                                         const std::filesystem::path& file) {

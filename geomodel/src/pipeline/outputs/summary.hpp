@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 
 struct Summary {
   std::vector<std::string> lines;    ///< number of elements, volumes of units, size and tolerance used, verdict
-  std::vector<std::string> details;  ///< all regions, shapes of elements, properties that would make solvers fail
+  std::vector<std::string> details;  ///< lines on all regions, on element shapes, and on what would make solvers fail
 };
 
 /// Returns the summary of a report whose mesh, quality and verdicts are set. `refinement` has the requested settings.

@@ -6,9 +6,9 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Names the regions of a settled stack of horizons by unit, or by unit and fault block. Remnants smaller than a tenth
-/// of an element are merged into a neighbour. A unit that has the volume of about one element in a block is not a
-/// remnant: with coarse sizes, it is as thick as others.
+/// Names the regions between horizons that were put in order: by unit, or by unit and fault block. Remnants smaller
+/// than a tenth of an element are merged into a neighbouring region. A unit with the volume of about one element in a
+/// block is not a remnant: with coarse sizes, it is as thick as others.
 void name_by_unit_and_block(NamingRules& naming, const SettledStack& stack) {
   constexpr double element = 0.118;  // volume of a regular tetrahedron divided by the cube of its edge
   constexpr double least_share = 0.1;
@@ -46,7 +46,7 @@ void scale_z(Built& model) {
   }
 }
 
-/// Returns the part of the stage's record that no rule changes: everything except the surfaces.
+/// Returns the part of the record of stage build that no rule changes: everything except the surfaces.
 Built with_settings_of(const Inputs& inputs) {
   Built built;
   built.wells = inputs.wells;

@@ -114,7 +114,7 @@ void drop_spots_of_blocks(const Built& built, ArrangementResult& found) {
     const Index s = spot.surface_a;
     const bool of_blocks = s == spot.surface_b && ((s < blocks.size() && !blocks[s].empty()) ||
                                                    (s < continued.size() && !continued[s].empty()));
-    // Free borders of continued surfaces lie beyond the wall at which these end, and are cut off later.
+    // A continued surface overshoots the surface at which it ends; its free border there is cut off later.
     const bool of_overshoot = spot.what == "free border" && s < continued.size() && !continued[s].empty();
     if (of_blocks || of_overshoot) std::erase(found.warnings, describe(spot, built.surfaces));
     return of_blocks || of_overshoot;
@@ -151,7 +151,7 @@ std::vector<std::vector<Index>> walls_of_continuations(const BuiltRows& rows) {
   return walls;
 }
 
-/// Drops findings about horizons of a settled stack that coincide, because this is intended.
+/// Drops findings that horizons coincide if these were put in order: they are meant to where a unit pinches out.
 void drop_spots_of_stack(const Built& built, ArrangementResult& found) {
   const auto is_settled = [&](Index s) {
     return s < built.surfaces.size() &&

@@ -9,7 +9,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Returns the units of the column that the model may contain: below its topography and above its base.
+/// Returns the units of the stratigraphic column that the model may contain: below its topography and above its base.
 std::vector<std::string> column_inside(const NamingRules& naming) {
   std::vector<std::string> column = naming.column;
   const auto bottom = std::find(column.begin(), column.end(), naming.floor);
@@ -53,7 +53,7 @@ SolverVerdict judge_solvers(const Meshed& meshed, const ModelMesh& mesh, unsigne
   const std::vector<double> velocity = velocity_by_region(mesh);
   MeshForSolver judged{.points = mesh.points, .tetrahedra = mesh.tetrahedra, .threads = threads};
   judged.velocity = [&](std::size_t t) { return velocity[static_cast<std::size_t>(mesh.tet_region[t] - 1)]; };
-  if (size && size->limits().background) judged.threads = 1;  // the background size can only be evaluated in one thread
+  if (size && size->limits().background) judged.threads = 1;  // background sizes can only be evaluated in one thread
   if (size) judged.largest_size = std::min(size->limits().global, size->limits().max_size);
   constexpr double nothing_asked = 0;  // target size in fault zones, which every edge exceeds
   if (size)

@@ -15,14 +15,14 @@ namespace geomesh::geomodel {
 namespace {
 
 constexpr double most_of_tolerance = 0.5;      ///< share of the remaining tolerance that merging may use
-constexpr double most_moved_of_tolerance = 2;  ///< largest movement, as a multiple of the project's `tolerance`
+constexpr double most_moved_of_tolerance = 2;  ///< largest movement of a point, as a multiple of `merge_within`
 constexpr double next_distance = 0.5;          ///< factor from one merging distance to the next smaller one
 constexpr unsigned most_tries = 3, most_tries_asked = 5;
 /// Largest number of rounding rounds in one attempt to merge. An attempt that has not succeeded by then would not
 /// succeed later either, and each round takes as long as the first.
 constexpr unsigned most_rounds = 4;
 
-/// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding.
+/// Returns how far surfaces were moved by merging, and by the repair of places too thin for any rounding to doubles.
 ToleranceUse use_of(const ArrangementResult::Merging& merging) {
   ToleranceUse use{"merging", merging.displacement.largest};
   use.moved = use.taken;
@@ -43,10 +43,10 @@ class NearMerging {
   NearMerging(const Inputs& inputs, const Built& built, ToleranceLedger& tolerance, Journal& journal)
       : unit_(inputs.unit), built_(built), tolerance_(tolerance), journal_(journal) {}
 
-  /// Merges within the distance that `merge_within` requests.
+  /// Merges surfaces where they are nearer to each other than `merge_within`.
   ArrangementResult asked(ArrangementOptions options) { return booked_apart(try_shares_asked(std::move(options))); }
 
-  /// Merges within a share of the tolerance, if the project does not set `merge_within`.
+  /// Merges surfaces within a share of the tolerance; used if the project does not set `merge_within`.
   ArrangementResult by_default(ArrangementOptions options) {
     // A network of fractures keeps its areas and junctions unless the project sets `merge_within`.
     double distance = is_fracture_network(built_.surfaces, built_.rules) ? 0 : merging_distance(built_.refinement);
@@ -73,7 +73,7 @@ class NearMerging {
     return found;
   }
 
-  /// Merges within the given distance; returns nothing if no arrangement is found, or if a point moved too far.
+  /// Merges surfaces within a distance; returns nothing if no arrangement is found, or if a point moved too far.
   std::optional<ArrangementResult> try_default(const ArrangementOptions& options) const {
     const auto tell = [&](const std::string& text) { journal_.context().note(LogLevel::debug, text); };
     try {
@@ -88,13 +88,13 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// Notes what was merged. This is a finding and not a warning, because merging is no fault of the input.
+  /// Notes at how many places surfaces were merged. This is no warning, because merging is no fault of the input.
   void tell(ArrangementResult& found, double distance) const {
     for (const Spot& spot : found.spots)
       if (spot.what == "merged") std::erase(found.warnings, describe(spot, built_.surfaces));
     const ArrangementResult::Merging& merging = found.merging;
     const std::size_t n = merging.vertices_merged + merging.vertices_inserted;
-    // Share of the merging distance; parts that already touch are counted as merged, too, but move less than this.
+    // Share of the merging distance below which movements are not reported: parts that touch count as merged, too.
     constexpr double by_rounding = 1e-6;
     if (n + merging.pockets_closed == 0 || merging.displacement.largest < by_rounding * distance) return;
     const std::string pockets = merging.pockets_closed == 0
@@ -113,8 +113,8 @@ class NearMerging {
     return found;
   }
 
-  /// Merges within the requested distance. Returns nothing if no doubles represent the merged surfaces without new
-  /// contacts, or if a point moved too far; `obstacle` then gives the reason.
+  /// Merges surfaces within the requested distance. Returns nothing if no doubles represent the merged surfaces without
+  /// new contacts, or if a point moved too far; `obstacle` then gives the reason.
   std::optional<ArrangementResult> try_asked(const ArrangementOptions& options, double most_moved,
                                              Obstacle& obstacle) const {
     try {
@@ -132,9 +132,9 @@ class NearMerging {
     return std::nullopt;
   }
 
-  /// Merges within the requested distance; if this fails, within half of it, and so on down to a sixteenth, and finally
-  /// not at all, with a warning. An attempt fails if a point would move by more than twice the requested distance, or
-  /// if no doubles represent the merged surfaces without new contacts. Other errors of arrange are passed on.
+  /// Merges surfaces within the requested distance; if this fails, within half of it, and so on down to a sixteenth,
+  /// and finally not at all, with a warning. An attempt fails if a point would move by more than twice the
+  /// requested distance, or if no doubles represent the merged surfaces without new contacts. Passes other errors on.
   ArrangementResult try_shares_asked(ArrangementOptions options) const {
     const double asked = options.tolerance;
     const std::string within = "merging within the tolerance of " + short_words(asked) + " " + unit_;

@@ -136,7 +136,7 @@ Meshed mesh_model(const ModelRecords& model, const SparseMeshing& sparse, Journa
 Meshed free_split_corners(const ModelRecords& model, Meshed meshed, const std::vector<std::string>& split,
                           unsigned threads) {
   if (split.empty()) return meshed;
-  std::vector<std::string> told_later;  // Discarded, because naming repeats its warnings for the final mesh.
+  std::vector<std::string> told_later;  // warnings of naming, dropped because naming the final mesh repeats them
   const ModelMesh named = named_mesh(model, meshed, told_later, threads);
   divide_tetrahedra(meshed.refined.mesh, tetrahedra_on_surfaces(named, split));
   return meshed;

@@ -67,7 +67,7 @@ void ask_of_components(const ModelRecords& model, const ConstrainedTetrahedraliz
                        SizeOptions& size) {
   const NamedSizes& asked = model.arranged.refinement.size;
   if (asked.units.empty() && asked.layers.empty() && !(asked.frequency > 0)) return;
-  std::vector<std::string> told_later;  // discarded, because naming repeats these warnings for the finished mesh
+  std::vector<std::string> told_later;  // warnings of naming, dropped because naming the final mesh repeats them
   const Column column = make_column(rules.column, model.arranged.surfaces, told_later);
   const NamingRules naming = with_heights(rules, model.arranged.surfaces, model.built.rows, model.built.rules);
   const NamedRegions named = name_regions(
@@ -283,7 +283,7 @@ RefineOptions refine_options(const ModelRecords& model, const ConstrainedTetrahe
   options.segment_curve = segment_curves(model.arranged.plc);
   if (std::any_of(model.arranged.surfaces.begin(), model.arranged.surfaces.end(),
                   [](const auto& s) { return s.kind == SurfaceKind::box; }))
-    // Other points inside a box side belong to pieces that were cut off, and may move.
+    // Only these points are fixed: others inside a box side remain from removed pieces of surfaces and may move.
     options.fixed_points = fixed_points(model);
   options.size = settings.size.base;
   for (const PlaceSize& near : settings.size.near)

@@ -36,7 +36,7 @@ struct SparseMeshing {
 /// Runs the stages from delaunay to improve. Throws Error{cannot_mesh} if the surfaces enclose nothing.
 Meshed mesh_model(const ModelRecords& model, const SparseMeshing& sparse, Journal& journal);
 
-/// Returns the record with the scaling of z undone, as naming, verification and writing need it.
+/// Returns the arranged model with the scaling of z undone, as naming, verification and writing need it.
 Arranged in_true_heights(const Arranged& arranged, const ZScale& scale);
 
 /// Returns the mesh changed so that no tetrahedron has all of its corners on one of the surfaces named `split`. Call it

@@ -61,7 +61,7 @@ struct Try {
 /// Searches for the factors on sizes and gradation with which the requested number of elements results.
 class CountSearch {
  public:
-  /// `most` contains the largest factors that are tried.
+  /// `target` is the requested number of elements; `most` has the largest tried factors on sizes and gradation.
   CountSearch(double target, const Scale& most) : target_(target), most_(most) {}
 
   bool is_near(const Try& t, double factor) const { return t.count <= factor * target_ && t.count * factor >= target_; }
@@ -195,7 +195,7 @@ RefinementSettings settings_used(RefinementSettings settings, const RefineOption
 
 CountedOptions with_derived_size(const ModelRecords& model, const ConstrainedTetrahedralization& mesh,
                                  RefineOptions options) {
-  constexpr double near = 1.4;  // estimates wrong by another such factor give 50,000 to 200,000 elements
+  constexpr double near = 1.4;  // accepted ratio of estimate to target; the mesh itself may differ by as much again
   const RefinementSettings& settings = model.arranged.refinement;
   const SettledStack& stack = model.built.stack;
   const ElementEstimator estimator(model.arranged.plc.plc, mesh, options);

@@ -13,7 +13,7 @@ namespace geomesh::geomodel {
 /// Returns the options with all target sizes multiplied by `factor`, and the tolerance too if it follows the sizes.
 RefineOptions scaled_sizes(RefineOptions options, double factor);
 
-/// Returns the settings with the sizes and tolerance of the options, so that the values used are reported.
+/// Returns the mesh settings with the sizes and tolerance of `options`, so that the values used are reported.
 RefinementSettings settings_used(RefinementSettings settings, const RefineOptions& options);
 
 /// Refinement options with the number of elements that they require.

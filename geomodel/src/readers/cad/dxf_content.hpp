@@ -24,10 +24,10 @@ struct DxfInsert {
 
 /// Content of one block of a DXF file or of its section ENTITIES, with coordinates as in the file.
 struct DxfContent {
-  std::map<std::string, std::vector<Vec3>> corners;              ///< triangles by layer, with three corners for each
+  std::map<std::string, std::vector<Vec3>> corners;  ///< for each layer, three corners for each of its triangles
   std::vector<std::pair<std::string, std::vector<Vec3>>> lines;  ///< layer and points
   std::map<std::string, std::vector<Vec3>> points;               ///< by layer
-  std::map<std::string, std::size_t> passed_over;                ///< number of ignored entities of each name
+  std::map<std::string, std::size_t> passed_over;  ///< numbers of entities that are not read, by their DXF type
   std::vector<DxfInsert> inserts;
 };
 

@@ -51,7 +51,7 @@ struct GocadObject {
   std::vector<Index> part_first;                ///< row of the first triangle of each TFACE
   std::vector<std::vector<VertexIndex>> lines;  ///< polylines of a PLine, one for each ILINE, as rows of `points`
   std::vector<Vec3> path;                       ///< Well
-  std::vector<std::string> properties;          ///< names of the vertices' properties; their values are ignored
+  std::vector<std::string> properties;  ///< names of properties that the file gives at vertices; values are ignored
   std::vector<std::pair<std::string, double>> markers;  ///< names and measured depths of the markers of a well
   std::vector<GocadKeyFace> key_faces;                  ///< Model3d
   std::vector<GocadRegion> regions;                     ///< Model3d

@@ -26,7 +26,7 @@ struct GeomeshRaster {
 };
 
 struct GeomeshRasterReader {
-  int version;  ///< version of the interface with which the module was built
+  int version;  ///< version of this interface with which the GDAL module was built
   /// Opens a raster from memory. Never returns null. `bytes` must outlive the raster.
   GeomeshRaster* (*open)(const char* bytes, std::size_t size);
   /// Reads one row of band 1 as the file has it; rows count from the north. Returns null, or the reason why the row

@@ -12,7 +12,7 @@
 namespace geomesh::geomodel {
 namespace {
 
-constexpr std::size_t most_nodes = std::size_t{1} << 31;  // rows of points are stored as 32-bit numbers
+constexpr std::size_t most_nodes = std::size_t{1} << 31;  // indices of points are stored as 32-bit numbers
 
 /// Returns the cosine and sine of an angle, exact at multiples of 90 degrees.
 std::pair<double, double> direction(double degrees) {

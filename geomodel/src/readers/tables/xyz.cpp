@@ -47,7 +47,7 @@ Columns columns_of_header(const LineReader& lines, const std::vector<std::string
   return {};
 }
 
-/// Throws if the first line has numbers that are not a point but the count of rows and columns.
+/// Throws an error if the first line of a table of points holds the numbers of rows and columns instead of a point.
 void refuse_counts(const InputFile& file, std::size_t line, const std::vector<TableRow>& rows) {
   if (rows.size() < 4) return;
   const Vec3& first = rows.front().point;

@@ -17,7 +17,7 @@ namespace geomesh::geomodel {
 struct InputFile {
   std::filesystem::path path;
   std::string bytes;
-  ReadOptions options{};  ///< options of the project for reading the file
+  ReadOptions options{};  ///< settings in the project file for reading this file
 
   std::string_view text() const { return bytes; }
   std::size_t size() const { return bytes.size(); }

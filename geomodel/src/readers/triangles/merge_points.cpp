@@ -16,7 +16,7 @@ std::uint64_t mix(std::uint64_t h) {
 
 std::uint64_t hash_of(const Vec3& p) {
   std::uint64_t h = 0;
-  // Adding 0 turns -0 into 0.
+  // Equal points must have equal hashes; adding 0 turns a coordinate -0 into 0.
   for (std::size_t i = 0; i < 3; ++i) h = mix(h * 31 + std::bit_cast<std::uint64_t>(p[i] + 0.0));
   return h;
 }

@@ -17,8 +17,8 @@ struct VectorFeature {
   std::string layer;
   std::vector<std::pair<std::string, std::string>> texts;  ///< names and values of the feature's text columns
   std::vector<std::pair<std::string, double>> numbers;     ///< names and values of the feature's numeric columns
-  bool has_z = false;                    ///< whether the points of the feature have heights of their own
-  std::vector<std::vector<Vec3>> lines;  ///< lines of the feature, and rings of its polygons
+  bool has_z = false;                                      ///< whether the points of the feature have a z coordinate
+  std::vector<std::vector<Vec3>> lines;                    ///< lines of the feature, and rings of its polygons
   std::vector<Vec3> points;
 };
 

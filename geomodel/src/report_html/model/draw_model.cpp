@@ -60,7 +60,7 @@ class Camera {
   double distance_ = 0, scale_ = 1;
 };
 
-/// A function that returns whether a point of the map is drawn.
+/// A function that returns whether the picture shows the model at (x, y), or leaves it out to open a view inside.
 using Kept = std::function<bool(double x, double y)>;
 
 class Canvas {

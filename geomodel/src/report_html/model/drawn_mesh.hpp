@@ -17,7 +17,7 @@ struct DrawingLimits {
 
 /// The cells and faces of a mesh that are drawn, and the vertex at which each corner is drawn.
 struct DrawnMesh {
-  std::vector<VertexIndex> corner;   ///< for each mesh point, the point that represents it
+  std::vector<VertexIndex> corner;   ///< for each mesh point, the point that is drawn in its place
   std::vector<std::uint32_t> faces;  ///< rows of ModelMesh::faces
   std::vector<std::uint32_t> cells;  ///< rows of ModelMesh::tetrahedra
   bool is_whole = true;              ///< whether all of the mesh is drawn

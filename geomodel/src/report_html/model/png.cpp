@@ -19,7 +19,7 @@ std::string big_endian(std::uint32_t value) {
 std::string chunk(const std::string& kind, const std::string& body) {
   const std::string checked = kind + body;
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()),
-                         static_cast<uInt>(checked.size()));  // the size fits, because a PNG is smaller than 4 GB
+                         static_cast<uInt>(checked.size()));  // safe cast: a PNG is smaller than 4 GB
   return big_endian(static_cast<std::uint32_t>(body.size())) + checked + big_endian(static_cast<std::uint32_t>(sum));
 }
 
@@ -52,7 +52,7 @@ std::string filtered_rows(const Picture& picture) {
 std::string to_png(const Picture& picture) {
   std::string header =
       big_endian(static_cast<std::uint32_t>(picture.width)) + big_endian(static_cast<std::uint32_t>(picture.height));
-  header += {8, 2, 0, 0, 0};  // eight bits per channel, RGB, deflate, the five standard filters, no interlace
+  header += {8, 2, 0, 0, 0};  // PNG: 8 bits per channel, RGB, deflate, the five standard filters, no interlace
   return "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + chunk("IDAT", deflated(filtered_rows(picture))) +
          chunk("IEND", "");
 }

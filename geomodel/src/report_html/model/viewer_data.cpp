@@ -73,7 +73,7 @@ void add_cells(const ModelMesh& mesh, const DrawnMesh& drawn, UsedPoints& used, 
   data["cell_regions"] = base64_of(regions);
 }
 
-/// Adds the values of all quantities to the data; faces have the values of the tetrahedra on both sides.
+/// Adds the quantities by which the viewer colours the mesh; a face gets the values of the tetrahedra on both sides.
 void add_quantities(const ModelMesh& mesh, const DrawnMesh& drawn, const UsedPoints& used, Json& data) {
   std::vector<Triangle> faces;
   for (const std::uint32_t f : drawn.faces) faces.push_back(mesh.faces[f].vertices);

@@ -79,7 +79,7 @@ std::vector<Triangle> enclosed_by(const TriangulatedSurface& horizon, const std:
       const auto [at, is_new] = at_edge.emplace(e, t);
       if (!is_new) {
         joined.unite(at->second, t);
-        is_held[e] = true;  // an edge between two triangles without a block is not at the border of their set
+        is_held[e] = true;  // edges inside a set of triangles without a block
       }
     });
   std::map<Index, bool> is_enclosed;
@@ -117,7 +117,7 @@ std::vector<std::uint8_t> find_beyond(const TriangulatedSurface& part, std::size
   }
   std::vector<std::uint8_t> beyond(n, 0);
   for (std::size_t f = 0; f < sides.n_faults(); ++f) {
-    // Whether all triangles lie beyond, by the representative of each connected set.
+    // For each connected set of triangles, whether all of them lie beyond the fault, by the set's representative.
     std::vector<std::uint8_t> is_all(n + 1, 1);
     is_all[joined.find(static_cast<Index>(n))] = 0;
     for (Index k = 0; k < n; ++k)

@@ -20,7 +20,6 @@ struct PartingFaults {
   }
 };
 
-/// Replaces the ramps of a horizon across the faults by sharp throw.
 RestoredThrow restore_ramps(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
                             const std::vector<TriangulatedSurface>& surfaces, const BuildLog& log) {
   std::vector<const TriangulatedSurface*> others;

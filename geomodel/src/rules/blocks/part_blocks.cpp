@@ -125,8 +125,8 @@ class HorizonParting {
     return kept;
   }
 
-  /// Returns whether most of the counted area of a piece lies on the block's side of each fault. Such a piece is not an
-  /// overshoot: either the block left the box and came back, or it has several connected parts.
+  /// Returns whether most of the area of a block's piece (of triangles that `counts` accepts) lies on the block's side
+  /// of each fault. Such a piece is kept: either the block left the box and came back, or it has several parts.
   bool lies_on_own_side(const Piece& piece, Index block, const std::function<bool(const Origin&)>& counts) const {
     const std::vector<bool>& sides = p_.built.sides_of_block[horizon_][block];
     std::vector<double> balance(fault_sides_.size(), 0);

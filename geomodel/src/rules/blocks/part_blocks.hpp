@@ -21,7 +21,6 @@ struct Parting {
   std::vector<double>& removed;  ///< area, per surface
   std::vector<std::string>& notes;
   std::vector<std::string>& warnings;
-  /// Returns whether two points lie in the same fault block.
   std::function<bool(const Vec3&, const Vec3&)> in_one_block;
 };
 

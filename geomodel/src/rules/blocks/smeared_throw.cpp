@@ -77,7 +77,6 @@ TriangulatedSurface reach_of(const RampFault& ramp, double edge) {
   return reach;
 }
 
-/// Restores the throw of one horizon across the faults at which it has ramps.
 class Restorer {
  public:
   Restorer(TriangulatedSurface& horizon, const std::vector<RampFault>& faults,
@@ -302,7 +301,7 @@ class Restorer {
   /// For each original triangle, the number of its connected part; and the numbers of the parts that are large enough
   /// to be kept.
   std::vector<Index> sheet_, numbers_;
-  /// For each original node: heights extrapolated from the two sides.
+  /// For each original node in a ramp: heights extrapolated from the two sides of the fault.
   std::map<VertexIndex, std::vector<double>> heights_;
 };
 

@@ -15,10 +15,9 @@ struct RampFault {
   const TriangulatedSurface* stop = nullptr;  ///< surface at which the fault ends; null if there is none
 };
 
-/// Result of restoring the throw of a horizon.
 struct RestoredThrow {
   /// For each triangle, the number of its connected part of the horizon; BuiltRows::of_every_block for triangles around
-  /// a fault's tip. Empty if nothing was done.
+  /// a fault's tip. Empty if the horizon was not changed.
   std::vector<Index> sheet;
   Index n_given = 0;             ///< number of original triangles that were kept; they come first
   std::vector<Triangle> before;  ///< all original triangles of the horizon

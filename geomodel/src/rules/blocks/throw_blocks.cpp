@@ -72,8 +72,8 @@ class Ends {
     attach_overshoot();
   }
   const std::vector<Index>& parts() const { return part_; }
-  /// Returns whether the triangle is kept: it belongs to the largest part of its connected whole, to a part that
-  /// continues around a fault's tip, or it crosses a fault beside one such part.
+  /// Returns whether the triangle is kept: it belongs to the largest part of its connected part of the horizon, to a
+  /// part that continues around a fault's tip, or to a group that crosses a fault beside at most one kept part.
   bool is_kept(Index t) const { return counts_[t] != 0; }
   /// Returns whether the triangle crosses a fault and does not lie around a fault's tip.
   bool is_overshoot(Index t) const { return !is_free(t) && !goes_round(t); }
@@ -86,7 +86,7 @@ class Ends {
     std::map<Index, double> area;
     for (Index t = 0; t < part_.size(); ++t)
       if (is_free(t)) area[part_[t]] += area_of(horizon_, t);
-    std::map<Index, Index> largest;  // largest part of each connected whole
+    std::map<Index, Index> largest;  // largest part of each connected part of the horizon
     for (const auto& [part, size] : area) {
       kept_[part] = false;
       const auto [at, is_new] = largest.emplace(whole_[part], part);
@@ -108,7 +108,7 @@ class Ends {
     UnionFind joined(n);
     for (const auto& [a, b] : neighbours_)
       if (is_of_a_place(a) && is_of_a_place(b)) joined.unite(a, b);
-    std::map<Index, std::set<Index>> beside;  // for each group, the kept parts beside it
+    std::map<Index, std::set<Index>> beside;  // kept parts beside each group of triangles that cross faults
     for (const auto& [a, b] : neighbours_)
       for (const auto& [at, other] : {std::pair(a, b), std::pair(b, a)})
         if (is_of_a_place(at) && is_free(other) && kept_.at(part_[other])) beside[joined.find(at)].insert(part_[other]);

@@ -148,7 +148,8 @@ class SidedApron {
 
  private:
   void copy_triangles() {
-    // Sides of the bounding surfaces for which triangles at each edge were added.
+    // Sides of the bounding surfaces, by each edge of a triangle for which triangles with the heights of this side were
+    // added.
     std::map<std::pair<Index, Index>, std::set<Index>> sides_at;
     std::vector<const Corners*> unseen;
     for (const Corners& t : grid_.triangles()) {
@@ -204,9 +205,10 @@ class SidedApron {
     if (is_new) at->second = add_point(grid_.nodes()[v].point);
     return at->second;
   }
-  /// Returns a node at the place of v with a height from another side; no_vertex if that side has no border nearby.
+  /// Returns a copy of the border or grid node v whose height comes from another side of the bounding surfaces;
+  /// no_vertex if that side has no border nearby.
   VertexIndex twin_of(Index v, Index side) {
-    if (sides_.before(v) == side) return row_of(v);  // the border itself connects that side with the node
+    if (sides_.before(v) == side) return row_of(v);  // v is a border vertex already connected with that side
     const auto [at, is_new] = rows_.emplace(std::pair(v, side), no_vertex);
     if (!is_new) return at->second;
     const Vec2& p = grid_.nodes()[v].place;
@@ -224,7 +226,7 @@ class SidedApron {
   double within_;
   ApronGrid grid_;
   ApronSides sides_;
-  /// New points, by node and side (no_index: the node's own side).
+  /// Indices of the new points, by grid node and by the side of the bounding surfaces that gives the height.
   std::map<std::pair<Index, Index>, VertexIndex> rows_;
   std::map<Index, Index> number_of_side_;
   bool faces_up_;

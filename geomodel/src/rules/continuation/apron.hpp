@@ -9,12 +9,13 @@
 
 namespace geomesh::geomodel {
 
-/// Triangles beside a run of border. Their corners index the surface's points, followed by those of `added`.
+/// A strip of triangles beside a run of border edges of a surface. Indices of points count those of the surface first,
+/// then `added`.
 struct Apron {
   std::vector<Vec3> added;
   std::vector<Triangle> triangles;  ///< triangles, oriented as the surface's triangle at the border
-  std::vector<Index> side;          ///< for each triangle: number of the bounding surfaces' side that it continues
-  std::vector<Index> walls;         ///< indices of the surfaces that the apron crosses, ascending
+  std::vector<Index> side;          ///< for each triangle: the side of the bounding surfaces whose heights it has
+  std::vector<Index> walls;         ///< indices of the surfaces that the strip of triangles crosses, ascending
   bool crosses_itself = false;  ///< whether the run of border crosses itself in the plane, so that the apron is empty
 };
 
@@ -26,13 +27,13 @@ struct ApronSetting {
   Box3 bounds;        ///< of the model
 };
 
-/// Makes an apron, the strip of triangles beside a run of border, by a constrained Delaunay triangulation of the border
-/// and of a grid beside it. Its height is that of the nearest point of the border that no bounding surface hides,
-/// extrapolated with the border's slope there. A triangle that a bounding surface divides is added once for each side,
-/// with the heights of that side on both sides of the bounding surface; both sides are connected around the end of a
+/// Makes an apron, the strip of triangles beside a run of border edges, by a constrained Delaunay triangulation of the
+/// border and of a grid beside it. Heights are those of the nearest point of the border that no bounding surface hides,
+/// extrapolated with the border's slope there. A triangle that a bounding surface divides is added once for each side;
+/// each copy extends the heights of its own side to all three corners. Both sides are connected around the end of a
 /// bounding surface. Places that a bounding surface hides from the border are left out, except in these triangles and
-/// those next to them. Places where no bounding surface stops the surface within the distance are left out, too. Empty
-/// if the run of border crosses itself in the plane. O(n log n) in the edges of the border and the points of the grid.
+/// those next to them; so are places where no bounding surface stops the surface within the distance. Empty if the
+/// border crosses itself in the plane. O(n log n) in edges and grid points.
 Apron make_apron(const TriangulatedSurface& surface, Index row, const BorderChain& chain, const Walls& walls,
                  const ApronSetting& setting);
 

@@ -76,7 +76,8 @@ void ApronGrid::add_node(const Vec2& p, double reach) {
   if (!nearest || nearest->distance < room_at_border * step_ || nearest->distance > reach ||
       !chain_.is_outside(p, *nearest))
     return;
-  // A node beyond the distance counts only if visible from the nearest place of the border, which is then open.
+  // Beyond the distance of continuation, a grid node is visible only if nothing hides it from the nearest border, which
+  // no bounding surface then stops.
   for (const ChainInPlane::Nearest& at : chain_.all_near(p, reach)) {
     if (at.distance > within_ && at.distance > nearest->distance) break;
     const ApronNode node = node_at(p, at);

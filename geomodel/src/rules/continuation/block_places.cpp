@@ -72,12 +72,18 @@ bool BlockPlaces::is_beyond_horizon(std::size_t v) const {
                              [&](Index s) { return s != s_.row && !s_.cutters.holds(s); });
 }
 
-/// Returns whether a disc around a place of the horizon is open. The disc is not open if it meets a bounding surface
-/// along the horizon in four directions of the map, or if the disc of twice its radius meets bounding surfaces, or the
-/// horizon itself, on opposite sides. A bounding surface through the place counts.
+/// Returns whether a disc around a place of the continued horizon is open. The disc is not open if it meets a bounding
+/// surface along the horizon in four directions of the map, or if the disc of twice its radius meets bounding surfaces,
+/// or the horizon itself, on opposite sides. A bounding surface through the place counts. Nor is the disc open if a
+/// fault or body lies within its radius above or below the place: the way to it along the horizon is long where both
+/// meet at a low angle, although elements of this size cannot pass between them.
 bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   const Vec3& centre = points_[v];
   if (s_.walls.meets_disc(centre, radius_, slope_[v], s_.row)) return false;
+  const Vec3 normal{-slope_[v].x, -slope_[v].y, 1};
+  const Vec3 up = (radius_ / norm(normal)) * normal;
+  if (s_.cutters.first_surface(centre, centre + up, s_.row) || s_.cutters.first_surface(centre, centre - up, s_.row))
+    return false;
   return std::ranges::none_of(Walls::lines_of_disc(2 * radius_, slope_[v]), [&](const Vec3& way) {
     if (s_.walls.first_hit(centre, centre + way, s_.row) && s_.walls.first_hit(centre, centre - way, s_.row))
       return true;
@@ -87,8 +93,9 @@ bool BlockPlaces::ends_in_the_open(std::size_t v) const {
   });
 }
 
-/// Returns whether an open disc covers the place. Far from the horizon, the disc's centre may lie anywhere between four
-/// grid points: otherwise a rim along the bounding surfaces, one grid step wide, would be filled.
+/// Returns whether a disc that meets neither the horizon nor a bounding surface covers the place, which is then not
+/// filled. Far from the horizon, the disc's centre may lie anywhere between four grid points: otherwise a rim along the
+/// bounding surfaces, one grid step wide, would be filled.
 bool BlockPlaces::is_open(Index v) const {
   if (open_.empty()) return false;
   const Vec3 &p = points_[v], &q = open_[nearest_open_->find(p.x, p.y)];

@@ -20,7 +20,7 @@ struct HorizonInBlocks {
   const TriangulatedSurface& horizon;
   Index row;
   const BlockFramework& framework;
-  const Walls& cutters;  ///< this member and those below are as in struct BlockSetting
+  const Walls& cutters;  ///< members from here on have the same meaning as in struct BlockSetting
   const Walls& walls;
   double within;
   const HorizonDivision& division;
@@ -31,8 +31,8 @@ struct HorizonInBlocks {
 /// with heights extrapolated from the border.
 class BlockPlaces {
  public:
-  /// `sheet` is the connected part of the horizon, as triangles over the horizon's points. O(m log n) for n edges of
-  /// the border and m grid points near it.
+  /// `sheet` is the connected part of the horizon that is continued, as triangles over the horizon's points.
+  /// Construction takes O(m log n) for n edges of the border and m grid points near it.
   BlockPlaces(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet);
   BlockPlaces(const BlockPlaces&) = delete;
   BlockPlaces& operator=(const BlockPlaces&) = delete;
@@ -42,13 +42,13 @@ class BlockPlaces {
   const SheetBorder& border() const { return border_; }
   const std::vector<Vec3>& points() const { return points_; }
   std::size_t n_border() const { return n_border_; }       ///< the first points
-  double distance(Index v) const { return distance_[v]; }  ///< distance from the border in the map, in m
+  double distance(Index v) const { return distance_[v]; }  ///< distance in m from the horizon's border, in the map
   /// Returns whether the place is in the block and may be filled. It may not where the surface already reaches a wall
   /// (bounding surface) before its border, or beyond another horizon, which ends the continuation as walls do.
   bool is_in_block(Index v) const { return in_block_[v]; }
-  /// Returns whether the triangle with these corners overlaps the block.
   bool overlaps(const std::array<Index, 3>& t) const;
-  /// Returns whether a triangle covers a part of the block that is not open. Adds the bounding surfaces it crosses.
+  /// Returns whether a triangle is added to the horizon's continuation: it reaches into the block, and no corner there
+  /// lies in a gap too wide to be filled. If so, adds the bounding surfaces that it crosses to `walls`.
   bool is_filled(const std::array<Index, 3>& t, std::set<Index>& walls) const;
 
  private:
@@ -65,7 +65,7 @@ class BlockPlaces {
   std::vector<Vec3> points_;
   std::vector<double> distance_;
   std::vector<Vec2> slope_;
-  std::vector<Vec3> inside_;  ///< for each place: the point inside the horizon at the nearest border
+  std::vector<Vec3> inside_;  ///< per place: centroid of the horizon's triangle at the nearest border
   std::vector<bool> in_block_;
   std::size_t n_border_;
   std::vector<Vec3> open_;  ///< centres of discs

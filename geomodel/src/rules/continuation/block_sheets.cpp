@@ -13,7 +13,6 @@
 namespace geomesh::geomodel {
 namespace {
 
-/// Continues a connected part of a horizon in its block.
 class Continuation {
  public:
   Continuation(const HorizonInBlocks& setting, Index block, const std::vector<Triangle>& sheet)
@@ -45,7 +44,7 @@ class Continuation {
   }
 
  private:
-  /// Records the length of border that a triangle continues, and its farthest place in front of a bounding surface.
+  /// Adds up the length of border that triangles continue, and finds their farthest place before a bounding surface.
   void book(const std::array<Index, 3>& t) {
     const std::vector<Vec3>& points = places_.points();
     const auto look_at = [&](const Vec3& p, double distance) {

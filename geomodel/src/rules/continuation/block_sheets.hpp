@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 struct BlockExtension {
   Index block = no_index;
   std::vector<Vec3> added;          ///< added points; they are numbered after those of the surface
-  std::vector<Triangle> triangles;  ///< triangles with the orientation of the surface
+  std::vector<Triangle> triangles;  ///< new triangles, with the surface's orientation
   /// Indices of the surfaces that the triangles cross, ascending; Walls::side_of_volume last.
   std::vector<Index> walls;
   double length = 0;  ///< length in m of the border that is continued
@@ -37,7 +37,7 @@ struct DividedHorizon {
 struct BlockSetting {
   const BlockFramework& framework;
   const Walls& cutters;  ///< faults and bodies
-  const Walls& walls;    ///< faults, bodies, horizons and the sides of the model
+  const Walls& walls;    ///< surfaces at which continuations end: faults, bodies, horizons, model sides
   double within = 0;     ///< m
   /// Whether places are filled however far they are from the data of their block.
   bool fills_blocks = false;

@@ -23,6 +23,7 @@ struct LoopEdge {
   bool goes_on = true;       ///< false if the surface already reaches a bounding surface before this edge
   std::uint8_t cut_off = 0;  ///< BorderChain::cut_off
   bool is_beyond = false;    ///< whether the edge lies outside the model
+  bool enters = false;       ///< whether the edge lies on a side of the box, with its triangle outside of it
   bool counts = true;  ///< false for edges outside the model, where the continuation will be cut off with the surface
   std::optional<Walls::Hit> hit{};  ///< the nearest bounding surface in front of the edge; `share` is its distance in m
 };
@@ -62,7 +63,7 @@ class CutOffBorder {
         if (!is_border[v] && !is_border[w]) continue;
         const Index a = is_border[v] ? v : inner, b = is_border[w] ? w : inner;
         if (joined_.find(a) == joined_.find(b)) continue;
-        // Tests both directions, because a segment that begins on a bounding surface does not count as meeting it.
+        // Tests the edge in both directions, because a segment that begins on a bounding surface does not meet it.
         if (!walls.first_surface(s.points[v], s.points[w], row) && !walls.first_surface(s.points[w], s.points[v], row))
           joined_.unite(a, b);
         else
@@ -80,7 +81,7 @@ class CutOffBorder {
   std::vector<VertexIndex> merged_;
   UnionFind joined_;
   Index inner_ = 0;
-  std::set<Index> cut_off_;  ///< union-find representatives of the cut-off vertices
+  std::set<Index> cut_off_;  ///< union-find roots of the border vertices that bounding surfaces cut off
 };
 
 struct WallSearch {
@@ -92,25 +93,28 @@ struct WallSearch {
 /// Returns the nearest bounding surface in front of a place on a border edge, with the distance from the edge as its
 /// `share`. The search begins at the distance `rounding` inside the surface, because a segment that begins on a
 /// bounding surface does not count as meeting it; an edge that lies on its bounding surface then has it at distance 0.
+/// If the edge enters the box, the search begins inside the box, because the side on which the edge lies does not end
+/// the surface.
 std::optional<Walls::Hit> wall_before(const TriangulatedSurface& s, const LoopEdge& e, double share,
                                       const WallSearch& search) {
   const auto& [row, walls, within, rounding] = search;
+  const double begin = e.enters ? rounding : -rounding;
   const Vec3 out = outward(s, e), along = normalized(s.points[e.b] - s.points[e.a]);
-  const Vec3 start = (1 - share) * s.points[e.a] + share * s.points[e.b] - rounding * out;
+  const Vec3 start = (1 - share) * s.points[e.a] + share * s.points[e.b] + begin * out;
   std::optional<Walls::Hit> nearest;
   for (const double turn : {0.0, 1.0, -1.0}) {
     const double length = within + rounding;
     std::optional<Walls::Hit> hit = walls.first_hit(start, start + length * normalized(out + turn * along), row);
     if (!hit) continue;
-    hit->share = std::max(0.0, hit->share * length - rounding);
+    hit->share = std::max(0.0, hit->share * length + begin);
     if (!nearest || hit->share < nearest->share) nearest = hit;
   }
   return nearest;
 }
 
-/// Returns the positions on a border edge (0 to 1) from which bounding surfaces are searched. This is `middle`, unless
-/// bounding surfaces separate it from those ends that are connected with the surface: then the midpoints between these
-/// ends and the bounding surfaces, as far as they lie in the box.
+/// Returns the positions on a border edge (0 to 1) from which bounding surfaces in front of the edge are searched. This
+/// is `middle`, unless bounding surfaces cut it off from the ends of the edge that are connected with the surface: then
+/// the midpoints between these ends and the cuts, as far as they lie in the box.
 std::vector<double> places_before_walls(const TriangulatedSurface& s, const LoopEdge& e, double middle, const Box3& box,
                                         const WallSearch& search) {
   const Vec3 &a = s.points[e.a], &b = s.points[e.b], m = (1 - middle) * a + middle * b;
@@ -175,7 +179,7 @@ BorderChain chain_of(const TriangulatedSurface& s, const std::vector<LoopEdge>& 
   return chain;
 }
 
-/// Cuts a loop of border edges into chains, at edges that have no bounding surface.
+/// Divides a loop of border edges into chains, separated by edges that have no bounding surface in front of them.
 void cut_loop(const TriangulatedSurface& s, std::vector<LoopEdge> loop, std::vector<BorderChain>& chains) {
   const std::size_t n = loop.size();
   const auto keep = [&](const std::vector<LoopEdge>& run) {
@@ -255,6 +259,8 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
         loop.push_back(e);
         continue;
       }
+      const Vec3 in_front = middle + 2 * rounding * outward(surface, e);
+      e.enters = !is_within(box, middle, 0) && is_within(box, in_front, 0);
       e.cut_off = static_cast<std::uint8_t>((cut_off.holds(a) ? 1 : 0) + (cut_off.holds(b) ? 2 : 0));
       e.goes_on = e.cut_off != 3;
       if (!e.goes_on)
@@ -264,7 +270,7 @@ std::vector<std::vector<LoopEdge>> loops_with_walls(const TriangulatedSurface& s
           if (const auto hit = wall_before(surface, e, place, search); hit && (!e.hit || hit->share < e.hit->share))
             e.hit = hit;
       if (e.hit && e.goes_on && lies_on_wall(surface, e, search)) e.goes_on = false;
-      e.is_beyond = !is_within(box, middle, 0);
+      e.is_beyond = !e.enters && !is_within(box, middle, 0);
       if (e.is_beyond && (!e.hit || e.hit->surface == Walls::side_of_volume)) {
         e.hit = Walls::Hit{};
         e.counts = false;

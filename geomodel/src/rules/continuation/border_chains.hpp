@@ -22,7 +22,8 @@ using MapEdge = std::pair<VertexIndex, VertexIndex>;
 /// State of each border edge. The key is its two ends, in the direction in which its triangle traverses it; points with
 /// equal coordinates count as the first of them.
 using BorderStates = std::map<MapEdge, BorderState>;
-/// Returns the state of each border edge; distances are as in chains_before_walls(). O(edges) searches.
+/// Returns whether each border edge has met a bounding surface, stops short of one within `within` (m), or is open.
+/// O(edges) searches.
 BorderStates border_states(const TriangulatedSurface& surface, Index row, const Walls& walls, const Box3& box,
                            double within);
 
@@ -41,9 +42,9 @@ struct BorderChain {
   bool closed = false;  ///< whether the last vertex is connected to the first
   /// Indices of the surfaces in front of the chain's edges in the model, ascending; may include Walls::side_of_volume.
   std::vector<Index> walls;
-  double farthest = 0;  ///< distance in m to the farthest bounding surface that is the first in front of an edge
+  double farthest = 0;  ///< largest distance in m from an edge to the bounding surface in front of it
   double length = 0;    ///< m
-  Vec3 place;           ///< a place on the edge whose bounding surface is farthest
+  Vec3 place;           ///< a place on the edge that is farthest from its bounding surface
   std::size_t n_edges() const { return triangles.size(); }
 };
 

@@ -82,8 +82,8 @@ class Gaps {
       const std::array<Vec2, 3> corners{places[v[0]], places[v[1]], places[v[2]]};
       if (t.depth % 2 != 0 || (holes_alone && t.depth == 0)) continue;
       if (circumradius(corners[0], corners[1], corners[2]) > within) {
-        // The triangle's circumscribed disc lies in the gap, unless its centre lies beyond a border, inside the
-        // surface.
+        // A triangle with a large circumscribed disc spans a wide gap and is left out, unless the disc's centre lies
+        // beyond a border edge, inside the surface.
         const auto side = side_before_centre(corners);
         if (!side || !is_border_.contains(std::minmax(v[*side], v[(*side + 1) % 3]))) continue;
       }
@@ -165,7 +165,7 @@ class Gaps {
     std::set<Index> parting, run_across;
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 &a = points_[t[i]], &b = points_[t[(i + 1) % 3]];
-      // Segments begin and end a little inside, because triangles may begin at the tip of a bounding surface.
+      // The tested segments are a little shorter than the edges, whose ends may be the tip of a bounding surface.
       const Vec3 from = a + 1e-6 * (b - a), to = b + 1e-6 * (a - b);
       const bool is_border = is_border_.contains(std::minmax(t[i], t[(i + 1) % 3]));
       for (const Index s : walls.surfaces_on(from, to)) (is_border ? run_across : parting).insert(s);
@@ -181,7 +181,7 @@ class Gaps {
   const TriangulatedSurface& surface_;
   Frame frame_;
   std::vector<VertexIndex> rows_;
-  std::vector<Vec3> points_;  ///< points of the border, followed by fault tips
+  std::vector<Vec3> points_;  ///< points of the surface's border, followed by fault tips
   std::vector<std::pair<Index, Index>> constraints_;
   std::set<std::pair<Index, Index>> is_border_;
   std::vector<Corners> gaps_;

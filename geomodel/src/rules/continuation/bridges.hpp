@@ -23,7 +23,7 @@ struct GapSetting {
   const std::vector<Frame>& frames;
   Box3 box;
   double within = 0;                        ///< m
-  std::function<bool(const Vec3&)> counts;  ///< whether a place is to be filled
+  std::function<bool(const Vec3&)> counts;  ///< whether triangles may be added at a place
   bool holes_alone = false;                 ///< whether only gaps enclosed by the border are filled
 };
 

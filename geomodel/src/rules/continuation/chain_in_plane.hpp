@@ -21,7 +21,7 @@ class ChainInPlane {
 
   struct Nearest {
     Index edge = no_index;
-    double along = 0;  ///< position on the edge, from 0 to 1
+    double along = 0;  ///< position of the nearest point on the edge, from 0 to 1
     double distance = 0;
   };
   /// Returns the nearest point of the chain if it is no farther than twice `within`; farther points may or may not be

@@ -72,7 +72,6 @@ class Continuing {
     finish();
   }
 
-  /// Fills the holes of a horizon at places that `counts` accepts; go_on_in() fills the gaps in other blocks.
   void fill_holes(const Walls& cutters, const std::function<bool(const Vec3&)>& counts) {
     const auto first = static_cast<Index>(surface().triangles.size());
     bridge_gaps(surface(), {cutters, {}, {frame_of(surface())}, rules_.bounds, within_, counts, true});
@@ -174,8 +173,8 @@ class Continuing {
   struct Run {
     double length, farthest;
     Vec3 place;
-    std::vector<Index> before;   ///< bounding surfaces in front of the border
-    std::vector<Index> through;  ///< bounding surfaces that the continuation crosses
+    std::vector<Index> before;   ///< bounding surfaces in front of the surface's border
+    std::vector<Index> through;  ///< bounding surfaces that the surface's continuation crosses
   };
   void book(const Run& run) {
     ledger_.length += run.length;
@@ -218,7 +217,6 @@ bool keeps_border(const BuiltSurfaces& built, const ModelRules& rules, Index row
   return built.surfaces[row].triangles.empty() || !rules.of(row).continues_by_default();
 }
 
-/// Continues horizons in the fault blocks that faults, bodies and unconformities form.
 class HorizonContinuation {
  public:
   /// `built` contains the surfaces that bound the blocks, and must outlive this object; its BuiltRows::overshooting is

@@ -61,8 +61,8 @@ std::vector<Index> HorizonDivision::sheet_of(Index block) const {
   return sheet;
 }
 
-/// Returns the block of a triangle: that of its first sample point in the model. `last` is for
-/// BlockFramework::block_at().
+/// Returns the block that contains a triangle's centroid or, if this lies outside the model, another of its points.
+/// `last` is the tetrahedron found last, at which the next search begins.
 Index HorizonDivision::block_of(Index t, Index& last) const {
   const auto [a, b, c] = corners(t);
   const Vec3 centre = (1.0 / 3) * (a + b + c);

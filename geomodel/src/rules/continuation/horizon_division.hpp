@@ -19,14 +19,14 @@ namespace geomesh::geomodel {
 /// surface cuts one of its edges. The horizon and the framework must outlive this object.
 class HorizonDivision {
  public:
-  /// `cutters` are faults and bodies; `states` are the states of the horizon's border edges.
+  /// `cutters` are the faults and bodies that bound blocks; `states`: which border edges have met a bounding surface.
   HorizonDivision(const TriangulatedSurface& horizon, Index row, const BlockFramework& framework, const Walls& cutters,
                   const BorderStates& states);
 
   const std::vector<Triangle>& triangles() const { return triangles_; }  ///< of merged_triangles
   /// Returns whether a bounding surface cuts an edge of the triangle.
   bool crosses_wall(Index t) const { return crosses_[t]; }
-  /// Returns the state of an edge at which the horizon ends; nothing for an edge inside the horizon.
+  /// Returns how a border edge of the horizon lies relative to the bounding surfaces; nothing for an inner edge.
   std::optional<BorderState> border_state(VertexIndex a, VertexIndex b) const;
   /// Returns the triangles from which the horizon is continued in a block: those in the block, those connected with
   /// them outside the model, and those next to either that cross a wall (bounding surface). Triangles that cross one,

@@ -31,9 +31,9 @@ class SheetBorder {
 
   struct Place {
     Vec3 at;            ///< the place, with the height extrapolated from the border
-    double distance;    ///< distance from the border in the map
-    Vec2 slope;         ///< slope of the horizon at the nearest border; zero beyond `within`
-    bool has_met_wall;  ///< whether the nearest border edge is in the state BorderState::met_wall
+    double distance;    ///< distance of the place from the horizon's border, in the map
+    Vec2 slope;         ///< slope of the horizon at the nearest border; zero if that is farther than `within`
+    bool has_met_wall;  ///< whether the nearest border edge lies on or beyond a bounding surface
     Vec3 inside;        ///< the centroid of the triangle at the nearest border
   };
   /// Returns the place at p to which the horizon is continued. O(log n + k) for the k edges in the map up to about
@@ -42,9 +42,9 @@ class SheetBorder {
   /// Returns whether a border edge meets the segment in the map. O(log n + k) for k edges in its bounding box.
   bool meets(const Vec2& from, const Vec2& to) const;
 
-  /// For each triangle of the plane, returns whether it is kept, lies outside the horizon's part, and is connected,
-  /// through kept triangles, with a border edge that stops short of a bounding surface. Nothing is continued from edges
-  /// at which the part ends only because the horizon continues beyond a bounding surface. O(n log n).
+  /// For each triangle of the map, returns whether `is_kept` is set, it lies outside the horizon's part, and such
+  /// triangles connect it with a border edge that stops short of a bounding surface. Nothing is continued from edges at
+  /// which the part ends only because the horizon continues beyond a bounding surface. O(n log n).
   std::vector<bool> beside_border(const std::vector<PlanarTriangle>& all, const std::vector<bool>& is_kept) const;
 
  private:
@@ -67,7 +67,7 @@ class SheetBorder {
   std::set<std::pair<Index, Index>> is_end_;
   std::vector<Edge> edges_;
   std::optional<arrangement::BoxTree> tree_;  ///< tree of the edges' boxes in the map
-  std::vector<bool> has_met_wall_;  ///< for each point, whether all border edges at it are in the state met_wall
+  std::vector<bool> has_met_wall_;            ///< whether all border edges at a point have met a bounding surface
   bool faces_up_ = true;
 };
 

@@ -41,7 +41,7 @@ BlockFramework::BlockFramework(const BuiltSurfaces& built, const ModelRules& rul
   const ArrangedWalls walls = arrange_walls(built, rules, {SurfaceKind::fault, SurfaceKind::body});
   WorkingSoup working(walls.soup);
   std::vector<double> area(walls.surfaces.size(), 0);
-  // Notes are discarded here, because the same ones are made when the soup of the model itself is cut.
+  // Notes for the user are discarded here: the same ones are made when the model itself is cut at its faults.
   std::vector<std::string> notes;
   end_faults(working, walls.surfaces, built.rows, rules.continuation.within_of_faults, {area, notes});
   const PolygonSoup soup = working.result();

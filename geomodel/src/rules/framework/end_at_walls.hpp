@@ -13,7 +13,8 @@ namespace geomesh::geomodel {
 /// Part number of the original triangles of a surface, as opposed to its continuations.
 inline constexpr Index given_part = 0;
 
-/// Returns the entry of BuiltRows::part_of_triangle for a surface; empty if the surface was not continued.
+/// Returns for each triangle of a surface 0 if it is original, else the number of the run of border that it continues;
+/// empty if the surface was not continued.
 std::span<const Index> part_of(const BuiltRows& built, Index row);
 
 /// Removes from the soup the parts of continuations of surface `row` that bounding surfaces (BuiltRows::continued_to)

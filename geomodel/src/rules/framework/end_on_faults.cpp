@@ -97,7 +97,7 @@ EndedFaults ended_faults(BuiltSurfaces& built, const ModelRules& rules) {
         !overshoots_of(working, {s, without(faults, s), within, part_of(built.rows, s)}).empty())
       built.rows.overshooting.push_back(s);
   std::vector<double> area(alone.size(), 0);
-  // Notes are discarded here, because the same ones are made when the soup of the model itself is cut.
+  // Notes for the user are discarded here: the same ones are made when the model itself is cut at its faults.
   std::vector<std::string> notes;
   end_faults(working, alone, built.rows, within, {area, notes});
   EndedFaults ended{built.surfaces, tips_of(working, faults)};

@@ -34,9 +34,9 @@ struct ArrangedWalls {
 /// the sides of the model. Requires ContinuationRules::sides.
 ArrangedWalls arrange_walls(const BuiltSurfaces& built, const ModelRules& rules, const std::set<SurfaceKind>& kinds);
 
-/// Faults, and those parts of their borders that remain free.
+/// Faults after cutting off what overshoots other faults, and the edges at which they end inside the model.
 struct EndedFaults {
-  std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; the faults are as end_faults() will leave them
+  std::vector<TriangulatedSurface> surfaces;  ///< all surfaces; those of faults end where other faults truncate them
   std::vector<FaultTip> tips;
 };
 /// Determines where faults end, from an arrangement of the faults with the sides of the model, because outside the

@@ -64,7 +64,7 @@ std::vector<UpperPlace> upper_border(const TriangulatedSurface& fault, const Box
 struct Beside {
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;  ///< m
   bool is_above = true;                                                    ///< all of it
-  std::size_t n_crossing = 0;  ///< number of places on the border whose triangles the horizon crosses
+  std::size_t n_crossing = 0;  ///< number of places where the horizon cuts the fault's triangle at the border
 };
 
 /// The horizons at which a fault may end.
@@ -83,7 +83,6 @@ class Horizons {
     }
   }
 
-  /// Returns the horizons that truncate a fault with this upper border.
   std::vector<Index> truncating(const std::vector<UpperPlace>& border) const {
     std::vector<Index> rows;
     std::optional<Index> best;

@@ -10,8 +10,8 @@ namespace geomesh::geomodel {
 
 struct HorizonBlocks {
   BlockFramework framework;
-  Walls cutters;                   ///< bodies, and faults cut where they end on each other
-  Walls walls;                     ///< the cutters, the horizons and the sides of the model
+  Walls cutters;  ///< bodies, and faults cut where they end on each other
+  Walls walls;    ///< surfaces at which continuations of horizons end: cutters, horizons, model's sides
   std::vector<Index> fill_blocks;  ///< indices of the horizons that fill each block in which they have data
 };
 

@@ -16,7 +16,6 @@ bool is_of(const Piece& piece, Index facet) {
   return std::binary_search(piece.facets.begin(), piece.facets.end(), facet);
 }
 
-/// Returns the edges at which a piece of a surface meets the cutting surfaces.
 std::vector<EdgeEnds> contacts_of(const WorkingSoup& working, const Piece& piece, const std::vector<Index>& cutters) {
   std::vector<EdgeEnds> contacts;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {
@@ -46,7 +45,8 @@ bool reaches_beyond_contacts(const WorkingSoup& working, const Piece& piece, con
   });
 }
 
-/// Returns whether another surface ends on the piece and on nothing else, so that it would end freely without it.
+/// Returns whether another surface ends on this piece of surface s and on nothing else. Without the piece, that surface
+/// would end in the open.
 bool something_ends_on(const WorkingSoup& working, const Piece& piece, Index s) {
   bool found = false;
   for_each_edge(working.uses, [&](std::span<const EdgeUse> edge) {

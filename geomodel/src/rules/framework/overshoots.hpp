@@ -17,7 +17,7 @@ struct MeantEnd {
   Index surface;
   std::vector<Index> cutters;
   double limit;  ///< m
-  /// Entry of BuiltRows::part_of_triangle for the surface; empty if it was not continued.
+  /// For each triangle, 0 if it is original, else the run of border that it continues; empty if nothing was continued.
   std::span<const Index> part{};
   /// The blocks, if the surface divides each block separately; null otherwise.
   const BlockFramework* blocks = nullptr;

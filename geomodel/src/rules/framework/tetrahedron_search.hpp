@@ -31,7 +31,7 @@ class TetrahedronSearch {
  private:
   struct Plane {
     Vec3 outward;
-    double offset;  ///< largest offset of all mesh points from the plane, enlarged by the bound on rounding
+    double offset;  ///< largest product of `outward` and a mesh point, enlarged by the bound on rounding
   };
   void find_neighbours();
   void find_planes(const std::vector<std::array<Index, 2>>& border);

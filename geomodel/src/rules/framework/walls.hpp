@@ -36,7 +36,8 @@ class Walls {
   /// Returns the first bounding surface on the segment from a to b, ignoring surface `but_not`. Bounding surfaces that
   /// contain the point a do not count if the segment leaves them.
   std::optional<Hit> first_hit(const Vec3& a, const Vec3& b, Index but_not) const;
-  /// Returns the first bounding surface as first_hit() does, but ignores the sides of the model volume.
+  /// Returns the first bounding surface on the segment from a to b, ignoring surface `but_not` and the sides of the
+  /// model volume. Bounding surfaces that contain the point a do not count if the segment leaves them.
   std::optional<Hit> first_surface(const Vec3& a, const Vec3& b, Index but_not) const;
 
   /// Returns whether a bounding surface meets the disc around `centre`. Tested along four lines through the centre with

@@ -48,9 +48,9 @@ class DepositedHorizons {
   Keepers keepers_;
 };
 
-/// Returns the naming rules, extended by the model's unconformities and by DepositedHorizons::units_at(), which gives
-/// no information if there is no column or if it has more than `most_horizons`. Surfaces are read at the first call, so
-/// they must outlive the result. Not thread-safe.
+/// Returns the rules that name the model's units, extended by its unconformities and by the units that
+/// DepositedHorizons finds from the heights of horizons. These are not used if there is no column or if it has more
+/// than `most_horizons`. Surfaces are read at the first call, so they must outlive the result. Not thread-safe.
 NamingRules with_heights(NamingRules naming, const std::vector<TriangulatedSurface>& surfaces, const BuiltRows& built,
                          const ModelRules& rules);
 

@@ -16,7 +16,8 @@ namespace geomesh::geomodel {
 /// the piece may continue beyond the end of y and meet y again from the other side.
 class HeightVote {
  public:
-  /// Uses the parts of surface y, and of all faults, that remain in the soup.
+  /// Compares heights with the part of horizon y, and ignores places beyond the parts of faults, that were not yet
+  /// removed.
   HeightVote(const WorkingSoup& working, Index y, const std::vector<TriangulatedSurface>& surfaces);
   HeightVote(const HeightVote&) = delete;
   HeightVote& operator=(const HeightVote&) = delete;

@@ -21,7 +21,7 @@ class MapLocator {
 
   struct Hit {
     Index triangle = no_index;
-    std::size_t count = 0;  ///< number of triangles found; more than one on shared edges or where the surface overhangs
+    std::size_t count = 0;  ///< number of triangles above or below the point; > 1 on shared edges and overhangs
     bool strictly = false;  ///< whether the point is inside the triangle and on none of its edges
   };
   Hit find(Vec2 p) const;

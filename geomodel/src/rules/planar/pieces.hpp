@@ -33,9 +33,9 @@ struct WorkingSoup {
   PolygonSoup result() const;
 };
 
-/// Whether a piece that continues, in the map, beyond an edge at which the cutting surface ends has a side of it there.
-/// Pieces of faults have one, since they stand on that edge. Those of a horizon cut by a horizon have none: a fault may
-/// separate the two.
+/// Whether an edge at which the cutting surface ends shows on which side of it a piece lies that continues beyond that
+/// edge in the map. It does for pieces of faults, which stand on the edge. It does not for horizons cut by horizons,
+/// which a fault may separate.
 enum class BeyondEnd : std::uint8_t { has_a_side, has_none };
 
 struct Piece {
@@ -44,8 +44,8 @@ struct Piece {
   Index largest = no_index;  ///< facet
   /// Length of edges at which the piece meets the cutting surface from above and from below.
   double above = 0, below = 0;
-  double free_border = 0;  ///< length of edges at which no other facet of any surface lies
-  double contact = 0;      ///< length of edges that lie on other surfaces
+  double free_border = 0;  ///< length of the piece's edges at which no other facet of any surface lies
+  double contact = 0;      ///< length of the piece's edges that lie on cutting surfaces
 };
 
 /// Returns pieces of surface `x`: its facets joined across edges at which no facet of a surface in `cutters` lies.

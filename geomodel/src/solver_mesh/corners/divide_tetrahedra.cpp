@@ -12,7 +12,7 @@ namespace geomesh::geomodel {
 
 namespace {
 
-/// Rows of the four tetrahedra into which one was divided, by the corner that each does not have.
+/// Rows of the four tetrahedra into which one was divided around its centre, by the corner of it that each part lacks.
 using Parts = std::array<Index, 4>;
 
 Parts divide(ConstrainedTetrahedralization& mesh, std::size_t row) {

@@ -233,7 +233,7 @@ void GrowingTriangulation::fill(const Vec2& p, std::span<const VertexIndex> halv
     }
   points_.push_back(p);
   change.vertex = v;
-  // New cells by the first and by the last vertex of their outer side.
+  // New cells by the first and by the last vertex of the side that they share with the cavity's border.
   std::map<VertexIndex, Index> starts, ends;
   for (std::size_t k = 0; k < sides.size(); ++k) {
     Index row = static_cast<Index>(cells_.size());

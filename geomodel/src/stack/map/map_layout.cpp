@@ -33,7 +33,7 @@ std::optional<std::pair<Vec2, Vec2>> cut_off(Vec2 p, Vec2 q, const MapBounds& b)
 std::vector<std::vector<Vec2>> cut_off(const std::vector<std::vector<Vec2>>& lines, const MapBounds& bounds) {
   std::vector<std::vector<Vec2>> kept;
   for (const std::vector<Vec2>& line : lines) {
-    bool joins = false;  // whether the next segment continues the last one
+    bool joins = false;  // whether the next segment begins at the end of the last one that was kept
     for (std::size_t i = 1; i < line.size(); ++i) {
       const auto piece = cut_off(line[i - 1], line[i], bounds);
       if (!piece) {

@@ -107,7 +107,7 @@ void add_crossing(const MapRaster& r, const std::array<std::size_t, 3>& cells, C
     if ((va < 0) == (vb < 0)) continue;
     const double t = va / (va - vb);
     const Vec2 p = centre(a), q = centre(b);
-    // The curve leaves the triangle through the side along which values change from negative to positive.
+    // The zero curve leaves the triangle through the side along which values change from negative to positive.
     const std::size_t end = va < 0 ? 0 : 1;
     ends[end] = {std::min(a, b), std::max(a, b)};
     places[end] = {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
@@ -216,7 +216,7 @@ void keep_area(std::vector<Vec2>& divided, const std::vector<Division>& from, co
     std::vector<Vec2> chain{divided[k + 1], divided[k], of(from[k])};
     for (std::size_t i = from[k].at; i < from[k + 1].at; ++i) chain.push_back(curve[i]);
     chain.push_back(of(from[k + 1]));
-    // Positive if the original curve runs on the left of the piece.
+    // Twice the area between curve and piece, positive if the curve runs on the left of the piece.
     twice[k] = -twice_area(chain);
     lengths[k] = std::hypot(divided[k + 1].x - divided[k].x, divided[k + 1].y - divided[k].y);
   }

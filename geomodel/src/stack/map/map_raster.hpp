@@ -20,7 +20,6 @@ struct MapRaster {
   std::vector<double> values;  ///< values row by row from the south
 
   MapRaster() = default;
-  /// Covers the bounds.
   MapRaster(const MapBounds& bounds, double cell);
   std::size_t size() const { return values.size(); }
   Vec2 centre(std::size_t column, std::size_t row) const {

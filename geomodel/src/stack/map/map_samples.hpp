@@ -12,7 +12,6 @@
 
 namespace geomesh::geomodel {
 
-/// A rectangle of the map.
 struct MapBounds {
   Vec2 min{1, 1}, max{0, 0};
   void add(Vec2 p);
@@ -47,9 +46,8 @@ class MapSamples {
   /// `radius`; from the triangles if there are fewer than six samples.
   void fitted_heights(Vec2 p, double radius, std::span<double> heights) const;
   bool covers(std::size_t surface, Vec2 p) const { return locators_[surface]->find(p).count > 0; }
-  /// Returns whether at some sample more than one triangle of the surface lies strictly above or below the place.
+  /// Returns whether two triangles of the surface lie above each other at some sample that is inside both.
   bool overhangs(std::size_t surface) const { return overhangs_[surface]; }
-  /// Returns the approximate distance between samples.
   double spacing() const { return spacing_; }
 
  private:

@@ -148,7 +148,7 @@ class Centring {
     }
   }
 
-  /// Moves each vertex by its weighted mean distance, as far as allowed. Returns the remaining sums of distances.
+  /// Moves each vertex by its weighted mean distance from the data, as far as allowed. Returns the remaining sums.
   std::vector<double> moved_by(std::vector<double> sums) {
     std::vector<double> before(n_);
     const double least = share_for_centring * options_.allowed;
@@ -166,7 +166,8 @@ class Centring {
     return sums;
   }
 
-  /// Moves the horizons at v by at most `most`, in order. Returns false if one is pushed farther than allowed.
+  /// Moves the horizons at vertex v by at most `most` towards their data, then restores their order. Returns false if
+  /// this pushes one farther than it may move.
   bool move(VertexIndex v, const std::vector<double>& sums, double most) {
     const std::span<double> heights(sheets_.heights.data() + v * n_, n_);
     const auto lowest = [&](std::size_t row) { return first_[row] - std::min(most, room_.down[row]); };
@@ -204,8 +205,8 @@ class Centring {
   std::vector<MergedPairs> merged_about_;
   std::vector<std::vector<VertexIndex>> neighbours_;
   std::vector<double> first_;           ///< heights of all vertices before the first round
-  SheetRoom room_;                      ///< allowed moves from the heights before the first round
-  std::vector<double> sums_, weights_;  ///< for each vertex and horizon: weighted sum of distances and sum of weights
+  SheetRoom room_;                      ///< largest vertical moves, from the heights before the first round
+  std::vector<double> sums_, weights_;  ///< per vertex and horizon: weighted sum of distances from the data; of weights
   std::vector<RuledPlace> places_;
 };
 

@@ -15,7 +15,7 @@ namespace geomesh::geomodel {
 /// The crossing of an edge of a horizon's data with a side of a triangle of the map.
 struct EdgeCrossing {
   std::size_t horizon;
-  Index cell;          ///< the triangle of the map that the edge leaves
+  Index cell;          ///< triangle of the map that the data's edge leaves at this crossing
   VertexIndex a, b;    ///< the side
   double along;        ///< position of the crossing on the side, as a fraction of the way from a to b
   double from_vertex;  ///< distance in m of the crossing from the nearer of a and b
@@ -23,7 +23,8 @@ struct EdgeCrossing {
   double height;  ///< of the data
 };
 
-/// Calls f with each crossing, horizon by horizon. Cost: linear in the data and the crossings.
+/// Calls f with each crossing of an edge of a horizon's data with a side of a triangle of the map, horizon by horizon.
+/// Cost: linear in the data and the crossings.
 template <class F>
 void for_each_crossing(const GrowingTriangulation& map, const MapSamples& samples, F&& f) {
   for (std::size_t k = 0; k < samples.n_surfaces(); ++k) {

@@ -12,9 +12,11 @@
 namespace geomesh::geomodel {
 namespace {
 
-// Least fraction of a sample's distance, caused by the fits at vertices, at which a fit's radius is reduced.
+// The radius of plane fits is reduced if these cause at least this fraction of a sample's vertical distance from the
+// approximation.
 constexpr double vertex_is_off = 0.5;
-// Fraction of the sample spacing within which crossings beside a vertex are ignored, since the vertex itself is off.
+// Fraction of the sample spacing within which crossings beside a vertex are not tested: there, the height of the vertex
+// itself causes the distance from the data.
 constexpr double near_vertex = 0.25;
 constexpr int most_rounds = 4;  // most rounds of adding points where edges are too far from the data
 // Distance of a new vertex beside its sample, as a fraction of the sample spacing.
@@ -254,7 +256,7 @@ class Approximation {
   }
 
   struct Worst {
-    double excess;  ///< a sample's distance divided by the allowed distance
+    double excess;  ///< a sample's distance from the approximation, divided by the allowed one
     Index cell, version, sample;
     bool operator<(const Worst& other) const {
       return excess != other.excess ? excess < other.excess : cell > other.cell;
@@ -304,8 +306,8 @@ class Approximation {
     return at == no_index ? std::pair(p, worst.cell) : std::pair(beside, at);
   }
 
-  /// Repeats the fit, with half of the radius, at the vertex that contributes most to a sample's distance. Returns
-  /// false if the vertices contribute little.
+  /// Fits a plane to the data again, with half of the radius, at that vertex of a triangle whose fit contributes most
+  /// to a sample's distance from the triangle. Returns false if poor fits are not the main cause.
   bool sharpen(const Worst& worst) {
     const Triangle v = map_.cells()[worst.cell].vertices;
     const std::array<double, 3> w = sheets_.weights(worst.cell, samples_.place(worst.sample));

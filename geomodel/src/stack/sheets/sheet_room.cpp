@@ -72,8 +72,9 @@ class RoomFinder {
     }
   }
 
-  /// Limits the moves of both ends of a side by its crossing with an edge of the data. The height of the data counts if
-  /// it is within the allowed distance, otherwise the height after the rules were applied.
+  /// Limits the vertical moves of both ends of a triangle's side where an edge of the data crosses it. The distance is
+  /// measured from the data if they are within the allowed distance, otherwise from the height after the rules were
+  /// applied.
   void look_at(const EdgeCrossing& at) {
     const std::size_t k = at.horizon;
     const double z = (1 - at.along) * sheets_.height(at.a, k) + at.along * sheets_.height(at.b, k);

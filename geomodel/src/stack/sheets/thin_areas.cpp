@@ -15,8 +15,8 @@ constexpr int places_a_side = 3;          // number of sampled places per side o
 constexpr int smoothing_passes = 4;
 constexpr std::size_t cells_a_task = 1024;
 constexpr double least_squares = 2;   // least area of an island, as a multiple of the squared target size
-constexpr double surely_thin = 0.75;  // fraction of the least thickness below which a unit is certainly too thin
-constexpr double surely_thick = 1.5;  // multiple of the least thickness above which a unit is certainly thick enough
+constexpr double surely_thin = 0.75;  // units thinner than this fraction of the least thickness are merged
+constexpr double surely_thick = 1.5;  // units thicker than this multiple of it are kept separate
 // Multiple of the least thickness from which an island of the unit is kept whatever its area.
 constexpr double kept_however_small = 3;
 constexpr double line_piece = 0.7;  // of the size
@@ -127,7 +127,7 @@ std::size_t drop_islands(MapRaster& excess, const ThinAreaOptions& options) {
 
 double distance(const Vec2& p, const Vec2& q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
-/// Returns the point of `earlier` that is nearest to p, if it is within reach, otherwise p itself.
+/// Returns the point of `earlier` (points of other lines) that is nearest to p and within reach, otherwise p itself.
 Vec2 snapped(const Vec2& p, const std::vector<Vec2>& earlier, double reach) {
   Vec2 best = p;
   for (const Vec2& q : earlier)
